@@ -1,0 +1,34 @@
+# Warnings, sanitizers and floating-point rules, in one INTERFACE target that every room links.
+set(CROWD_SANITIZER "" CACHE STRING "Sanitizer: empty, 'address' (with undefined) or 'thread'")
+
+find_program(CROWD_CCACHE ccache)
+if(CROWD_CCACHE)
+    # The sloppiness lets ccache work together with precompiled headers.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1
+        "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        ${CROWD_CCACHE})
+endif()
+
+add_library(crowd_options INTERFACE)
+target_compile_options(crowd_options INTERFACE
+    -Wall -Wextra -Wconversion -Wshadow -Werror
+    # The same bits on every machine of a type: no fused multiply-add behind our back.
+    -ffp-contract=off)
+target_compile_definitions(crowd_options INTERFACE
+    QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII
+    GLM_ENABLE_EXPERIMENTAL GLM_FORCE_SILENT_WARNINGS)
+target_include_directories(crowd_options INTERFACE "${CMAKE_SOURCE_DIR}")
+
+if(CROWD_SANITIZER STREQUAL "address")
+    target_compile_options(crowd_options INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(crowd_options INTERFACE -fsanitize=address,undefined)
+elseif(CROWD_SANITIZER STREQUAL "thread")
+    target_compile_options(crowd_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+    target_link_options(crowd_options INTERFACE -fsanitize=thread)
+    # TBB as packaged is not instrumented; parallelFor falls back to threads of our own.
+    target_compile_definitions(crowd_options INTERFACE CROWD_PARALLEL_STD_THREADS)
+elseif(CROWD_SANITIZER)
+    message(FATAL_ERROR "CROWD_SANITIZER is '${CROWD_SANITIZER}': use 'address', 'thread' or leave it empty")
+endif()

@@ -1,0 +1,11 @@
+# crowd_add_room(NAME room PCH header... SOURCES file... LINK target... PRIVATE_LINK target...)
+# One static library per room. What a room may know is what it links: the linker enforces the design.
+function(crowd_add_room)
+    cmake_parse_arguments(ROOM "" "NAME" "PCH;SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+    add_library(crowd_${ROOM_NAME} STATIC ${ROOM_SOURCES})
+    target_link_libraries(crowd_${ROOM_NAME} PUBLIC crowd_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
+    if(ROOM_PCH)
+        target_precompile_headers(crowd_${ROOM_NAME} PRIVATE ${ROOM_PCH})
+        target_compile_options(crowd_${ROOM_NAME} PRIVATE -fpch-preprocess)
+    endif()
+endfunction()

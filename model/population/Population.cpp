@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "model/population/Population.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cstring>
+
+namespace crowd::model {
+
+namespace {
+
+std::uint64_t nextVersion()
+{
+    static std::atomic<std::uint64_t> counter{0};
+    return ++counter;
+}
+
+template<class T>
+void detach(std::shared_ptr<std::vector<T>>& shared)
+{
+    if (shared.use_count() > 1) {
+        shared = std::make_shared<std::vector<T>>(*shared);
+    }
+}
+
+template<class T>
+void fillDefault(IndividualRows& rows, ColumnKey<T> key, T value)
+{
+    std::ranges::fill(rows.column(key), value);
+}
+
+} // namespace
+
+IndividualRows IndividualRows::withDefaults(std::vector<IndividualId> rowIds)
+{
+    IndividualRows rows;
+    rows.ids = std::move(rowIds);
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        rows.bytes[c].resize(rows.ids.size() * columnInfo(static_cast<ColumnId>(c)).stride);
+    }
+    fillDefault(rows, columns::height, 1.0F);
+    fillDefault(rows, columns::girth, 1.0F);
+    fillDefault(rows, columns::playbackSpeed, 1.0F);
+    fillDefault(rows, columns::parts, std::uint32_t{0xFFFFFFFFU});
+    fillDefault(rows, columns::seat, kNoSeat);
+    for (int slot = 0; slot < 8; ++slot) {
+        fillDefault(rows, columns::tint(slot), Tint{});
+    }
+    return rows;
+}
+
+Population::Population()
+    : m_ids(std::make_shared<std::vector<IndividualId>>()),
+      m_blockVersions(std::make_shared<std::vector<std::uint64_t>>())
+{
+    for (auto& column : m_columns) {
+        column = std::make_shared<std::vector<std::byte>>();
+    }
+}
+
+std::size_t Population::rowOf(IndividualId id) const
+{
+    const auto found = std::ranges::lower_bound(*m_ids, id);
+    if (found == m_ids->end() || *found != id) {
+        return npos;
+    }
+    return static_cast<std::size_t>(found - m_ids->begin());
+}
+
+std::span<const std::byte> Population::columnBytes(ColumnId column) const
+{
+    return *m_columns[static_cast<std::size_t>(column)];
+}
+
+std::vector<std::size_t> Population::rowsOf(std::span<const IndividualId> ids) const
+{
+    std::vector<std::size_t> found;
+    found.reserve(ids.size());
+    auto from = m_ids->begin();
+    for (const IndividualId id : ids) {
+        // Ids ascend, and a stroke touches runs of neighbours: try the next row before searching.
+        if (from == m_ids->end() || *from != id) {
+            from = std::lower_bound(from, m_ids->end(), id);
+        }
+        assert(from != m_ids->end() && *from == id);
+        found.push_back(static_cast<std::size_t>(from - m_ids->begin()));
+        ++from;
+    }
+    return found;
+}
+
+void Population::add(const IndividualRows& rows)
+{
+    if (rows.ids.empty()) {
+        return;
+    }
+    assert(std::ranges::is_sorted(rows.ids));
+    const std::size_t total = size() + rows.ids.size();
+    auto ids = std::make_shared<std::vector<IndividualId>>(total);
+    std::ranges::merge(*m_ids, rows.ids, ids->begin());
+    assert(std::ranges::adjacent_find(*ids) == ids->end());
+
+    // fromNew[row]: whether the merged row comes from `rows`.
+    std::vector<bool> fromNew(total);
+    for (std::size_t row = 0, next = 0; row < total; ++row) {
+        fromNew[row] = next < rows.ids.size() && (*ids)[row] == rows.ids[next];
+        next += fromNew[row] ? 1 : 0;
+    }
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
+        auto merged = std::make_shared<std::vector<std::byte>>(total * stride);
+        const std::byte* oldFrom = m_columns[c]->data();
+        const std::byte* newFrom = rows.bytes[c].data();
+        std::byte* to = merged->data();
+        for (std::size_t row = 0; row < total; ++row, to += stride) {
+            const std::byte*& from = fromNew[row] ? newFrom : oldFrom;
+            std::memcpy(to, from, stride);
+            from += stride;
+        }
+        m_columns[c] = std::move(merged);
+    }
+    m_ids = std::move(ids);
+    stampAll();
+}
+
+IndividualRows Population::remove(std::span<const IndividualId> ids)
+{
+    IndividualRows removed = rows(ids);
+    if (ids.empty()) {
+        return removed;
+    }
+    const std::vector<std::size_t> gone = rowsOf(ids);
+    const auto compacted = [&](const auto& source, std::size_t stride) {
+        auto kept = std::make_shared<std::remove_cvref_t<decltype(source)>>();
+        kept->reserve(source.size() - gone.size() * stride);
+        std::size_t from = 0;
+        for (const std::size_t row : gone) {
+            kept->insert(kept->end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
+                         source.begin() + static_cast<std::ptrdiff_t>(row * stride));
+            from = row + 1;
+        }
+        kept->insert(kept->end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
+                     source.end());
+        return kept;
+    };
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        m_columns[c] = compacted(*m_columns[c], columnInfo(static_cast<ColumnId>(c)).stride);
+    }
+    m_ids = compacted(*m_ids, 1);
+    stampAll();
+    return removed;
+}
+
+IndividualRows Population::rows(std::span<const IndividualId> ids) const
+{
+    IndividualRows copied;
+    copied.ids.assign(ids.begin(), ids.end());
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        copied.bytes[c] = values(static_cast<ColumnId>(c), ids);
+    }
+    return copied;
+}
+
+std::vector<std::byte> Population::values(ColumnId column, std::span<const IndividualId> ids) const
+{
+    const std::size_t stride = columnInfo(column).stride;
+    std::vector<std::byte> copied(ids.size() * stride);
+    const std::byte* source = columnBytes(column).data();
+    std::byte* to = copied.data();
+    for (const std::size_t row : rowsOf(ids)) {
+        std::memcpy(to, source + row * stride, stride);
+        to += stride;
+    }
+    return copied;
+}
+
+void Population::setValues(ColumnId column, std::span<const IndividualId> ids,
+                           std::span<const std::byte> bytes)
+{
+    const std::size_t stride = columnInfo(column).stride;
+    const bool isUniform = bytes.size() == stride;
+    assert(isUniform || bytes.size() == ids.size() * stride);
+    const std::vector<std::size_t> touched = rowsOf(ids);
+    std::byte* target = writable(column).data();
+    const std::byte* from = bytes.data();
+    for (const std::size_t row : touched) {
+        std::memcpy(target + row * stride, from, stride);
+        from += isUniform ? 0 : stride;
+    }
+    stampRows(touched);
+}
+
+std::vector<std::byte>& Population::writable(ColumnId column)
+{
+    auto& shared = m_columns[static_cast<std::size_t>(column)];
+    detach(shared);
+    return *shared;
+}
+
+void Population::stampRows(std::span<const std::size_t> rows)
+{
+    if (rows.empty()) {
+        return;
+    }
+    m_version = nextVersion();
+    detach(m_blockVersions);
+    for (const std::size_t row : rows) {
+        (*m_blockVersions)[row / kBlockRows] = m_version;
+    }
+}
+
+void Population::stampAll()
+{
+    m_version = nextVersion();
+    m_rowsVersion = m_version;
+    const std::size_t blocks = (size() + kBlockRows - 1) / kBlockRows;
+    m_blockVersions = std::make_shared<std::vector<std::uint64_t>>(blocks, m_version);
+}
+
+bool operator==(const Population& a, const Population& b)
+{
+    if (*a.m_ids != *b.m_ids) {
+        return false;
+    }
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        if (*a.m_columns[c] != *b.m_columns[c]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "model/population/Population.h"
+
+#include <QtTest/QTest>
+
+using namespace crowd::model;
+
+namespace {
+
+IndividualRows people(std::vector<IndividualId> ids)
+{
+    IndividualRows rows = IndividualRows::withDefaults(std::move(ids));
+    for (std::size_t i = 0; i < rows.ids.size(); ++i) {
+        rows.column(columns::heading)[i] = static_cast<float>(rows.ids[i]);
+    }
+    return rows;
+}
+
+} // namespace
+
+class tst_Population : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void addsInOrderOfId();
+    void putsRemovedRowsBackWhereTheyWere();
+    void leavesCopiesAlone();
+    void stampsOnlyTouchedBlocks();
+};
+
+void tst_Population::addsInOrderOfId()
+{
+    Population population;
+    population.add(people({2, 5, 9}));
+    population.add(people({1, 6}));
+    const std::vector<float> headings(population.column(columns::heading).begin(),
+                                      population.column(columns::heading).end());
+    QCOMPARE(headings, (std::vector<float>{1, 2, 5, 6, 9}));
+    QCOMPARE(population.rowOf(6), std::size_t{3});
+    QCOMPARE(population.rowOf(7), Population::npos);
+}
+
+void tst_Population::putsRemovedRowsBackWhereTheyWere()
+{
+    Population population;
+    population.add(people({1, 2, 3, 4, 5}));
+    const Population before = population;
+    const IndividualRows removed = population.remove(std::vector<IndividualId>{1, 3, 5});
+    QCOMPARE(population.size(), std::size_t{2});
+    QVERIFY(!(population == before));
+    population.add(removed);
+    QVERIFY(population == before);
+}
+
+void tst_Population::leavesCopiesAlone()
+{
+    Population population;
+    population.add(people({1, 2}));
+    const Population snapshot = population;
+    population.setValues(columns::heading, std::vector<IndividualId>{2},
+                         std::span<const float>(std::vector<float>{7.0F}));
+    QCOMPARE(snapshot.column(columns::heading)[1], 2.0F);
+    QCOMPARE(population.column(columns::heading)[1], 7.0F);
+}
+
+void tst_Population::stampsOnlyTouchedBlocks()
+{
+    std::vector<IndividualId> ids;
+    for (IndividualId id = 1; id <= 600; ++id) {
+        ids.push_back(id);
+    }
+    Population population;
+    population.add(people(ids));
+    const std::uint64_t seen = population.version();
+    population.setValues(columns::height, std::vector<IndividualId>{300},
+                         std::span<const float>(std::vector<float>{2.0F}));
+    QCOMPARE(population.blockVersions().size(), std::size_t{3});
+    QVERIFY(population.blockVersions()[0] <= seen);
+    QVERIFY(population.blockVersions()[1] > seen);
+    QVERIFY(population.blockVersions()[2] <= seen);
+    QVERIFY(population.rowsVersion() <= seen);
+}
+
+QTEST_GUILESS_MAIN(tst_Population)
+#include "tst_Population.moc"
