@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "model/population/Columns.h"
+
+/// What SceneDocument::changed() reports: small typed events, said after the fact.
+namespace crowd::model {
+
+struct IndividualsAdded
+{
+    std::vector<IndividualId> ids; ///< ascending
+};
+struct IndividualsRemoved
+{
+    std::vector<IndividualId> ids; ///< ascending
+};
+struct ColumnsChanged
+{
+    std::vector<IndividualId> ids; ///< ascending
+    std::uint32_t columns = 0;     ///< bit per ColumnId
+};
+struct TemplatesChanged
+{
+};
+struct StagesChanged
+{
+};
+struct CamerasChanged
+{
+};
+struct LightingChanged
+{
+};
+/// Another scene altogether: forget everything.
+struct SceneReplaced
+{
+};
+
+using SceneChange =
+    std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
+                 StagesChanged, CamerasChanged, LightingChanged, SceneReplaced>;
+
+} // namespace crowd::model

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <QtCore/QString>
+
+#include "model/document/SceneDocument.h"
+
+namespace crowd::model {
+
+/// A transaction on the document: every change is applied (and announced) at once, old values are
+/// kept at first touch. commit() pushes exactly one undo command holding ids with old and new
+/// values (columns, not whole individuals), already applied; or none when nothing changed in the
+/// end. rollback(), or destruction without commit, puts everything back, the next id included.
+class SceneEdit
+{
+public:
+    ~SceneEdit();
+    SceneEdit(const SceneEdit&) = delete;
+    SceneEdit& operator=(const SceneEdit&) = delete;
+
+    [[nodiscard]] const Scene& scene() const;
+
+    /// Adds rows with fresh ids (rows.ids are overwritten by ascending new ones, which are
+    /// returned).
+    std::vector<IndividualId> addIndividuals(IndividualRows rows);
+    void removeIndividuals(std::span<const IndividualId> ids); ///< ascending, all present
+    /// bytes: one value each, or one for all. Ids ascending, all present.
+    void setColumn(ColumnId column, std::span<const IndividualId> ids,
+                   std::span<const std::byte> bytes);
+    template<class T>
+    void setColumn(ColumnKey<T> key, std::span<const IndividualId> ids, std::span<const T> values)
+    {
+        setColumn(key.id, ids, std::as_bytes(values));
+    }
+
+    // Scene-level edits; ids of entries without id (0) are given out here.
+    TemplateId addTemplate(TemplateEntry entry);
+    void removeTemplate(TemplateId id);              ///< no individual uses it
+    void changeTemplate(const TemplateEntry& entry); ///< by id
+    std::uint8_t addStage(StageEntry entry);
+    void removeStage(std::uint8_t id);
+    void changeStage(const StageEntry& entry);
+    void setCameras(std::vector<NamedCamera> cameras);
+    void setLighting(const Lighting& lighting);
+
+    /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
+    void rollback();
+    /// Ends the edit as one undo step with this text; false when nothing changed.
+    bool commit(const QString& undoText);
+
+private:
+    friend class SceneDocument;
+    explicit SceneEdit(SceneDocument& document);
+
+    SceneDocument& m_document;
+    struct Private;
+    std::unique_ptr<Private> m_private;
+};
+
+} // namespace crowd::model

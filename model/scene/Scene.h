@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/population/Population.h"
+#include "model/scene/Stage.h"
+#include "model/template/Template.h"
+#include "model/view/View.h"
+
+/// The scene as a plain value: what a project file holds. World frame: right-handed, metres, Y up.
+namespace crowd::model {
+
+/// Corrections that the import dialog proposed and the artist accepted; part of the project.
+struct ImportSettings
+{
+    float scale = 1.0F;
+    glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F}; ///< up-axis and facing
+    float groundOffset = 0.0F;                  ///< metres added to Y after scale and rotation
+    bool removeRootMotion = true;
+    friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
+};
+
+/// A template as the scene refers to it. `asset` is null while the file is missing or loading; the
+/// names below are kept from the last time it was there, so that nothing is lost on saving.
+struct TemplateEntry
+{
+    TemplateId id = 0;
+    std::string name;
+    std::string path; ///< absolute file path, or "builtin:templates/…"
+    ImportSettings import;
+    std::vector<std::string> clipNames; ///< what the clip column indexes
+    std::vector<float> clipSpeeds;      ///< ground speed edited by the artist, NaN: the asset's
+    TemplatePtr asset;
+    std::string problem; ///< why the asset is not there; empty otherwise
+};
+
+struct StageEntry
+{
+    std::uint8_t id = 0;
+    std::string name;
+    std::string path;
+    glm::vec3 position{0.0F};
+    float headingRadians = 0.0F;
+    float scale = 1.0F;
+    StagePtr asset;
+    std::string problem;
+
+    [[nodiscard]] glm::mat4 worldFromStage() const;
+};
+
+struct NamedCamera
+{
+    std::string name;
+    Camera camera;
+};
+
+/// A directional light, an ambient light, a sky; colours sRGB 0..1.
+struct Lighting
+{
+    float sunAzimuthRadians = 0.6F; ///< from +Z towards +X, where the sun stands
+    float sunElevationRadians = 0.9F;
+    glm::vec3 sunColor{1.0F, 0.96F, 0.88F};
+    float sunStrength = 1.0F;
+    glm::vec3 ambientColor{0.62F, 0.70F, 0.82F};
+    float ambientStrength = 0.6F;
+    glm::vec3 skyZenith{0.35F, 0.53F, 0.78F};
+    glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
+    glm::vec3 ground{0.58F, 0.57F, 0.53F};
+    bool showGroundGrid = true;
+    friend bool operator==(const Lighting&, const Lighting&) = default;
+};
+
+/// A seat in the world, with the name individuals know it by.
+struct WorldSeat
+{
+    SeatId id = kNoSeat;
+    Seat seat; ///< position and heading in the world frame, metres
+};
+
+struct Scene
+{
+    std::string name;
+    Population population;
+    IndividualId nextId = 1;              ///< restored by undo
+    std::vector<TemplateEntry> templates; ///< ascending ids
+    std::vector<StageEntry> stages;       ///< ascending ids
+    std::vector<NamedCamera> cameras;
+    Lighting lighting;
+    std::uint32_t seed = 1;
+    /// JSON text of top-level members of the project file that this version does not know; written
+    /// back unchanged.
+    std::string unknownMembers;
+
+    [[nodiscard]] const TemplateEntry* findTemplate(TemplateId id) const; ///< null: no such entry
+    [[nodiscard]] TemplateEntry* findTemplate(TemplateId id);
+    [[nodiscard]] const StageEntry* findStage(std::uint8_t id) const;
+    /// All seats of the loaded stages, ascending by id.
+    [[nodiscard]] std::vector<WorldSeat> worldSeats() const;
+    /// Bounds of stages and people; a 20 m square on the ground when there is nothing.
+    [[nodiscard]] Bounds worldBounds() const;
+};
+
+/// World matrix of an individual: translate, turn by heading (+Z towards +X), scale (girth, height,
+/// girth).
+[[nodiscard]] glm::mat4 individualMatrix(const glm::vec3& position, float headingRadians,
+                                         float height, float girth);
+
+} // namespace crowd::model

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/base/Bounds.h"
+
+namespace crowd::model {
+
+enum class Projection : unsigned char { Perspective, Orthographic };
+
+/// Where a picture is taken from. World frame, metres; looks along -Z of its orientation, Y up.
+struct Camera
+{
+    glm::vec3 position{0.0F, 4.0F, 12.0F};
+    glm::quat orientation{1.0F, 0.0F, 0.0F, 0.0F};
+    Projection projection = Projection::Perspective;
+    float fovYRadians = 0.8F;         ///< perspective: full vertical angle
+    float orthographicHeight = 20.0F; ///< orthographic: metres from bottom to top
+    float pivotDistance = 12.0F;      ///< to the point that orbiting turns around
+
+    [[nodiscard]] glm::vec3 forward() const;
+    [[nodiscard]] glm::vec3 up() const;
+    [[nodiscard]] glm::vec3 right() const;
+    [[nodiscard]] glm::vec3 pivot() const;
+    [[nodiscard]] static Camera lookingAt(const glm::vec3& from, const glm::vec3& at);
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+struct Ray
+{
+    glm::vec3 origin{0.0F};
+    glm::vec3 direction{0.0F, 0.0F, -1.0F}; ///< unit
+};
+
+/// A camera with the size of the picture in logical pixels (y down, origin top left): what turns
+/// world into screen and back. The one place where projections are computed.
+class View
+{
+public:
+    View(const Camera& camera, glm::vec2 sizePixels);
+
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    [[nodiscard]] glm::vec2 size() const { return m_size; }
+    [[nodiscard]] float nearPlane() const { return m_near; }
+    [[nodiscard]] float farPlane() const { return m_far; }
+    [[nodiscard]] const glm::mat4& viewMatrix() const { return m_view; }
+    [[nodiscard]] const glm::mat4& projectionMatrix() const
+    {
+        return m_projection;
+    } ///< GL clip space
+    [[nodiscard]] const glm::mat4& viewProjection() const { return m_viewProjection; }
+    /// Screen position in logical pixels and depth in metres along the view axis; nothing when the
+    /// point is behind the near plane.
+    [[nodiscard]] std::optional<glm::vec3> project(const glm::vec3& world) const;
+    [[nodiscard]] Ray rayThrough(glm::vec2 pixel) const;
+    /// Logical pixels that one metre takes at a depth.
+    [[nodiscard]] float pixelsPerMetre(float depth) const;
+
+private:
+    Camera m_camera;
+    glm::vec2 m_size;
+    float m_near;
+    float m_far;
+    glm::mat4 m_view;
+    glm::mat4 m_projection;
+    glm::mat4 m_viewProjection;
+};
+
+} // namespace crowd::model
