@@ -145,11 +145,15 @@ struct Clip
     float speed = 0.0F;
     /// Net horizontal displacement over the clip that the baker removes linearly, template frame.
     glm::vec3 rootMotion{0.0F};
-    int rootMotionNode = -1;
+    int rootMotionNode = -1; ///< the node, with all below it, that it is taken from; -1 none
     std::vector<Channel> channels;
 
     /// Keyframes baked: one each 1/32 s plus the extra one at the end of the loop.
     [[nodiscard]] int keyframeCount() const;
+    /// When keyframe k is sampled, seconds after the start: k / 32, the last one at the very end.
+    [[nodiscard]] float keyframeSeconds(int keyframe) const;
+    /// The inverse: which keyframe (with the fraction towards the next) a moment falls on.
+    [[nodiscard]] float keyframeAt(float secondsAfterStart) const;
 };
 
 struct Template
