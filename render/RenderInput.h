@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "model/bake/KeyframeStore.h"
+#include "model/scene/CrowdFrame.h"
+#include "model/scene/Scene.h"
+#include "model/view/View.h"
+
+/// What one picture is made of. All of it is read during Renderer::draw() only; spans and
+/// references need to live no longer. World frame: right-handed, metres, Y up; colours sRGB 0..1.
+namespace crowd::render {
+
+/// How the view is drawn.
+enum class Look : std::uint8_t {
+    Plain, ///< base colours, no light
+    Lit,   ///< directional light and hemisphere ambient
+    Count
+};
+
+/// Name in the command line and in menus' ids: "plain", "lit".
+[[nodiscard]] const char* lookName(Look look);
+
+/// A translucent character that is not there yet: the preview under the creation brush.
+struct Ghost
+{
+    model::TemplatePtr asset; ///< nothing is drawn without one
+    int clip = 0;
+    float phase = 0.0F;       ///< 0..1 of the clip
+    glm::vec3 position{0.0F}; ///< foot point
+    float headingRadians = 0.0F;
+    float height = 1.0F; ///< scale of Y
+    float girth = 1.0F;  ///< scale of X and Z
+    float lift = 0.0F;   ///< metres, as model::seatLift gives it
+    std::array<model::Tint, 8> tints{};
+    model::MaterialChoices materialChoices{};
+    std::uint32_t parts = 0xFFFFFFFFU;
+    float alpha = 0.5F;
+};
+
+/// A small disc that lies flat in the scene (free seats while the seat grid is shown).
+struct Marker
+{
+    glm::vec3 position{0.0F};
+    float radius = 0.12F; ///< metres
+    glm::vec4 color{1.0F};
+};
+
+/// A line over the scene (paths, gradient direction). Hidden parts shine through faintly.
+struct OverlayLine
+{
+    glm::vec3 from{0.0F};
+    glm::vec3 to{0.0F};
+    glm::vec4 color{1.0F};
+};
+
+/// Projected heights in physical pixels below which the next coarser level is drawn.
+struct LevelThresholds
+{
+    std::array<float, model::kMaxLevels - 1> pixels{60.0F, 35.0F, 18.0F};
+    float hysteresis = 0.1F; ///< share by which a threshold must be passed to change the level
+    /// Everybody at the finest level (measurements, final pictures).
+    [[nodiscard]] static LevelThresholds fullDetail() { return {{0.0F, 0.0F, 0.0F}, 0.0F}; }
+};
+
+struct RenderInput
+{
+    RenderInput(const model::View& pictureView, model::KeyframeStore& store)
+        : view(pictureView), keyframes(store)
+    {
+    }
+
+    model::CrowdFramePtr frame; ///< null: nobody
+    model::View view;           ///< in logical pixels
+    glm::ivec2 pixelSize{0};    ///< physical pixels; 0: the view's size
+    model::KeyframeStore& keyframes;
+    std::span<const model::StageEntry> stages;
+    /// Scene::worldSeats(), ascending by id: lifts seated people. Change the version with it.
+    std::span<const model::WorldSeat> seats;
+    std::uint64_t seatsVersion = 0;
+    model::Lighting lighting;
+    Look look = Look::Lit;
+    LevelThresholds levels;
+    int samples = 4; ///< per pixel; 0: no anti-aliasing
+
+    std::span<const model::IndividualId> selected; ///< ascending
+    model::IndividualId hovered = 0;
+    glm::vec3 selectionColor{1.0F, 0.62F, 0.10F};
+    std::span<const Ghost> ghosts;
+    std::span<const Marker> markers;
+    std::span<const OverlayLine> lines;
+    bool showGround = true; ///< ground plane and grid; off for thumbnails
+    bool showShadows = true;
+    /// Background instead of the sky when its alpha is above zero.
+    glm::vec4 background{0.0F};
+};
+
+/// What drawing the last picture took.
+struct RenderStatistics
+{
+    int individuals = 0;
+    int visible = 0;
+    std::array<int, model::kMaxLevels> byLevel{};
+    int draws = 0;                    ///< GL draw calls, all passes
+    std::int64_t triangles = 0;       ///< sent, all passes
+    int uploadedBlocks = 0;           ///< of Population::kBlockRows rows, static records
+    bool areKeyframesMissing = false; ///< somebody stands in his clip's first keyframe
+    double recordsMs = 0.0;           ///< CPU: static records of changed rows
+    double planMs = 0.0;              ///< CPU: phase, cull, level, sort
+    double submitMs = 0.0;            ///< CPU: uploads and GL calls
+    double totalMs = 0.0;             ///< CPU: the whole draw() call
+};
+
+} // namespace crowd::render
