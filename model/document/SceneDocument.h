@@ -56,6 +56,8 @@ private:
     friend class SceneEdit;
     friend class SceneCommand;
 
+    void announce(const SceneChange& change);
+
     Scene m_scene;
     QUndoStack m_undoStack;
     QString m_path;
@@ -64,3 +66,5 @@ private:
 };
 
 } // namespace crowd::model
+
+Q_DECLARE_METATYPE(crowd::model::SceneChange)

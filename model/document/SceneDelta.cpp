@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "model/document/SceneDelta.h"
+
+#include <algorithm>
+
+namespace crowd::model {
+
+namespace {
+
+using Announce = std::function<void(const SceneChange&)>;
+
+std::size_t bytesOf(const IndividualRows& rows)
+{
+    std::size_t total = rows.ids.size() * sizeof(IndividualId);
+    for (const auto& column : rows.bytes) {
+        total += column.size();
+    }
+    return total;
+}
+
+void swapIndividuals(Scene& scene, const IndividualRows& leaving, const IndividualRows& coming,
+                     const Announce& announce)
+{
+    if (!leaving.ids.empty()) {
+        (void)scene.population.remove(leaving.ids);
+        announce(IndividualsRemoved{leaving.ids});
+    }
+    if (!coming.ids.empty()) {
+        scene.population.add(coming);
+        announce(IndividualsAdded{coming.ids});
+    }
+}
+
+/// An asset that was loaded meanwhile belongs to the file, not to the edit: it is kept.
+void keepLoadedAsset(const TemplateEntry& current, TemplateEntry& coming)
+{
+    if (!coming.asset && current.path == coming.path && current.import == coming.import) {
+        coming.asset = current.asset;
+        coming.problem = current.problem;
+    }
+}
+
+void keepLoadedAsset(const StageEntry& current, StageEntry& coming)
+{
+    if (!coming.asset && current.path == coming.path) {
+        coming.asset = current.asset;
+        coming.problem = current.problem;
+    }
+}
+
+template<class Entry>
+void swapEntries(std::vector<Entry>& entries, const std::vector<EntryDelta<Entry>>& deltas,
+                 DeltaDirection direction)
+{
+    for (const EntryDelta<Entry>& delta : deltas) {
+        const auto& from = direction == DeltaDirection::Redo ? delta.before : delta.after;
+        std::optional<Entry> to = direction == DeltaDirection::Redo ? delta.after : delta.before;
+        if (from) {
+            const auto current = std::ranges::find(entries, from->id, &Entry::id);
+            if (to) {
+                keepLoadedAsset(*current, *to);
+            }
+            entries.erase(current);
+        }
+        if (to) {
+            entries.insert(std::ranges::upper_bound(entries, to->id, {}, &Entry::id), *to);
+        }
+    }
+}
+
+void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
+                 const Announce& announce)
+{
+    for (const ColumnDelta& change : delta.columns) {
+        scene.population.setValues(change.column, change.ids,
+                                   direction == DeltaDirection::Redo ? change.after
+                                                                     : change.before);
+    }
+    for (const ColumnDelta& change : delta.columns) {
+        announce(ColumnsChanged{change.ids, 1U << static_cast<unsigned>(change.column)});
+    }
+}
+
+} // namespace
+
+bool SceneDelta::isEmpty() const
+{
+    return added.ids.empty() && removed.ids.empty() && columns.empty() && templates.empty() &&
+           stages.empty() && !cameras && !lighting;
+}
+
+std::size_t SceneDelta::bytes() const
+{
+    std::size_t total = sizeof(SceneDelta) + bytesOf(added) + bytesOf(removed);
+    for (const ColumnDelta& change : columns) {
+        total +=
+            change.ids.size() * sizeof(IndividualId) + change.before.size() + change.after.size();
+    }
+    return total;
+}
+
+void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
+                const Announce& announce)
+{
+    const bool isRedo = direction == DeltaDirection::Redo;
+    // Templates first when they come and last when they go: nobody may lack his template meanwhile.
+    const auto templatesAndStages = [&] {
+        swapEntries(scene.templates, delta.templates, direction);
+        swapEntries(scene.stages, delta.stages, direction);
+        if (!delta.templates.empty()) {
+            announce(TemplatesChanged{});
+        }
+        if (!delta.stages.empty()) {
+            announce(StagesChanged{});
+        }
+    };
+    if (isRedo) {
+        templatesAndStages();
+    }
+    scene.nextId = isRedo ? delta.nextIdAfter : delta.nextIdBefore;
+    swapIndividuals(scene, isRedo ? delta.removed : delta.added,
+                    isRedo ? delta.added : delta.removed, announce);
+    swapColumns(scene, delta, direction, announce);
+    if (!isRedo) {
+        templatesAndStages();
+    }
+    if (delta.cameras) {
+        scene.cameras = isRedo ? delta.cameras->after : delta.cameras->before;
+        announce(CamerasChanged{});
+    }
+    if (delta.lighting) {
+        scene.lighting = isRedo ? delta.lighting->after : delta.lighting->before;
+        announce(LightingChanged{});
+    }
+}
+
+} // namespace crowd::model
