@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/EditorState.h"
+
+#include <QtCore/QMetaObject>
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+using model::BrushSettings;
+using model::Camera;
+
+EditorState::EditorState(model::SceneDocument& document, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(document)
+{
+    for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
+        m_brushes[kind] = model::defaultBrush(static_cast<BrushKind>(kind));
+    }
+    m_keyframes.setFinishedCallback([this] {
+        QMetaObject::invokeMethod(
+            this, [this] { Q_EMIT keyframesChanged(m_keyframes.progress()); },
+            Qt::QueuedConnection);
+    });
+    connect(&document, &model::SceneDocument::changed, this, &EditorState::followScene);
+}
+
+EditorState::~EditorState()
+{
+    m_keyframes.setFinishedCallback({});
+}
+
+model::CrowdFramePtr EditorState::frame() const
+{
+    return m_document.frame(m_transport.seconds());
+}
+
+void EditorState::setTool(ToolId id)
+{
+    if (m_tool == id) {
+        return;
+    }
+    m_previousTool = m_tool;
+    m_tool = id;
+    Q_EMIT toolChanged(id);
+}
+
+const BrushSettings& EditorState::brush(BrushKind kind) const
+{
+    return m_brushes[static_cast<std::size_t>(kind)];
+}
+
+void EditorState::setBrush(const BrushSettings& settings)
+{
+    BrushSettings& kept = m_brushes[static_cast<std::size_t>(settings.kind)];
+    if (kept == settings) {
+        return;
+    }
+    kept = settings;
+    Q_EMIT brushChanged(settings.kind);
+}
+
+const BrushSettings* EditorState::activeBrush() const
+{
+    const std::optional<BrushKind> kind = brushKindOf(m_tool);
+    return kind ? &brush(*kind) : nullptr;
+}
+
+void EditorState::placeCamera(const Camera& camera, const QString& name)
+{
+    if (m_view.camera == camera && m_view.name == name) {
+        return;
+    }
+    m_view = {camera, name};
+    Q_EMIT viewCameraChanged(m_view);
+}
+
+void EditorState::setCamera(const Camera& camera, const QString& name)
+{
+    m_motion.stop();
+    placeCamera(camera, name);
+}
+
+void EditorState::moveCameraTo(const Camera& camera, const QString& name)
+{
+    m_motion.start(m_view.camera, camera);
+    m_motionName = name;
+    // Whoever runs a frame clock hears of it through this signal.
+    m_view.name.clear();
+    Q_EMIT viewCameraChanged(m_view);
+}
+
+Camera EditorState::cameraTarget() const
+{
+    return m_motion.target().value_or(m_view.camera);
+}
+
+void EditorState::setViewOptions(const ViewOptions& options)
+{
+    if (m_options == options) {
+        return;
+    }
+    m_options = options;
+    Q_EMIT viewOptionsChanged(m_options);
+}
+
+void EditorState::setLongWork(const LongWork& work)
+{
+    m_longWork = work;
+    Q_EMIT longWorkChanged(m_longWork);
+}
+
+void EditorState::setHint(const QString& hint)
+{
+    if (m_hint == hint) {
+        return;
+    }
+    m_hint = hint;
+    Q_EMIT hintChanged(m_hint);
+}
+
+void EditorState::advance(double realSeconds)
+{
+    m_transport.advance(realSeconds);
+    if (m_motion.isMoving()) {
+        const Camera camera = m_motion.advance(realSeconds);
+        placeCamera(camera, m_motion.isMoving() ? QString() : m_motionName);
+    }
+}
+
+bool EditorState::isAnimating() const
+{
+    return m_motion.isMoving() || (m_transport.isPlaying() && !scene().population.isEmpty());
+}
+
+void EditorState::followScene(const model::SceneChange& change)
+{
+    if (!std::holds_alternative<model::SceneReplaced>(change)) {
+        return;
+    }
+    m_transport.rewind();
+    const auto& cameras = scene().cameras;
+    if (cameras.empty()) {
+        setCamera(Camera::lookingAt({9.0F, 6.0F, 14.0F}, {0.0F, 0.8F, 0.0F}));
+    } else {
+        setCamera(cameras.front().camera, QString::fromStdString(cameras.front().name));
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+#include <glm/vec2.hpp>
+
+#include "model/bake/KeyframeStore.h"
+#include "model/brush/BrushSettings.h"
+#include "model/document/SceneDocument.h"
+#include "model/view/View.h"
+#include "render/RenderInput.h"
+#include "widgets/state/CameraMotion.h"
+#include "widgets/state/Selection.h"
+#include "widgets/state/ToolId.h"
+#include "widgets/state/Transport.h"
+
+namespace crowd::widgets {
+
+/// What the mouse buttons paint with.
+enum class ButtonMapping : std::uint8_t {
+    Standard, ///< left paints with the brush's own selection, right opens the palette
+    Paper     ///< left a point, middle a circle, right a rectangle (Ulicny et al. 2004)
+};
+
+/// How the picture is drawn and handled, apart from the scene itself. Saved with the preferences.
+struct ViewOptions
+{
+    bool showSeats = true; ///< free seats as discs while the creation brush snaps to them
+    bool showGroundGrid = true;
+    bool showShadows = true;
+    render::Look look = render::Look::Lit;
+    ButtonMapping buttons = ButtonMapping::Standard;
+    friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
+};
+
+/// The view's camera, and the name of the bookmark it stands at exactly (empty: a free view).
+struct ViewCamera
+{
+    model::Camera camera;
+    QString name;
+};
+
+/// Work that takes its time, shown over the picture. total 0: nothing is going on.
+struct LongWork
+{
+    QString text;
+    int done = 0;
+    int total = 0;
+};
+
+/// What the editor works with beside the document: tool, brushes, selection, clock, view. One per
+/// main window, owned by it and handed to viewport and docks; the document outlives it. Main thread
+/// only.
+class EditorState : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit EditorState(model::SceneDocument& document, QObject* parent = nullptr);
+    ~EditorState() override;
+
+    [[nodiscard]] model::SceneDocument& document() const { return m_document; }
+    [[nodiscard]] const model::Scene& scene() const { return m_document.scene(); }
+    [[nodiscard]] model::KeyframeStore& keyframes() { return m_keyframes; }
+    [[nodiscard]] Selection& selection() { return m_selection; }
+    [[nodiscard]] const Selection& selection() const { return m_selection; }
+    [[nodiscard]] Transport& transport() { return m_transport; }
+    [[nodiscard]] const Transport& transport() const { return m_transport; }
+    /// What is shown now: the scene at the transport's time.
+    [[nodiscard]] model::CrowdFramePtr frame() const;
+
+    [[nodiscard]] ToolId tool() const { return m_tool; }
+    void setTool(ToolId id);
+    /// The tool that was active before this one.
+    [[nodiscard]] ToolId previousTool() const { return m_previousTool; }
+
+    [[nodiscard]] const model::BrushSettings& brush(model::BrushKind kind) const;
+    void setBrush(const model::BrushSettings& settings); ///< for the kind it names
+    /// Settings of the active tool; null when it is no brush.
+    [[nodiscard]] const model::BrushSettings* activeBrush() const;
+
+    [[nodiscard]] const ViewCamera& viewCamera() const { return m_view; }
+    [[nodiscard]] const model::Camera& camera() const { return m_view.camera; }
+    /// At once, as drags do; stops a motion. The name is forgotten unless one is given.
+    void setCamera(const model::Camera& camera, const QString& name = {});
+    /// Smoothly; later calls take over from where the camera is by then.
+    void moveCameraTo(const model::Camera& camera, const QString& name = {});
+    [[nodiscard]] bool isCameraMoving() const { return m_motion.isMoving(); }
+    /// Where the camera is going, or where it is.
+    [[nodiscard]] model::Camera cameraTarget() const;
+    /// Size of the picture in logical pixels, told by the viewport.
+    [[nodiscard]] glm::vec2 viewSize() const { return m_viewSize; }
+    void setViewSize(glm::vec2 logicalPixels) { m_viewSize = logicalPixels; }
+
+    [[nodiscard]] const ViewOptions& viewOptions() const { return m_options; }
+    void setViewOptions(const ViewOptions& options);
+
+    [[nodiscard]] const LongWork& longWork() const { return m_longWork; }
+    void setLongWork(const LongWork& work);
+
+    /// What the keys and buttons do right now; stays until the next one.
+    [[nodiscard]] const QString& hint() const { return m_hint; }
+    void setHint(const QString& hint);
+    /// A passing remark for the status bar: "No free seat under the brush".
+    void showStatus(const QString& text) { Q_EMIT statusMessage(text); }
+
+    /// Called by the viewport's frame clock: transport and camera motion go on.
+    void advance(double realSeconds);
+    /// Does the picture change by itself?
+    [[nodiscard]] bool isAnimating() const;
+
+Q_SIGNALS:
+    void toolChanged(crowd::widgets::ToolId tool);
+    void brushChanged(crowd::model::BrushKind kind);
+    void viewCameraChanged(const crowd::widgets::ViewCamera& view);
+    void viewOptionsChanged(const crowd::widgets::ViewOptions& options);
+    void longWorkChanged(const crowd::widgets::LongWork& work);
+    void hintChanged(const QString& hint);
+    void statusMessage(const QString& text);
+    /// A clip was baked in the background.
+    void keyframesChanged(const crowd::model::KeyframeStore::Progress& progress);
+
+private:
+    void placeCamera(const model::Camera& camera, const QString& name);
+    void followScene(const model::SceneChange& change);
+
+    model::SceneDocument& m_document;
+    model::KeyframeStore m_keyframes;
+    Selection m_selection;
+    Transport m_transport;
+    std::array<model::BrushSettings, model::kBrushKindCount> m_brushes;
+    ToolId m_tool = ToolId::BrushCreate;
+    ToolId m_previousTool = ToolId::Select;
+    ViewCamera m_view;
+    QString m_motionName;
+    CameraMotion m_motion;
+    glm::vec2 m_viewSize{1280.0F, 720.0F};
+    ViewOptions m_options;
+    LongWork m_longWork;
+    QString m_hint;
+};
+
+} // namespace crowd::widgets

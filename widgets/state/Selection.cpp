@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/Selection.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace crowd::widgets {
+
+using model::IndividualId;
+using Ids = std::vector<IndividualId>;
+
+namespace {
+
+Ids sortedUnique(std::span<const IndividualId> ids)
+{
+    Ids sorted(ids.begin(), ids.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
+}
+
+} // namespace
+
+Selection::Selection(model::SceneDocument& document, QObject* parent)
+    : QObject(parent), m_document(document)
+{
+    connect(&document, &model::SceneDocument::changed, this, &Selection::follow);
+}
+
+bool Selection::contains(IndividualId id) const
+{
+    return std::binary_search(m_ids.begin(), m_ids.end(), id);
+}
+
+void Selection::apply(std::span<const IndividualId> ids, SelectionMode mode)
+{
+    const Ids sorted = sortedUnique(ids);
+    const std::span<const IndividualId> present = m_document.scene().population.ids();
+    Ids known;
+    std::set_intersection(sorted.begin(), sorted.end(), present.begin(), present.end(),
+                          std::back_inserter(known));
+    Ids result;
+    switch (mode) {
+    case SelectionMode::Replace:
+        result = std::move(known);
+        break;
+    case SelectionMode::Add:
+        std::set_union(m_ids.begin(), m_ids.end(), known.begin(), known.end(),
+                       std::back_inserter(result));
+        break;
+    case SelectionMode::Toggle:
+        std::set_symmetric_difference(m_ids.begin(), m_ids.end(), known.begin(), known.end(),
+                                      std::back_inserter(result));
+        break;
+    }
+    replace(std::move(result));
+}
+
+void Selection::selectAll()
+{
+    const std::span<const IndividualId> present = m_document.scene().population.ids();
+    replace(Ids(present.begin(), present.end()));
+}
+
+void Selection::invert()
+{
+    apply(m_document.scene().population.ids(), SelectionMode::Toggle);
+}
+
+void Selection::replace(Ids ids)
+{
+    if (ids == m_ids) {
+        return;
+    }
+    m_ids = std::move(ids);
+    Q_EMIT changed();
+}
+
+void Selection::follow(const model::SceneChange& change)
+{
+    if (std::holds_alternative<model::SceneReplaced>(change)) {
+        replace({});
+    } else if (const auto* removed = std::get_if<model::IndividualsRemoved>(&change)) {
+        Ids rest;
+        std::set_difference(m_ids.begin(), m_ids.end(), removed->ids.begin(), removed->ids.end(),
+                            std::back_inserter(rest));
+        replace(std::move(rest));
+    }
+}
+
+} // namespace crowd::widgets

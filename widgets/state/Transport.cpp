@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/Transport.h"
+
+#include <algorithm>
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr double kLongestStep = 0.25;
+constexpr double kSlowest = 0.05;
+constexpr double kFastest = 8.0;
+
+} // namespace
+
+Transport::Transport(QObject* parent) : QObject(parent) {}
+
+void Transport::setPlaying(bool isPlaying)
+{
+    if (m_state.isPlaying == isPlaying) {
+        return;
+    }
+    m_state.isPlaying = isPlaying;
+    Q_EMIT stateChanged(m_state);
+}
+
+void Transport::setSeconds(double seconds)
+{
+    const double bounded = std::max(seconds, 0.0);
+    if (m_state.seconds == bounded) {
+        return;
+    }
+    m_state.seconds = bounded;
+    Q_EMIT stateChanged(m_state);
+    Q_EMIT timeChanged(m_state.seconds);
+}
+
+void Transport::setSpeed(double speed)
+{
+    const double bounded = std::clamp(speed, kSlowest, kFastest);
+    if (m_state.speed == bounded) {
+        return;
+    }
+    m_state.speed = bounded;
+    Q_EMIT stateChanged(m_state);
+}
+
+void Transport::advance(double realSeconds)
+{
+    if (!m_state.isPlaying || realSeconds <= 0.0) {
+        return;
+    }
+    m_state.seconds += std::min(realSeconds, kLongestStep) * m_state.speed;
+    Q_EMIT timeChanged(m_state.seconds);
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/SelectionCommands.h"
+
+#include <vector>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/document/SceneEdit.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SelectionCommands)
+};
+
+} // namespace
+
+void deleteSelection(EditorState& state)
+{
+    if (state.document().isEditOpen()) {
+        return; // in the middle of a stroke
+    }
+    // A copy: the selection drops the ids while they go.
+    const std::vector<model::IndividualId> ids(state.selection().ids().begin(),
+                                               state.selection().ids().end());
+    if (ids.empty()) {
+        state.showStatus(Text::tr("Nobody is selected: there is nobody to delete."));
+        return;
+    }
+    auto edit = state.document().beginEdit();
+    edit->removeIndividuals(ids);
+    edit->commit(Text::tr("Delete %n individual(s)", nullptr, static_cast<int>(ids.size())));
+}
+
+} // namespace crowd::widgets

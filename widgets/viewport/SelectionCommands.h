@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/state/EditorState.h"
+
+/// Edits of all that is selected.
+namespace crowd::widgets {
+
+/// Takes the selected people out of the scene: one undo step, none when nobody is selected (and a
+/// remark saying so).
+void deleteSelection(EditorState& state);
+
+} // namespace crowd::widgets

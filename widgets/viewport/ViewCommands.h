@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QString>
+
+#include "model/base/Bounds.h"
+#include "widgets/state/EditorState.h"
+#include "widgets/viewport/CameraMoves.h"
+
+/// What menus and keys do with the view. Bookmarks are part of the scene: undoable edits; moving
+/// the view is not.
+namespace crowd::widgets {
+
+/// The box around the selected people, with room for their bodies; empty when nobody is selected.
+[[nodiscard]] model::Bounds selectionBounds(const EditorState& state);
+
+/// Smoothly shows the selected people; everything when nobody is selected.
+void frameSelection(EditorState& state);
+void frameAll(EditorState& state);
+void lookFrom(EditorState& state, ViewDirection direction);
+void toggleProjection(EditorState& state);
+
+/// Smoothly goes to a bookmark of the scene; says so when there is none of that name.
+void goToCamera(EditorState& state, const QString& name);
+/// Keeps the view under a name that is not taken yet ("View 3" if empty) and returns it.
+QString addCamera(EditorState& state, const QString& name = {});
+/// Puts the present view into an existing bookmark.
+void updateCamera(EditorState& state, const QString& name);
+void removeCamera(EditorState& state, const QString& name);
+/// False when the new name is empty or taken.
+bool renameCamera(EditorState& state, const QString& from, const QString& to);
+
+} // namespace crowd::widgets
