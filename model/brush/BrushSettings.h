@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/population/Columns.h"
+
+/// What a brush is set to: plain values, compared and copied freely, kept in preferences and in
+/// recorded strokes. Metres, radians, seconds, logical pixels; colours sRGB.
+namespace crowd::model {
+
+enum class BrushKind : std::uint8_t { Create, Delete, Colour, Orientation, Animation };
+enum class BrushSelection : std::uint8_t {
+    Point,       ///< what is under the cursor
+    Spray,       ///< random points of a circle, so many a second
+    AllInCircle, ///< everything in a circle
+    Rectangle    ///< everything between press and release
+};
+enum class BrushOperator : std::uint8_t { Uniform, Random, Gradient };
+
+/// A distribution that the artist draws: equal bins from the lowest to the highest value with the
+/// weights given. All zero counts as all equal.
+struct DistributionCurve
+{
+    std::array<float, 16> weights{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+
+    /// The value, 0..1, below which the share u (0..1) of the distribution lies.
+    [[nodiscard]] double sample(double u) const;
+    friend bool operator==(const DistributionCurve&, const DistributionCurve&) = default;
+};
+
+struct ValueRange
+{
+    float low = 0.0F;
+    float high = 0.0F;
+    friend bool operator==(const ValueRange&, const ValueRange&) = default;
+};
+
+struct TemplateWeight
+{
+    TemplateId id = 0;
+    float weight = 1.0F;
+    friend bool operator==(const TemplateWeight&, const TemplateWeight&) = default;
+};
+
+struct ClipWeight
+{
+    std::string clip; ///< by name: each template has its own
+    float weight = 1.0F;
+    friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
+};
+
+using PaintColor = std::array<std::uint8_t, 3>; ///< sRGB red, green, blue
+
+/// Which way the created or the turned ones face. A seat's heading always wins at creation.
+enum class HeadingMode : std::uint8_t {
+    Direction,    ///< headingRadians
+    Random,       ///< headingRadians ± spreadRadians, by the distribution
+    AlongStroke,  ///< the way the pointer goes, on the ground
+    TowardsPoint, ///< towardsPoint
+    TowardsViewer ///< the camera
+};
+
+struct HeadingSettings
+{
+    HeadingMode mode = HeadingMode::Direction;
+    float headingRadians = 0.0F;
+    float spreadRadians = 3.14159265F; ///< to each side
+    glm::vec3 towardsPoint{0.0F};
+    friend bool operator==(const HeadingSettings&, const HeadingSettings&) = default;
+};
+
+struct SeatGridSettings
+{
+    bool isOn = true;
+    std::vector<int> ranks;  ///< ascending; empty: all
+    std::vector<int> wedges; ///< ascending; empty: all
+    friend bool operator==(const SeatGridSettings&, const SeatGridSettings&) = default;
+};
+
+struct CreateSettings
+{
+    std::vector<TemplateWeight> mix;
+    float minimalDistance = 0.6F;    ///< metres between foot points, also to those already there
+    ValueRange height{0.95F, 1.05F}; ///< scale
+    ValueRange girth{0.95F, 1.05F};  ///< scale
+    std::vector<PaintColor> palette; ///< tints of tintable slots; empty: none
+    float paletteStrength = 1.0F;    ///< 0..1
+    ValueRange phase{0.0F, 1.0F};
+    std::vector<ClipWeight> clips; ///< empty: the template's default, seated on a seat
+    HeadingSettings heading{HeadingMode::Random};
+    float density = 1.0F;       ///< persons per m², filling areas without seat grid
+    float seatPercent = 100.0F; ///< share of the free seats, filling areas with seat grid
+    SeatGridSettings seats;
+    friend bool operator==(const CreateSettings&, const CreateSettings&) = default;
+};
+
+struct ColourSettings
+{
+    std::string slot; ///< by name; empty: all tintable slots
+    /// Uniform takes the first; Random one of them, or between them with `blends`; Gradient runs
+    /// through them from first to last. Never empty.
+    std::vector<PaintColor> colors{{214, 64, 48}, {48, 96, 214}};
+    float strength = 1.0F; ///< 0..1
+    bool blends = false;
+    bool eachSlotApart = false; ///< Random: another draw for each slot
+    friend bool operator==(const ColourSettings&, const ColourSettings&) = default;
+};
+
+struct OrientationSettings
+{
+    HeadingSettings heading{HeadingMode::AlongStroke};
+    friend bool operator==(const OrientationSettings&, const OrientationSettings&) = default;
+};
+
+struct AnimationSettings
+{
+    std::vector<ClipWeight> clips; ///< empty: the clip stays
+    bool setsPhase = true;
+    ValueRange phase{0.0F, 1.0F}; ///< Uniform takes low; Gradient runs from low to high
+    bool setsSpeed = false;
+    ValueRange speed{1.0F, 1.0F};
+    friend bool operator==(const AnimationSettings&, const AnimationSettings&) = default;
+};
+
+/// The number that + and - change, and what it is.
+enum class MainQuantity : std::uint8_t {
+    Density,     ///< create without seat grid: persons per m²
+    SeatPercent, ///< create on seats
+    Rate,        ///< delete: per second
+    Strength,    ///< colour: per cent
+    Heading,     ///< orientation: degrees
+    Speed        ///< animation: playback speed
+};
+
+struct MainNumber
+{
+    MainQuantity quantity;
+    double value;
+    double low;
+    double high;
+    double step;
+    int decimals;
+};
+
+struct BrushSettings
+{
+    BrushKind kind = BrushKind::Create;
+    BrushSelection selection = BrushSelection::Spray;
+    BrushOperator op = BrushOperator::Uniform;
+    float radiusPixels = 40.0F;
+    float ratePerSecond = 20.0F; ///< spray: points a second
+    bool through = false;        ///< also those hidden behind others or behind the stage
+    bool buildUp = false;        ///< each dab changes again whom it touches
+    float flow = 0.25F;          ///< build up: share of the way that each dab goes
+    bool pressureSize = false;   ///< pressure scales the radius
+    bool pressureRate = false;   ///< pressure scales the spray's rate
+    DistributionCurve distribution;
+
+    CreateSettings create;
+    ColourSettings colour;
+    OrientationSettings orientation;
+    AnimationSettings animation;
+
+    [[nodiscard]] MainNumber mainNumber() const;
+    /// The same brush with another main number, kept within its limits.
+    [[nodiscard]] BrushSettings withMainNumber(double value) const;
+    /// Larger or smaller by so many pixels, 1..1000.
+    [[nodiscard]] BrushSettings resized(float deltaPixels) const;
+    /// Whether the area has a circle of radiusPixels.
+    [[nodiscard]] bool hasCircle() const
+    {
+        return selection == BrushSelection::Spray || selection == BrushSelection::AllInCircle;
+    }
+    /// Whether a stroke is re-evaluated from press to current until release.
+    [[nodiscard]] bool isReevaluated() const
+    {
+        return selection == BrushSelection::Rectangle ||
+               (op == BrushOperator::Gradient && kind != BrushKind::Create &&
+                kind != BrushKind::Delete);
+    }
+    friend bool operator==(const BrushSettings&, const BrushSettings&) = default;
+};
+
+inline constexpr float kMinRadiusPixels = 1.0F;
+inline constexpr float kMaxRadiusPixels = 1000.0F;
+
+} // namespace crowd::model

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <QtCore/QString>
+
+#include "model/brush/BrushContext.h"
+#include "model/brush/BrushSettings.h"
+#include "model/brush/PointerInput.h"
+#include "model/document/SceneDocument.h"
+#include "model/view/View.h"
+
+namespace crowd::model {
+
+/// Why a stroke did nothing.
+enum class StrokeReason : std::uint8_t {
+    None, ///< it did something
+    Cancelled,
+    NobodyUnderBrush,
+    NoFreeSeat,
+    NoTemplateChosen,
+    TemplateNotLoaded,
+    TooSteep,
+    NothingUnderBrush, ///< the sky
+    TooNearToOthers,
+    AreaTooFar,
+    AlreadyThisColour,
+    NoSuchSlot,
+    AlreadyThisHeading,
+    AlreadyThisAnimation,
+    NoSuchClip,
+    NothingChosen ///< a brush that is set to change nothing
+};
+
+/// The reason as a sentence for the status bar; empty for None and Cancelled.
+[[nodiscard]] QString reasonText(StrokeReason reason);
+
+struct StrokeOutcome
+{
+    bool isCommitted = false; ///< one undo step was made
+    int affected = 0;         ///< individuals created, removed or changed
+    StrokeReason reason = StrokeReason::None;
+    QString message; ///< reasonText(reason)
+};
+
+/// Everything that decides what a stroke does, besides the scene and its assets. Replayed on the
+/// same scene it gives the same bytes, once the clips on screen are baked.
+struct RecordedStroke
+{
+    BrushSettings settings;
+    std::uint64_t seed = 0;
+    Camera camera;
+    glm::vec2 viewSize{1.0F};         ///< logical pixels
+    std::vector<PointerInput> inputs; ///< press, moves and ticks
+};
+
+/// Everything between press and release: applied to the document dab by dab and seen at once.
+/// Owned by the drag that makes it; destruction without finish() takes everything back. While it
+/// lives the document has its edit open: make no other edits. Main thread.
+class Stroke
+{
+public:
+    /// Applies the first dab. `seed` keys all randomness of the stroke.
+    [[nodiscard]] static std::unique_ptr<Stroke>
+    begin(SceneDocument& document, const BrushContext& context, const BrushSettings& settings,
+          std::uint64_t seed, const PointerInput& press);
+    ~Stroke();
+    Stroke(const Stroke&) = delete;
+    Stroke& operator=(const Stroke&) = delete;
+
+    /// The pointer moved, or rests while time goes on (a tick, about each 1/60 s, that keeps a
+    /// spray going).
+    void move(const PointerInput& input);
+    /// Makes one undo step, or none with a reason.
+    [[nodiscard]] StrokeOutcome finish();
+    /// Takes everything back.
+    void cancel();
+
+    /// Individuals created, removed or changed so far.
+    [[nodiscard]] int affected() const;
+    /// What would be the reason if it ended now; None while it did something.
+    [[nodiscard]] StrokeReason reason() const;
+    [[nodiscard]] const BrushSettings& settings() const;
+    [[nodiscard]] const PointerInput& press() const;
+    [[nodiscard]] const PointerInput& current() const;
+    [[nodiscard]] const RecordedStroke& recording() const;
+
+private:
+    struct Private;
+    explicit Stroke(std::unique_ptr<Private> data);
+    std::unique_ptr<Private> m_private;
+};
+
+/// Paints a recorded stroke again.
+[[nodiscard]] StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes,
+                                   const StageRays& stage, const RecordedStroke& recording);
+
+/// What a press at this place would create, with the same seed and so the same looks: the ghosts
+/// under the cursor. Ids count from 1. Empty for other brushes and where nothing can be created.
+[[nodiscard]] IndividualRows previewGhosts(const SceneDocument& document,
+                                           const BrushContext& context,
+                                           const BrushSettings& settings, std::uint64_t seed,
+                                           const PointerInput& at);
+
+} // namespace crowd::model
