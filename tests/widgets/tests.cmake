@@ -1,2 +1,4 @@
-crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_ViewportCamera LINK crowd_widgets)
+if(TARGET crowd_render)
+    crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)
+    crowd_add_test(ROOM widgets NAME tst_ViewportCamera LINK crowd_widgets)
+endif()
