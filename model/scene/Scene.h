@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -76,6 +77,15 @@ struct Lighting
     friend bool operator==(const Lighting&, const Lighting&) = default;
 };
 
+/// A column of the project file that this version does not know: JSON text per individual, kept so
+/// that saving loses nothing.
+struct UnknownColumn
+{
+    std::string name;
+    std::vector<std::pair<IndividualId, std::string>> values; ///< ascending ids
+    friend bool operator==(const UnknownColumn&, const UnknownColumn&) = default;
+};
+
 /// A seat in the world, with the name individuals know it by.
 struct WorldSeat
 {
@@ -96,6 +106,7 @@ struct Scene
     /// JSON text of top-level members of the project file that this version does not know; written
     /// back unchanged.
     std::string unknownMembers;
+    std::vector<UnknownColumn> unknownColumns;
 
     [[nodiscard]] const TemplateEntry* findTemplate(TemplateId id) const; ///< null: no such entry
     [[nodiscard]] TemplateEntry* findTemplate(TemplateId id);

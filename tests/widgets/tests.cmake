@@ -1,4 +1,2 @@
-if(TARGET crowd_render)
-    crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)
-    crowd_add_test(ROOM widgets NAME tst_ViewportCamera LINK crowd_widgets)
-endif()
+crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)
+crowd_add_test(ROOM widgets NAME tst_ViewportCamera LINK crowd_widgets)

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/AssetPaths.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+
+namespace crowd::model {
+
+namespace {
+
+constexpr const char* kBuiltinPrefix = "builtin:";
+
+} // namespace
+
+bool isBuiltin(const std::string& assetPath)
+{
+    return assetPath.starts_with(kBuiltinPrefix);
+}
+
+QString builtinFolder()
+{
+    const QString fromEnvironment = qEnvironmentVariable("CROWDBRUSH_RESOURCES");
+    if (!fromEnvironment.isEmpty()) {
+        return fromEnvironment;
+    }
+    // The link that /proc keeps needs no application object: modules and tests have none.
+    const QDir program(QFileInfo(QStringLiteral("/proc/self/exe")).canonicalPath());
+    for (const char* candidate : {"../../resources", "../../../resources", "../share/crowdbrush"}) {
+        const QString folder =
+            QDir::cleanPath(program.absoluteFilePath(QString::fromLatin1(candidate)));
+        if (QFileInfo::exists(folder + QStringLiteral("/templates"))) {
+            return folder;
+        }
+    }
+    return {};
+}
+
+QString assetFile(const std::string& assetPath)
+{
+    const QString path = QString::fromStdString(assetPath);
+    if (!isBuiltin(assetPath)) {
+        return path;
+    }
+    return builtinFolder() + QLatin1Char('/') +
+           path.mid(static_cast<qsizetype>(std::char_traits<char>::length(kBuiltinPrefix)));
+}
+
+std::string storedAssetPath(const std::string& assetPath, const QString& folder)
+{
+    if (isBuiltin(assetPath) || assetPath.empty()) {
+        return assetPath;
+    }
+    return QDir(folder).relativeFilePath(QString::fromStdString(assetPath)).toStdString();
+}
+
+std::string absoluteAssetPath(const std::string& storedPath, const QString& folder)
+{
+    if (isBuiltin(storedPath) || storedPath.empty()) {
+        return storedPath;
+    }
+    return QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(storedPath)))
+        .toStdString();
+}
+
+} // namespace crowd::model

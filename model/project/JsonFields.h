@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+namespace crowd::model {
+
+/// Reads members of one JSON object into typed variables and remembers the first thing that is
+/// wrong, with its place ("templates[2].path"). Missing members leave the variable as it is unless
+/// they are required. What was never asked for can be found by the caller through the object.
+class JsonFields
+{
+public:
+    JsonFields(const nlohmann::json& object, std::string place, std::string& firstProblem)
+        : m_object(object), m_place(std::move(place)), m_problem(firstProblem)
+    {
+        if (!m_object.is_object()) {
+            complain("", "must be an object");
+        }
+    }
+
+    template<class Target>
+    void read(std::string_view key, Target& target)
+    {
+        if (const nlohmann::json* value = find(key); value != nullptr && !assign(*value, target)) {
+            complain(key, expected(target));
+        }
+    }
+    template<class Target>
+    void require(std::string_view key, Target& target)
+    {
+        if (find(key) == nullptr) {
+            complain(key, "is missing");
+        }
+        read(key, target);
+    }
+    [[nodiscard]] const nlohmann::json* find(std::string_view key) const
+    {
+        if (!m_object.is_object()) {
+            return nullptr;
+        }
+        const auto found = m_object.find(std::string(key));
+        return found == m_object.end() ? nullptr : &*found;
+    }
+    void complain(std::string_view key, std::string_view what)
+    {
+        if (m_problem.empty()) {
+            m_problem = m_place;
+            if (!key.empty()) {
+                m_problem += (m_place.empty() ? "" : ".") + std::string(key);
+            }
+            m_problem += " " + std::string(what);
+        }
+    }
+
+private:
+    static bool isFinite(const nlohmann::json& value)
+    {
+        return value.is_number() && std::isfinite(static_cast<float>(value.get<double>()));
+    }
+    static bool assign(const nlohmann::json& value, float& target)
+    {
+        if (!isFinite(value)) {
+            return false;
+        }
+        target = value.get<float>();
+        return true;
+    }
+    static bool assign(const nlohmann::json& value, bool& target)
+    {
+        if (!value.is_boolean()) {
+            return false;
+        }
+        target = value.get<bool>();
+        return true;
+    }
+    static bool assign(const nlohmann::json& value, std::string& target)
+    {
+        if (!value.is_string()) {
+            return false;
+        }
+        target = value.get<std::string>();
+        return true;
+    }
+    template<class Unsigned>
+    requires std::is_unsigned_v<Unsigned>
+    static bool assign(const nlohmann::json& value, Unsigned& target)
+    {
+        if (!value.is_number_unsigned() ||
+            value.get<std::uint64_t>() > std::numeric_limits<Unsigned>::max()) {
+            return false;
+        }
+        target = value.get<Unsigned>();
+        return true;
+    }
+    static bool assign(const nlohmann::json& value, glm::vec3& target)
+    {
+        return assignNumbers(value, &target.x, 3);
+    }
+    /// x, y, z, w, as glTF writes it.
+    static bool assign(const nlohmann::json& value, glm::quat& target)
+    {
+        float numbers[4];
+        if (!assignNumbers(value, numbers, 4)) {
+            return false;
+        }
+        target = glm::quat(numbers[3], numbers[0], numbers[1], numbers[2]);
+        const float length = glm::length(target);
+        return length > 0.5F && length < 2.0F;
+    }
+    static bool assignNumbers(const nlohmann::json& value, float* target, std::size_t count)
+    {
+        if (!value.is_array() || value.size() != count) {
+            return false;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!assign(value[i], target[i])) {
+                return false;
+            }
+        }
+        return true;
+    }
+    static const char* expected(float) { return "must be a finite number"; }
+    static const char* expected(bool) { return "must be true or false"; }
+    static const char* expected(const std::string&) { return "must be a text"; }
+    static const char* expected(const glm::vec3&) { return "must be three finite numbers"; }
+    static const char* expected(const glm::quat&)
+    {
+        return "must be a unit quaternion [x, y, z, w]";
+    }
+    template<class Unsigned>
+    requires std::is_unsigned_v<Unsigned>
+    static const char* expected(Unsigned)
+    {
+        return "must be a whole number that is not negative and not too large";
+    }
+
+    const nlohmann::json& m_object;
+    std::string m_place;
+    std::string& m_problem;
+};
+
+} // namespace crowd::model

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/ProjectFile.h"
+
+#include <string_view>
+
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QSaveFile>
+
+#include "model/project/AssetPaths.h"
+#include "model/project/ProjectReader.h"
+#include "model/project/ProjectWriter.h"
+
+namespace crowd::model {
+
+namespace {
+
+/// Text that could hold a million people; anything larger is not one of our scenes.
+constexpr qint64 kMaxFileBytes = qint64{2} << 30;
+
+Error fileError(const QString& path, const QString& what)
+{
+    return Error{(path + QStringLiteral(": ") + what).toStdString()};
+}
+
+template<class Change>
+void changePaths(Scene& scene, const Change& change)
+{
+    for (TemplateEntry& entry : scene.templates) {
+        entry.path = change(entry.path);
+    }
+    for (StageEntry& entry : scene.stages) {
+        entry.path = change(entry.path);
+    }
+}
+
+} // namespace
+
+Result<void> saveProject(const Scene& scene, const QString& path)
+{
+    const QString folder = QFileInfo(path).absolutePath();
+    Scene written = scene; // columns are shared
+    changePaths(written, [&](const std::string& asset) { return storedAssetPath(asset, folder); });
+    const Result<std::string> text = projectToText(written);
+    if (!text) {
+        return Error{"The scene was not saved. " + text.error().message};
+    }
+    QSaveFile file(path);
+    const auto size = static_cast<qint64>(text.value().size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.value().data(), size) != size ||
+        !file.commit()) {
+        return fileError(path, QStringLiteral("could not be written (%1). The scene was not saved; "
+                                              "choose another place or free some room.")
+                                   .arg(file.errorString()));
+    }
+    return {};
+}
+
+Result<Scene> readProject(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return fileError(path, QStringLiteral("could not be opened (%1).").arg(file.errorString()));
+    }
+    if (file.size() > kMaxFileBytes) {
+        return fileError(path, QStringLiteral("is larger than 2 GiB, too large for a scene."));
+    }
+    const QByteArray bytes = file.readAll();
+    Result<Scene> scene = projectFromText(
+        std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    if (!scene) {
+        return fileError(path, QStringLiteral("could not be read: %1.")
+                                   .arg(QString::fromStdString(scene.error().message)));
+    }
+    const QString folder = QFileInfo(path).absolutePath();
+    changePaths(scene.value(),
+                [&](const std::string& asset) { return absoluteAssetPath(asset, folder); });
+    return scene;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/ProjectHeader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "model/project/JsonFields.h"
+
+namespace crowd::model {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<std::string_view, 10> kKnownMembers{
+    "format",    "version", "name",    "seed",     "nextId",
+    "templates", "stages",  "cameras", "lighting", "individuals"};
+
+/// A float as the shortest decimal that reads back as the same float (a double would drag digits).
+json number(float value)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    double shortest = 0.0;
+    std::from_chars(text.data(), end, shortest);
+    return shortest;
+}
+
+json numbers(const glm::vec3& v)
+{
+    return {number(v.x), number(v.y), number(v.z)};
+}
+
+json numbers(const glm::quat& q)
+{
+    return {number(q.x), number(q.y), number(q.z), number(q.w)};
+}
+
+json toJson(const ImportSettings& settings)
+{
+    return {{"scale", number(settings.scale)},
+            {"rotation", numbers(settings.rotation)},
+            {"groundOffset", number(settings.groundOffset)},
+            {"removeRootMotion", settings.removeRootMotion}};
+}
+
+json toJson(const TemplateEntry& entry)
+{
+    json object = {{"id", entry.id}, {"name", entry.name}, {"path", entry.path}};
+    object["clips"] = entry.clipNames;
+    if (!(entry.import == ImportSettings{})) {
+        object["import"] = toJson(entry.import);
+    }
+    if (std::ranges::any_of(entry.clipSpeeds, [](float speed) { return !std::isnan(speed); })) {
+        json speeds = json::array();
+        for (const float speed : entry.clipSpeeds) {
+            speeds.push_back(std::isnan(speed) ? json(nullptr) : number(speed));
+        }
+        object["clipSpeeds"] = speeds;
+    }
+    return object;
+}
+
+json toJson(const StageEntry& entry)
+{
+    return {{"id", entry.id},
+            {"name", entry.name},
+            {"path", entry.path},
+            {"position", numbers(entry.position)},
+            {"heading", number(entry.headingRadians)},
+            {"scale", number(entry.scale)}};
+}
+
+json toJson(const NamedCamera& named)
+{
+    const Camera& camera = named.camera;
+    return {{"name", named.name},
+            {"position", numbers(camera.position)},
+            {"orientation", numbers(camera.orientation)},
+            {"orthographic", camera.projection == Projection::Orthographic},
+            {"fovY", number(camera.fovYRadians)},
+            {"orthographicHeight", number(camera.orthographicHeight)},
+            {"pivotDistance", number(camera.pivotDistance)}};
+}
+
+json toJson(const Lighting& light)
+{
+    return {{"sunAzimuth", number(light.sunAzimuthRadians)},
+            {"sunElevation", number(light.sunElevationRadians)},
+            {"sunColor", numbers(light.sunColor)},
+            {"sunStrength", number(light.sunStrength)},
+            {"ambientColor", numbers(light.ambientColor)},
+            {"ambientStrength", number(light.ambientStrength)},
+            {"skyZenith", numbers(light.skyZenith)},
+            {"skyHorizon", numbers(light.skyHorizon)},
+            {"ground", numbers(light.ground)},
+            {"groundGrid", light.showGroundGrid}};
+}
+
+template<class Item>
+json listToJson(const std::vector<Item>& items)
+{
+    json list = json::array();
+    for (const Item& item : items) {
+        list.push_back(toJson(item));
+    }
+    return list;
+}
+
+ImportSettings readImport(JsonFields fields)
+{
+    ImportSettings settings;
+    fields.read("scale", settings.scale);
+    fields.read("rotation", settings.rotation);
+    fields.read("groundOffset", settings.groundOffset);
+    fields.read("removeRootMotion", settings.removeRootMotion);
+    if (settings.scale <= 0.0F) {
+        fields.complain("scale", "must be above zero");
+    }
+    return settings;
+}
+
+void readClips(JsonFields& fields, TemplateEntry& entry)
+{
+    if (const json* clips = fields.find("clips")) {
+        if (!clips->is_array() ||
+            !std::ranges::all_of(*clips, [](const json& name) { return name.is_string(); })) {
+            fields.complain("clips", "must be a list of names");
+            return;
+        }
+        entry.clipNames = clips->get<std::vector<std::string>>();
+    }
+    const json* speeds = fields.find("clipSpeeds");
+    if (speeds == nullptr) {
+        return;
+    }
+    if (!speeds->is_array() || !std::ranges::all_of(*speeds, [](const json& speed) {
+            return speed.is_number() || speed.is_null();
+        })) {
+        fields.complain("clipSpeeds", "must be a list of numbers or null");
+        return;
+    }
+    for (const json& speed : *speeds) {
+        entry.clipSpeeds.push_back(speed.is_null() ? std::numeric_limits<float>::quiet_NaN()
+                                                   : speed.get<float>());
+    }
+}
+
+void readItem(JsonFields fields, TemplateEntry& entry, const std::string& place,
+              std::string& problem)
+{
+    fields.require("id", entry.id);
+    fields.require("path", entry.path);
+    fields.read("name", entry.name);
+    readClips(fields, entry);
+    if (const json* settings = fields.find("import")) {
+        entry.import = readImport(JsonFields(*settings, place + ".import", problem));
+    }
+}
+
+void readItem(JsonFields fields, StageEntry& entry, const std::string&, std::string&)
+{
+    fields.require("id", entry.id);
+    fields.require("path", entry.path);
+    fields.read("name", entry.name);
+    fields.read("position", entry.position);
+    fields.read("heading", entry.headingRadians);
+    fields.read("scale", entry.scale);
+    if (entry.scale <= 0.0F) {
+        fields.complain("scale", "must be above zero");
+    }
+}
+
+void readItem(JsonFields fields, NamedCamera& named, const std::string&, std::string&)
+{
+    bool isOrthographic = false;
+    fields.require("name", named.name);
+    fields.require("position", named.camera.position);
+    fields.require("orientation", named.camera.orientation);
+    fields.read("orthographic", isOrthographic);
+    fields.read("fovY", named.camera.fovYRadians);
+    fields.read("orthographicHeight", named.camera.orthographicHeight);
+    fields.read("pivotDistance", named.camera.pivotDistance);
+    named.camera.projection = isOrthographic ? Projection::Orthographic : Projection::Perspective;
+    if (named.camera.fovYRadians <= 0.01F || named.camera.fovYRadians >= 3.1F) {
+        fields.complain("fovY", "must lie between 0.01 and 3.1 radians");
+    }
+    if (named.camera.orthographicHeight <= 0.0F || named.camera.pivotDistance <= 0.0F) {
+        fields.complain("", "must have heights and distances above zero");
+    }
+}
+
+Lighting readLighting(JsonFields fields)
+{
+    Lighting light;
+    fields.read("sunAzimuth", light.sunAzimuthRadians);
+    fields.read("sunElevation", light.sunElevationRadians);
+    fields.read("sunColor", light.sunColor);
+    fields.read("sunStrength", light.sunStrength);
+    fields.read("ambientColor", light.ambientColor);
+    fields.read("ambientStrength", light.ambientStrength);
+    fields.read("skyZenith", light.skyZenith);
+    fields.read("skyHorizon", light.skyHorizon);
+    fields.read("ground", light.ground);
+    fields.read("groundGrid", light.showGroundGrid);
+    return light;
+}
+
+template<class Item>
+std::vector<Item> readList(JsonFields& top, const char* key, std::string& problem)
+{
+    std::vector<Item> items;
+    const json* list = top.find(key);
+    if (list == nullptr) {
+        return items;
+    }
+    if (!list->is_array()) {
+        top.complain(key, "must be a list");
+        return items;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const std::string place = std::string(key) + "[" + std::to_string(i) + "]";
+        readItem(JsonFields((*list)[i], place, problem), items.emplace_back(), place, problem);
+    }
+    return items;
+}
+
+/// Entries ascend by id, which is neither 0 nor given twice.
+template<class Entry>
+void sortById(std::vector<Entry>& entries, const char* key, std::string& problem)
+{
+    std::ranges::sort(entries, {}, &Entry::id);
+    for (std::size_t i = 0; i < entries.size() && problem.empty(); ++i) {
+        if (entries[i].id == 0 || (i > 0 && entries[i].id == entries[i - 1].id)) {
+            problem = std::string(key) + ": the id " + std::to_string(entries[i].id) +
+                      (entries[i].id == 0 ? " is not allowed" : " is given twice");
+        }
+    }
+}
+
+Result<void> checkVersion(const json& top)
+{
+    if (!top.is_object() || top.value("format", json()) != kProjectFormat) {
+        return Error{"this is not a Crowdbrush scene (there is no \"format\": \"" +
+                     std::string(kProjectFormat) + "\")"};
+    }
+    const json version = top.value("version", json());
+    if (!version.is_number_unsigned() || version == 0U) {
+        return Error{"\"version\" must be a whole number above zero"};
+    }
+    if (version > kProjectVersion) {
+        return Error{"it was written by a newer Crowdbrush (file version " + version.dump() +
+                     ", this program reads up to " + std::to_string(kProjectVersion) +
+                     "); update Crowdbrush to open it"};
+    }
+    return {};
+}
+
+std::string unknownMembersOf(const json& top)
+{
+    json unknown = json::object();
+    for (const auto& [key, value] : top.items()) {
+        if (std::ranges::find(kKnownMembers, key) == kKnownMembers.end()) {
+            unknown[key] = value;
+        }
+    }
+    return unknown.empty() ? std::string() : unknown.dump();
+}
+
+} // namespace
+
+json headerToJson(const Scene& scene)
+{
+    json top = scene.unknownMembers.empty() ? json::object() : json::parse(scene.unknownMembers);
+    top["format"] = kProjectFormat;
+    top["version"] = kProjectVersion;
+    top["name"] = scene.name;
+    top["seed"] = scene.seed;
+    top["nextId"] = scene.nextId;
+    top["templates"] = listToJson(scene.templates);
+    top["stages"] = listToJson(scene.stages);
+    top["cameras"] = listToJson(scene.cameras);
+    top["lighting"] = toJson(scene.lighting);
+    return top;
+}
+
+Result<Scene> headerFromJson(const json& top)
+{
+    if (const Result<void> version = checkVersion(top); !version) {
+        return version.error();
+    }
+    Scene scene;
+    std::string problem;
+    JsonFields fields(top, "", problem);
+    fields.read("name", scene.name);
+    fields.read("seed", scene.seed);
+    fields.read("nextId", scene.nextId);
+    scene.templates = readList<TemplateEntry>(fields, "templates", problem);
+    scene.stages = readList<StageEntry>(fields, "stages", problem);
+    scene.cameras = readList<NamedCamera>(fields, "cameras", problem);
+    if (const json* lighting = fields.find("lighting")) {
+        scene.lighting = readLighting(JsonFields(*lighting, "lighting", problem));
+    }
+    sortById(scene.templates, "templates", problem);
+    sortById(scene.stages, "stages", problem);
+    if (!problem.empty()) {
+        return Error{problem};
+    }
+    scene.unknownMembers = unknownMembersOf(top);
+    return scene;
+}
+
+} // namespace crowd::model

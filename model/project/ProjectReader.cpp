@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/ProjectReader.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "model/project/ProjectHeader.h"
+#include "model/project/RowParser.h"
+
+namespace crowd::model {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxDepth = 64;
+
+/// Builds a small tree from events: the header, and cells of unknown columns.
+class TreeBuilder
+{
+public:
+    /// The finished value, when the last event completed one.
+    [[nodiscard]] bool isComplete() const { return m_isComplete; }
+    json take()
+    {
+        m_isComplete = false;
+        return std::move(m_root);
+    }
+    /// A member of the unfinished object, null when it has not come yet.
+    [[nodiscard]] const json* peek(const std::string& name) const
+    {
+        return m_root.is_object() && m_root.contains(name) ? &m_root[name] : nullptr;
+    }
+    void key(std::string name) { m_key = std::move(name); }
+    void value(json item)
+    {
+        place(std::move(item));
+        m_isComplete = m_open.empty();
+    }
+    void open(json container) { m_open.push_back(&place(std::move(container))); }
+    void close()
+    {
+        m_open.pop_back();
+        m_isComplete = m_open.empty();
+    }
+
+private:
+    json& place(json item)
+    {
+        if (m_open.empty()) {
+            m_root = std::move(item);
+            return m_root;
+        }
+        json& container = *m_open.back();
+        if (container.is_array()) {
+            container.push_back(std::move(item));
+            return container.back();
+        }
+        json& target = container[m_key];
+        target = std::move(item);
+        return target;
+    }
+
+    json m_root;
+    std::vector<json*> m_open;
+    std::string m_key;
+    bool m_isComplete = false;
+};
+
+/// Events of the whole file. The header is built as a tree; the rows of the individuals' table go
+/// straight into columns.
+class ProjectHandler : public nlohmann::json_sax<json>
+{
+public:
+    bool null() override
+    {
+        return value({CellValue::Kind::Null, 0, {}}, [] { return json(nullptr); });
+    }
+    bool boolean(bool item) override
+    {
+        return value({CellValue::Kind::Other, 0, {}}, [&] { return json(item); });
+    }
+    bool number_integer(number_integer_t item) override
+    {
+        const std::string digits = std::to_string(item);
+        return value({CellValue::Kind::Float, 0, digits}, [&] { return json(item); });
+    }
+    bool number_unsigned(number_unsigned_t item) override
+    {
+        return value({CellValue::Kind::Unsigned, item, {}}, [&] { return json(item); });
+    }
+    bool number_float(number_float_t item, const string_t& digits) override
+    {
+        return value({CellValue::Kind::Float, 0, digits}, [&] { return json(item); });
+    }
+    bool string(string_t& text) override
+    {
+        return value({CellValue::Kind::Text, 0, text}, [&] { return json(text); });
+    }
+    bool binary(binary_t&) override { return fail("binary data is not allowed"); }
+
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override
+    {
+        if (m_where == Where::Cell) {
+            m_tree.key(name);
+            return true;
+        }
+        if (m_depth == 1) {
+            m_isInIndividuals = name == "individuals";
+        }
+        if (m_isInIndividuals && m_depth == 2) {
+            m_tableKey = name;
+        }
+        m_header.key(name);
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string&, const json::exception& error) override
+    {
+        const std::string text = error.what();
+        const auto place = text.find("at line");
+        return fail("it is not valid JSON " +
+                    (place == std::string::npos ? text : text.substr(place)));
+    }
+
+    [[nodiscard]] Result<Scene> finish();
+    [[nodiscard]] const std::string& problem() const { return m_problem; }
+
+private:
+    enum class Where : std::uint8_t { Header, Rows, Row, Vector, Cell };
+
+    bool fail(std::string what)
+    {
+        if (m_problem.empty()) {
+            m_problem = std::move(what);
+        }
+        return false;
+    }
+    bool failCell(const std::string& expected)
+    {
+        return fail("row " + std::to_string(m_rows.rowCount() + 1) +
+                    " of the individuals, column \"" + m_rows.nameOf(m_cell) + "\": it must be " +
+                    expected);
+    }
+
+    template<class MakeJson>
+    bool value(const CellValue& cell, const MakeJson& make)
+    {
+        switch (m_where) {
+        case Where::Header:
+            if (m_depth == 0) {
+                return fail("the file must hold a JSON object");
+            }
+            m_header.value(make());
+            return true;
+        case Where::Rows:
+            return fail("row " + std::to_string(m_rows.rowCount() + 1) +
+                        " of the individuals must be a list");
+        case Where::Row:
+            return rowValue(cell, make);
+        case Where::Vector:
+            if (const char* expected = m_rows.putComponent(m_cell, m_component++, cell)) {
+                return failCell(expected);
+            }
+            return true;
+        case Where::Cell:
+            m_tree.value(make());
+            return true;
+        }
+        return false;
+    }
+
+    template<class MakeJson>
+    bool rowValue(const CellValue& cell, const MakeJson& make)
+    {
+        if (m_cell >= m_rows.columnCount()) {
+            return failLength();
+        }
+        if (!m_rows.isKnown(m_cell)) {
+            m_rows.putUnknown(m_cell++, make().dump());
+            return true;
+        }
+        if (const char* expected = m_rows.put(m_cell, cell)) {
+            return failCell(expected);
+        }
+        ++m_cell;
+        return true;
+    }
+
+    bool failLength()
+    {
+        return fail("row " + std::to_string(m_rows.rowCount() + 1) +
+                    " of the individuals must have " + std::to_string(m_rows.columnCount()) +
+                    " values, one for each column");
+    }
+
+    bool open(json container)
+    {
+        if (++m_depth > kMaxDepth) {
+            return fail("it is nested more than " + std::to_string(kMaxDepth) + " deep");
+        }
+        const bool isArray = container.is_array();
+        switch (m_where) {
+        case Where::Header:
+            if (m_isInIndividuals && m_depth == 3 && m_tableKey == "rows" && isArray) {
+                return beginRows();
+            }
+            m_header.open(std::move(container));
+            return true;
+        case Where::Rows:
+            m_where = Where::Row;
+            m_cell = 0;
+            return isArray || fail("row " + std::to_string(m_rows.rowCount() + 1) +
+                                   " of the individuals must be a list");
+        case Where::Row:
+            return openInRow(std::move(container));
+        case Where::Vector:
+            return failCell("a list of three finite numbers");
+        case Where::Cell:
+            m_tree.open(std::move(container));
+            return true;
+        }
+        return false;
+    }
+
+    bool openInRow(json container)
+    {
+        if (m_cell >= m_rows.columnCount()) {
+            return failLength();
+        }
+        if (!m_rows.isKnown(m_cell)) {
+            m_where = Where::Cell;
+            m_tree.open(std::move(container));
+            return true;
+        }
+        if (!m_rows.isVector(m_cell) || !container.is_array()) {
+            return failCell("a single value of the right kind");
+        }
+        m_where = Where::Vector;
+        m_component = 0;
+        return true;
+    }
+
+    bool close()
+    {
+        --m_depth;
+        switch (m_where) {
+        case Where::Header:
+            m_header.close();
+            return true;
+        case Where::Rows:
+            m_where = Where::Header;
+            return true;
+        case Where::Row:
+            if (m_cell != m_rows.columnCount()) {
+                return failLength();
+            }
+            m_rows.endRow();
+            m_where = Where::Rows;
+            return true;
+        case Where::Vector:
+            if (m_component != 3) {
+                return failCell("a list of three finite numbers");
+            }
+            ++m_cell;
+            m_where = Where::Row;
+            return true;
+        case Where::Cell:
+            m_tree.close();
+            if (m_tree.isComplete()) {
+                m_rows.putUnknown(m_cell++, m_tree.take().dump());
+                m_where = Where::Row;
+            }
+            return true;
+        }
+        return false;
+    }
+
+    bool beginRows()
+    {
+        if (m_seenRows) {
+            return fail("individuals.rows stands there twice");
+        }
+        m_seenRows = true;
+        m_where = Where::Rows;
+        const json* table = m_header.peek("individuals");
+        const json names = table == nullptr ? json() : table->value("columns", json());
+        if (!names.is_array() ||
+            !std::ranges::all_of(names, [](const json& name) { return name.is_string(); })) {
+            return fail("individuals.columns must be a list of names and stand before the rows");
+        }
+        const Result<void> columns = m_rows.setColumns(names.get<std::vector<std::string>>());
+        return columns ? true : fail(columns.error().message);
+    }
+
+    TreeBuilder m_header;
+    TreeBuilder m_tree;
+    RowParser m_rows;
+    Where m_where = Where::Header;
+    std::size_t m_depth = 0;
+    std::size_t m_cell = 0;
+    std::size_t m_component = 0;
+    bool m_isInIndividuals = false;
+    bool m_seenRows = false;
+    std::string m_tableKey;
+    std::string m_problem;
+};
+
+Result<Scene> ProjectHandler::finish()
+{
+    Result<Scene> scene = headerFromJson(m_header.take());
+    if (!scene) {
+        return scene;
+    }
+    if (!m_seenRows) {
+        return Error{"\"individuals\" with \"columns\" and \"rows\" is missing"};
+    }
+    if (const Result<void> rows = m_rows.finish(scene.value()); !rows) {
+        return rows.error();
+    }
+    return scene;
+}
+
+} // namespace
+
+Result<Scene> projectFromText(std::string_view text)
+{
+    ProjectHandler handler;
+    if (!json::sax_parse(text.begin(), text.end(), &handler)) {
+        return Error{handler.problem()};
+    }
+    return handler.finish();
+}
+
+} // namespace crowd::model

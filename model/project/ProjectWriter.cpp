@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/ProjectWriter.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include <nlohmann/json.hpp>
+
+#include "model/project/ProjectHeader.h"
+
+namespace crowd::model {
+
+namespace {
+
+constexpr char kHex[] = "0123456789abcdef";
+
+void appendHex(std::string& text, std::span<const std::byte> bytes)
+{
+    for (const std::byte byte : bytes) {
+        text += kHex[std::to_integer<unsigned>(byte) >> 4U];
+        text += kHex[std::to_integer<unsigned>(byte) & 15U];
+    }
+}
+
+template<class Number>
+void appendNumber(std::string& text, Number value)
+{
+    char buffer[32];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value).ptr;
+    text.append(buffer, end);
+}
+
+void appendFloat(std::string& text, float value)
+{
+    if (value == 0.0F && std::signbit(value)) {
+        text += "-0.0"; // JSON readers take "-0" for the integer and lose its sign
+        return;
+    }
+    appendNumber(text, value);
+}
+
+template<class Value>
+Value valueAt(const std::byte* bytes)
+{
+    Value value;
+    std::memcpy(&value, bytes, sizeof(value));
+    return value;
+}
+
+void appendValue(std::string& text, ColumnId column, const std::byte* bytes)
+{
+    const ColumnInfo& info = columnInfo(column);
+    switch (info.type) {
+    case ColumnType::Float:
+        appendFloat(text, valueAt<float>(bytes));
+        break;
+    case ColumnType::Vec3: {
+        const auto v = valueAt<glm::vec3>(bytes);
+        text += '[';
+        appendFloat(text, v.x);
+        text += ',';
+        appendFloat(text, v.y);
+        text += ',';
+        appendFloat(text, v.z);
+        text += ']';
+        break;
+    }
+    case ColumnType::UInt16:
+        appendNumber(text, valueAt<std::uint16_t>(bytes));
+        break;
+    case ColumnType::UInt32:
+        appendNumber(text, valueAt<std::uint32_t>(bytes));
+        break;
+    case ColumnType::UInt64:
+        appendNumber(text, valueAt<std::uint64_t>(bytes));
+        break;
+    case ColumnType::Tint:
+    case ColumnType::Bytes8:
+        text += info.type == ColumnType::Tint ? "\"#" : "\"";
+        appendHex(text, {bytes, info.stride});
+        text += '"';
+        break;
+    }
+}
+
+/// Ids apart, template and position always, others only when somebody differs from the default.
+std::vector<ColumnId> columnsToWrite(const Population& population)
+{
+    const IndividualRows defaults = IndividualRows::withDefaults({1});
+    std::vector<ColumnId> written;
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const auto column = static_cast<ColumnId>(c);
+        const std::size_t stride = columnInfo(column).stride;
+        const std::span<const std::byte> bytes = population.columnBytes(column);
+        bool isDefault = column != ColumnId::Template && column != ColumnId::Position;
+        for (std::size_t i = 0; i < bytes.size() && isDefault; i += stride) {
+            isDefault = std::memcmp(&bytes[i], defaults.bytes[c].data(), stride) == 0;
+        }
+        if (!isDefault) {
+            written.push_back(column);
+        }
+    }
+    return written;
+}
+
+Result<void> checkFinite(const Population& population)
+{
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const ColumnInfo& info = columnInfo(static_cast<ColumnId>(c));
+        if (info.type != ColumnType::Float && info.type != ColumnType::Vec3) {
+            continue;
+        }
+        const std::byte* bytes = population.columnBytes(static_cast<ColumnId>(c)).data();
+        const std::size_t perRow = info.stride / sizeof(float);
+        for (std::size_t i = 0; i < population.size() * perRow; ++i) {
+            if (!std::isfinite(valueAt<float>(bytes + i * sizeof(float)))) {
+                return Error{"Individual " + std::to_string(population.ids()[i / perRow]) +
+                             " has a " + std::string(info.name) +
+                             " that is not a number; undo the last change or give it a new value."};
+            }
+        }
+    }
+    return {};
+}
+
+/// Members in a fixed order that a reader of the file would choose, one a line.
+void appendHeader(std::string& text, const Scene& scene)
+{
+    nlohmann::json header = headerToJson(scene);
+    const auto append = [&](const std::string& key) {
+        text += nlohmann::json(key).dump() + ": ";
+        const nlohmann::json& value = header[key];
+        if (!value.is_array() || value.empty()) {
+            text += value.dump();
+        } else {
+            text += '[';
+            for (std::size_t i = 0; i < value.size(); ++i) {
+                text += (i == 0 ? "\n" : ",\n") + value[i].dump();
+            }
+            text += "\n]";
+        }
+        text += ",\n";
+        header.erase(key);
+    };
+    for (const char* key : {"format", "version", "name", "seed", "nextId", "templates", "stages",
+                            "cameras", "lighting"}) {
+        append(key);
+    }
+    while (!header.empty()) {
+        append(std::string(header.begin().key()));
+    }
+}
+
+class RowWriter
+{
+public:
+    explicit RowWriter(const Scene& scene)
+        : m_scene(scene), m_columns(columnsToWrite(scene.population)),
+          m_unknownNext(scene.unknownColumns.size())
+    {
+        for (const ColumnId column : m_columns) {
+            m_bytes.push_back(scene.population.columnBytes(column).data());
+        }
+    }
+
+    void appendColumnNames(std::string& text) const
+    {
+        text += "[\"id\"";
+        for (const ColumnId column : m_columns) {
+            text += ",\"" + std::string(columnInfo(column).name) + '"';
+        }
+        for (const UnknownColumn& column : m_scene.unknownColumns) {
+            text += ',' + nlohmann::json(column.name).dump();
+        }
+        text += ']';
+    }
+
+    void appendRow(std::string& text, std::size_t row)
+    {
+        const IndividualId id = m_scene.population.ids()[row];
+        text += '[';
+        appendNumber(text, id);
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            text += ',';
+            appendValue(text, m_columns[i], m_bytes[i] + row * columnInfo(m_columns[i]).stride);
+        }
+        for (std::size_t i = 0; i < m_scene.unknownColumns.size(); ++i) {
+            text += ',' + unknownValue(i, id);
+        }
+        text += ']';
+    }
+
+private:
+    std::string unknownValue(std::size_t column, IndividualId id)
+    {
+        const auto& values = m_scene.unknownColumns[column].values;
+        std::size_t& next = m_unknownNext[column];
+        while (next < values.size() && values[next].first < id) {
+            ++next;
+        }
+        return next < values.size() && values[next].first == id ? values[next].second : "null";
+    }
+
+    const Scene& m_scene;
+    std::vector<ColumnId> m_columns;
+    std::vector<const std::byte*> m_bytes;
+    std::vector<std::size_t> m_unknownNext;
+};
+
+} // namespace
+
+Result<std::string> projectToText(const Scene& scene)
+{
+    if (const Result<void> finite = checkFinite(scene.population); !finite) {
+        return finite.error();
+    }
+    std::string text = "{\n";
+    appendHeader(text, scene);
+    RowWriter rows(scene);
+    text += "\"individuals\": {\n\"columns\": ";
+    rows.appendColumnNames(text);
+    text += ",\n\"rows\": [";
+    text.reserve(text.size() + scene.population.size() * 160);
+    for (std::size_t row = 0; row < scene.population.size(); ++row) {
+        text += row == 0 ? "\n" : ",\n";
+        rows.appendRow(text, row);
+    }
+    text += "\n]}\n}\n";
+    return text;
+}
+
+} // namespace crowd::model

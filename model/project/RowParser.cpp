@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/RowParser.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+namespace crowd::model {
+
+namespace {
+
+constexpr const char* kWholeNumber = "a whole number that is not negative and not too large";
+constexpr const char* kFiniteNumber = "a finite number";
+
+int columnNamed(std::string_view name)
+{
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        if (columnInfo(static_cast<ColumnId>(c)).name == name) {
+            return static_cast<int>(c);
+        }
+    }
+    return -1;
+}
+
+bool toFloat(const CellValue& value, float& target)
+{
+    if (value.kind == CellValue::Kind::Unsigned) {
+        target = static_cast<float>(value.integer);
+        return true;
+    }
+    if (value.kind != CellValue::Kind::Float) {
+        return false;
+    }
+    const auto result =
+        std::from_chars(value.text.data(), value.text.data() + value.text.size(), target);
+    return result.ec == std::errc() && std::isfinite(target);
+}
+
+int hexDigit(char c)
+{
+    if (c >= '0' && c <= '9') {
+        return c - '0';
+    }
+    if (c >= 'a' && c <= 'f') {
+        return c - 'a' + 10;
+    }
+    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+bool fromHex(std::string_view text, std::byte* target, std::size_t count)
+{
+    if (text.size() != count * 2) {
+        return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const int high = hexDigit(text[2 * i]);
+        const int low = hexDigit(text[2 * i + 1]);
+        if (high < 0 || low < 0) {
+            return false;
+        }
+        target[i] = static_cast<std::byte>(high * 16 + low);
+    }
+    return true;
+}
+
+template<class Unsigned>
+bool fits(const CellValue& value, Unsigned& target)
+{
+    if (value.kind != CellValue::Kind::Unsigned ||
+        value.integer > std::numeric_limits<Unsigned>::max()) {
+        return false;
+    }
+    target = static_cast<Unsigned>(value.integer);
+    return true;
+}
+
+/// Writes the value into bytes of the column's stride; null, or what was expected.
+const char* convert(const ColumnInfo& info, const CellValue& value, std::byte* bytes)
+{
+    const auto store = [bytes](const auto& item) { std::memcpy(bytes, &item, sizeof(item)); };
+    switch (info.type) {
+    case ColumnType::Float:
+        if (float item = 0.0F; toFloat(value, item)) {
+            store(item);
+            return nullptr;
+        }
+        return kFiniteNumber;
+    case ColumnType::UInt16:
+        if (std::uint16_t item = 0; fits(value, item)) {
+            store(item);
+            return nullptr;
+        }
+        return kWholeNumber;
+    case ColumnType::UInt32:
+        if (std::uint32_t item = 0; fits(value, item)) {
+            store(item);
+            return nullptr;
+        }
+        return kWholeNumber;
+    case ColumnType::UInt64:
+        if (std::uint64_t item = 0; fits(value, item)) {
+            store(item);
+            return nullptr;
+        }
+        return kWholeNumber;
+    case ColumnType::Tint:
+        return value.kind == CellValue::Kind::Text && value.text.starts_with('#') &&
+                       fromHex(value.text.substr(1), bytes, sizeof(Tint))
+                   ? nullptr
+                   : "a tint like \"#c04020ff\" (red, green, blue, strength)";
+    case ColumnType::Bytes8:
+        return value.kind == CellValue::Kind::Text && fromHex(value.text, bytes, info.stride)
+                   ? nullptr
+                   : "sixteen hexadecimal digits";
+    case ColumnType::Vec3:
+        break;
+    }
+    return "a list of three finite numbers";
+}
+
+} // namespace
+
+Result<void> RowParser::setColumns(const std::vector<std::string>& names)
+{
+    if (names.empty() || names.front() != "id") {
+        return Error{"individuals.columns must be a list of names that begins with \"id\""};
+    }
+    m_cells.assign(1, Cell{});
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        if (std::ranges::count(names, names[i]) > 1) {
+            return Error{"individuals.columns names \"" + names[i] + "\" twice"};
+        }
+        Cell cell{columnNamed(names[i]), -1};
+        if (cell.column < 0) {
+            cell.unknown = static_cast<int>(m_unknown.size());
+            m_unknown.push_back({names[i], {}});
+        }
+        m_cells.push_back(cell);
+    }
+    m_unknownTexts.resize(m_unknown.size());
+    for (const ColumnId needed : {ColumnId::Template, ColumnId::Position}) {
+        const std::string name(columnInfo(needed).name);
+        if (std::ranges::find(names, name) == names.end()) {
+            return Error{"individuals.columns lacks \"" + name + "\""};
+        }
+    }
+    return {};
+}
+
+bool RowParser::isVector(std::size_t cell) const
+{
+    return m_cells[cell].column >= 0 &&
+           columnInfo(static_cast<ColumnId>(m_cells[cell].column)).type == ColumnType::Vec3;
+}
+
+std::string RowParser::nameOf(std::size_t cell) const
+{
+    if (m_cells[cell].unknown >= 0) {
+        return m_unknown[static_cast<std::size_t>(m_cells[cell].unknown)].name;
+    }
+    return m_cells[cell].column < 0
+               ? "id"
+               : std::string(columnInfo(static_cast<ColumnId>(m_cells[cell].column)).name);
+}
+
+void RowParser::putBytes(const Cell& cell, const void* value, std::size_t size)
+{
+    auto& bytes = m_bytes[static_cast<std::size_t>(cell.column)];
+    const auto* from = static_cast<const std::byte*>(value);
+    bytes.insert(bytes.end(), from, from + size);
+}
+
+const char* RowParser::put(std::size_t cell, const CellValue& value)
+{
+    const Cell& target = m_cells[cell];
+    if (target.column < 0) {
+        IndividualId id = 0;
+        if (!fits(value, id) || id == 0) {
+            return "a whole number above zero";
+        }
+        m_ids.push_back(id);
+        return nullptr;
+    }
+    const ColumnInfo& info = columnInfo(static_cast<ColumnId>(target.column));
+    std::array<std::byte, 16> bytes{};
+    if (const char* expected = convert(info, value, bytes.data())) {
+        return expected;
+    }
+    putBytes(target, bytes.data(), info.stride);
+    return nullptr;
+}
+
+const char* RowParser::putComponent(std::size_t cell, std::size_t component, const CellValue& value)
+{
+    float number = 0.0F;
+    if (component >= 3 || !toFloat(value, number)) {
+        return "a list of three finite numbers";
+    }
+    putBytes(m_cells[cell], &number, sizeof(number));
+    return nullptr;
+}
+
+void RowParser::putUnknown(std::size_t cell, std::string json)
+{
+    m_unknownTexts[static_cast<std::size_t>(m_cells[cell].unknown)].push_back(std::move(json));
+}
+
+Result<IndividualRows> RowParser::sortedRows(std::vector<std::size_t>& order)
+{
+    order.resize(m_rows);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [this](std::size_t a, std::size_t b) { return m_ids[a] < m_ids[b]; });
+    std::vector<IndividualId> ids(m_rows);
+    for (std::size_t i = 0; i < m_rows; ++i) {
+        ids[i] = m_ids[order[i]];
+        if (i > 0 && ids[i] == ids[i - 1]) {
+            return Error{"two individuals have the id " + std::to_string(ids[i]) +
+                         "; give one of them another"};
+        }
+    }
+    IndividualRows rows = IndividualRows::withDefaults(std::move(ids));
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
+        for (std::size_t i = 0; i < m_rows && !m_bytes[c].empty(); ++i) {
+            std::memcpy(&rows.bytes[c][i * stride], &m_bytes[c][order[i] * stride], stride);
+        }
+    }
+    return rows;
+}
+
+Result<void> RowParser::finish(Scene& scene)
+{
+    std::vector<std::size_t> order;
+    Result<IndividualRows> rows = sortedRows(order);
+    if (!rows) {
+        return rows.error();
+    }
+    const IndividualRows& table = rows.value();
+    std::vector<std::pair<SeatId, IndividualId>> seated;
+    for (std::size_t i = 0; i < table.ids.size(); ++i) {
+        const TemplateId templateId = table.column(columns::templateId)[i];
+        if (scene.findTemplate(templateId) == nullptr) {
+            return Error{"individual " + std::to_string(table.ids[i]) + " uses the template " +
+                         std::to_string(templateId) + ", which the file does not list"};
+        }
+        if (const SeatId seat = table.column(columns::seat)[i]; seat != kNoSeat) {
+            seated.emplace_back(seat, table.ids[i]);
+        }
+    }
+    std::ranges::sort(seated);
+    const auto twice =
+        std::ranges::adjacent_find(seated, {}, &std::pair<SeatId, IndividualId>::first);
+    if (twice != seated.end()) {
+        return Error{"individuals " + std::to_string(twice->second) + " and " +
+                     std::to_string(std::next(twice)->second) + " sit on the same seat"};
+    }
+    for (std::size_t u = 0; u < m_unknown.size(); ++u) {
+        for (std::size_t i = 0; i < m_rows; ++i) {
+            std::string& text = m_unknownTexts[u][order[i]];
+            if (text != "null") {
+                m_unknown[u].values.emplace_back(table.ids[i], std::move(text));
+            }
+        }
+    }
+    scene.unknownColumns = std::move(m_unknown);
+    if (!table.ids.empty()) {
+        scene.nextId = std::max(scene.nextId, table.ids.back() + 1);
+    }
+    scene.population.add(table);
+    return {};
+}
+
+} // namespace crowd::model
