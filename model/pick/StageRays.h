@@ -40,6 +40,9 @@ public:
     /// Grows with each change of the geometry.
     [[nodiscard]] std::uint64_t version() const;
 
+    /// Of all stages where they stand; empty without any.
+    [[nodiscard]] const Bounds& bounds() const;
+
     /// The nearest of stage and ground.
     [[nodiscard]] std::optional<SurfaceHit>
     hit(const Ray& ray, float maxDistance = std::numeric_limits<float>::infinity()) const;

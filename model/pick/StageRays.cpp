@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "model/pick/StageRays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <embree3/rtcore.h>
+
+namespace crowd::model {
+
+namespace {
+
+/// Room left at the end of a blocking query, so that what stands on a surface is not hidden by it.
+constexpr float kGrazingMetres = 0.03F;
+constexpr float kStepPastSurface = 1.0e-3F;
+constexpr int kMaxSurfacesBelow = 8;
+
+/// Hits differ between instruction sets in their last bits: one is pinned. A single thread builds
+/// the tree, so that it is the same each time.
+const char* deviceConfig()
+{
+    return __builtin_cpu_supports("avx2") != 0 ? "threads=1,isa=avx2,hugepages=0"
+                                               : "threads=1,isa=sse2,hugepages=0";
+}
+
+/// What of a stage entry decides its geometry.
+struct Placed
+{
+    StagePtr asset;
+    glm::vec3 position{0.0F};
+    float headingRadians = 0.0F;
+    float scale = 1.0F;
+    friend bool operator==(const Placed&, const Placed&) = default;
+};
+
+RTCRay rtcRay(const Ray& ray, float from, float to)
+{
+    RTCRay out{};
+    out.org_x = ray.origin.x;
+    out.org_y = ray.origin.y;
+    out.org_z = ray.origin.z;
+    out.dir_x = ray.direction.x;
+    out.dir_y = ray.direction.y;
+    out.dir_z = ray.direction.z;
+    out.tnear = from;
+    out.tfar = to;
+    out.mask = 0xFFFFFFFFU;
+    return out;
+}
+
+bool isFinite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::optional<SurfaceHit> groundHit(const Ray& ray, float maxDistance)
+{
+    if (ray.origin.y <= 0.0F || ray.direction.y >= 0.0F) {
+        return std::nullopt;
+    }
+    const float distance = -ray.origin.y / ray.direction.y;
+    if (!(distance <= maxDistance) || !std::isfinite(distance)) {
+        return std::nullopt;
+    }
+    glm::vec3 point = ray.origin + ray.direction * distance;
+    point.y = 0.0F;
+    return SurfaceHit{point, glm::vec3(0.0F, 1.0F, 0.0F), distance, true};
+}
+
+} // namespace
+
+struct StageRays::Private
+{
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<Placed> placed;
+    Bounds bounds;
+    std::uint64_t version = 0;
+
+    void rebuild();
+    void addMesh(const StageMesh& mesh, const glm::mat4& worldFromStage);
+    [[nodiscard]] std::optional<SurfaceHit> stageHit(const Ray& ray, float from, float to) const;
+};
+
+void StageRays::Private::addMesh(const StageMesh& mesh, const glm::mat4& worldFromStage)
+{
+    const std::size_t triangles = mesh.indices.size() / 3;
+    if (triangles == 0 || mesh.positions.empty()) {
+        return;
+    }
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<glm::vec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(glm::vec3), mesh.positions.size()));
+    auto* indices = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), triangles));
+    if (vertices != nullptr && indices != nullptr) {
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 world(worldFromStage * glm::vec4(mesh.positions[i], 1.0F));
+            vertices[i] = isFinite(world) ? world : glm::vec3(0.0F);
+            bounds.add(vertices[i]);
+        }
+        std::copy_n(mesh.indices.begin(), triangles * 3, indices);
+        rtcCommitGeometry(geometry);
+        (void)rtcAttachGeometry(scene, geometry);
+    }
+    rtcReleaseGeometry(geometry);
+}
+
+void StageRays::Private::rebuild()
+{
+    if (scene != nullptr) {
+        rtcReleaseScene(scene);
+    }
+    bounds = {};
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    for (const Placed& stage : placed) {
+        StageEntry entry;
+        entry.position = stage.position;
+        entry.headingRadians = stage.headingRadians;
+        entry.scale = stage.scale;
+        for (const StageMesh& mesh : stage.asset->meshes) {
+            addMesh(mesh, entry.worldFromStage());
+        }
+    }
+    rtcCommitScene(scene);
+    ++version;
+}
+
+std::optional<SurfaceHit> StageRays::Private::stageHit(const Ray& ray, float from, float to) const
+{
+    RTCRayHit query{};
+    query.ray = rtcRay(ray, from, to);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return std::nullopt;
+    }
+    glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+    const float length = glm::length(normal);
+    normal = length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
+    if (glm::dot(normal, ray.direction) > 0.0F) {
+        normal = -normal;
+    }
+    return SurfaceHit{ray.origin + ray.direction * query.ray.tfar, normal, query.ray.tfar, false};
+}
+
+StageRays::StageRays() : m_private(std::make_unique<Private>())
+{
+    m_private->device = rtcNewDevice(deviceConfig());
+    m_private->rebuild();
+}
+
+StageRays::~StageRays()
+{
+    rtcReleaseScene(m_private->scene);
+    rtcReleaseDevice(m_private->device);
+}
+
+void StageRays::setStages(std::span<const StageEntry> stages)
+{
+    std::vector<Placed> placed;
+    for (const StageEntry& entry : stages) {
+        if (entry.asset) {
+            placed.push_back({entry.asset, entry.position, entry.headingRadians, entry.scale});
+        }
+    }
+    if (placed != m_private->placed) {
+        m_private->placed = std::move(placed);
+        m_private->rebuild();
+    }
+}
+
+std::uint64_t StageRays::version() const
+{
+    return m_private->version;
+}
+
+const Bounds& StageRays::bounds() const
+{
+    return m_private->bounds;
+}
+
+std::optional<SurfaceHit> StageRays::hit(const Ray& ray, float maxDistance) const
+{
+    const auto stage = m_private->stageHit(ray, 0.0F, maxDistance);
+    return stage ? stage : groundHit(ray, maxDistance);
+}
+
+bool StageRays::isBlocked(const glm::vec3& from, const glm::vec3& to) const
+{
+    const glm::vec3 way = to - from;
+    const float length = glm::length(way);
+    if (length <= kGrazingMetres || m_private->bounds.isEmpty()) {
+        return false;
+    }
+    RTCRay ray = rtcRay({from, way / length}, 0.0F, length - kGrazingMetres);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(m_private->scene, &context, &ray);
+    return ray.tfar < 0.0F;
+}
+
+std::vector<SurfaceHit> StageRays::below(const glm::vec3& from) const
+{
+    std::vector<SurfaceHit> surfaces;
+    const Ray down{from, glm::vec3(0.0F, -1.0F, 0.0F)};
+    float start = 0.0F;
+    while (static_cast<int>(surfaces.size()) < kMaxSurfacesBelow) {
+        const auto next = m_private->stageHit(down, start, std::numeric_limits<float>::infinity());
+        if (!next) {
+            break;
+        }
+        surfaces.push_back(*next);
+        start = next->distance + kStepPastSurface;
+    }
+    if (const auto ground = groundHit(down, std::numeric_limits<float>::infinity())) {
+        surfaces.push_back(*ground);
+    }
+    std::ranges::stable_sort(surfaces, {}, &SurfaceHit::distance);
+    return surfaces;
+}
+
+} // namespace crowd::model
