@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "model/bake/ClipBaker.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <span>
+
+#include "model/bake/KeyframeTime.h"
+#include "model/bake/Octahedral.h"
+#include "model/bake/Pose.h"
+#include "model/bake/Skinning.h"
+
+namespace crowd::model {
+
+namespace {
+
+constexpr float kSteps = 65535.0F;
+
+std::size_t verticesOfAllLevels(const Template& asset)
+{
+    std::size_t vertices = 0;
+    for (const Mesh& mesh : asset.levels) {
+        vertices += mesh.positions.size();
+    }
+    return vertices;
+}
+
+/// Keyframes of one level at full precision, before the clip's box is known.
+struct UnpackedLevel
+{
+    std::vector<glm::vec3> positions; ///< keyframes × V
+    std::vector<std::uint16_t> normals;
+};
+
+void appendKeyframe(const Mesh& mesh, std::span<const glm::mat4> bones,
+                    std::vector<glm::vec3>& normals, UnpackedLevel& level, Bounds& bounds)
+{
+    const std::size_t vertices = mesh.positions.size();
+    const std::size_t first = level.positions.size();
+    level.positions.resize(first + vertices);
+    normals.resize(vertices);
+    const std::span<glm::vec3> positions(level.positions.data() + first, vertices);
+    skin(mesh, bones, positions, normals);
+    for (const glm::vec3& position : positions) {
+        bounds.add(position);
+    }
+    for (const glm::vec3& normal : normals) {
+        level.normals.push_back(octahedralEncode(normal));
+    }
+}
+
+std::uint16_t quantise(float value, float low, float size)
+{
+    const float share = size > 0.0F ? (value - low) / size : 0.0F;
+    return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0F, 1.0F) * kSteps));
+}
+
+std::vector<PackedVertex> pack(const UnpackedLevel& level, const Bounds& box)
+{
+    const glm::vec3 size = box.size();
+    std::vector<PackedVertex> packed(level.positions.size());
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        const glm::vec3& p = level.positions[i];
+        packed[i] = {quantise(p.x, box.low.x, size.x), quantise(p.y, box.low.y, size.y),
+                     quantise(p.z, box.low.z, size.z), level.normals[i]};
+    }
+    return packed;
+}
+
+} // namespace
+
+BakedClipPtr bakeClip(const Template& asset, int clipIndex, int keyframes,
+                      const std::function<bool()>& isCancelled)
+{
+    const Clip& clip = asset.clips[static_cast<std::size_t>(clipIndex)];
+    assert(keyframes >= 1 && keyframes <= clip.keyframeCount());
+    auto baked = std::make_shared<BakedClip>();
+    baked->keyframes = keyframes;
+    std::vector<UnpackedLevel> levels(asset.levels.size());
+    std::vector<glm::vec3> normals;
+    Pose pose;
+    for (int k = 0; k < keyframes; ++k) {
+        if (isCancelled && isCancelled()) {
+            return nullptr;
+        }
+        evaluatePose(asset, clipIndex, keyframeSeconds(clip, k), pose);
+        Bounds bounds;
+        for (std::size_t level = 0; level < levels.size(); ++level) {
+            appendKeyframe(asset.levels[level], pose.bones, normals, levels[level], bounds);
+        }
+        baked->keyframeBounds.push_back(bounds);
+        baked->bounds.add(bounds);
+    }
+    for (const UnpackedLevel& level : levels) {
+        baked->levels.push_back(pack(level, baked->bounds));
+    }
+    return baked;
+}
+
+std::size_t bakedBytes(const Template& asset, int clipIndex)
+{
+    const Clip& clip = asset.clips[static_cast<std::size_t>(clipIndex)];
+    const auto keyframes = static_cast<std::size_t>(clip.keyframeCount());
+    return sizeof(BakedClip) +
+           keyframes * (verticesOfAllLevels(asset) * sizeof(PackedVertex) + sizeof(Bounds));
+}
+
+std::size_t BakedClip::bytes() const
+{
+    std::size_t total = sizeof(BakedClip) + keyframeBounds.size() * sizeof(Bounds);
+    for (const std::vector<PackedVertex>& level : levels) {
+        total += level.size() * sizeof(PackedVertex);
+    }
+    return total;
+}
+
+glm::vec3 BakedClip::position(int level, int keyframe, std::size_t vertex) const
+{
+    const std::vector<PackedVertex>& packed = levels[static_cast<std::size_t>(level)];
+    const std::size_t vertices = packed.size() / static_cast<std::size_t>(keyframes);
+    const PackedVertex& v = packed[static_cast<std::size_t>(keyframe) * vertices + vertex];
+    return bounds.low + bounds.size() * (glm::vec3(v.x, v.y, v.z) / kSteps);
+}
+
+glm::vec3 BakedClip::normal(int level, int keyframe, std::size_t vertex) const
+{
+    const std::vector<PackedVertex>& packed = levels[static_cast<std::size_t>(level)];
+    const std::size_t vertices = packed.size() / static_cast<std::size_t>(keyframes);
+    return octahedralDecode(packed[static_cast<std::size_t>(keyframe) * vertices + vertex].normal);
+}
+
+std::vector<glm::vec3> keyframePositions(const Template& asset, int clipIndex, int keyframe,
+                                         int level)
+{
+    const Mesh& mesh = asset.levels[static_cast<std::size_t>(level)];
+    const Clip& clip = asset.clips[static_cast<std::size_t>(clipIndex)];
+    Pose pose;
+    evaluatePose(asset, clipIndex, keyframeSeconds(clip, keyframe), pose);
+    std::vector<glm::vec3> positions(mesh.positions.size());
+    skin(mesh, pose.bones, positions, {});
+    return positions;
+}
+
+} // namespace crowd::model

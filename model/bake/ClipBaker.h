@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "model/bake/KeyframeStore.h"
+
+namespace crowd::model {
+
+/// Samples the first `keyframes` keyframes of a clip (all: Clip::keyframeCount()), skins every
+/// level and packs the result. Pure: the same bits on every thread. Asks `isCancelled` between
+/// keyframes and returns null once it says yes.
+[[nodiscard]] BakedClipPtr bakeClip(const Template& asset, int clipIndex, int keyframes,
+                                    const std::function<bool()>& isCancelled = {});
+
+/// What baking the whole clip will take, in bytes.
+[[nodiscard]] std::size_t bakedBytes(const Template& asset, int clipIndex);
+
+} // namespace crowd::model

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "model/bake/DrawLevels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <meshoptimizer.h>
+
+#include "model/bake/KeyframeStore.h"
+
+namespace crowd::model {
+
+namespace {
+
+/// Triangles of the generated levels as a share of the finest: those of the built-in people.
+constexpr std::array<float, kMaxLevels - 1> kShares{0.45F, 0.25F, 0.12F};
+constexpr float kMaxError = 0.08F; ///< of the submesh's extent
+constexpr float kWorthwhile = 0.8F;
+constexpr std::size_t kSmallestMesh = 64; ///< triangles; below it nothing is generated
+
+std::size_t simplify(const std::vector<glm::vec3>& positions, const std::uint32_t* indices,
+                     std::size_t count, std::size_t target, std::vector<std::uint32_t>& out)
+{
+    const float* data = &positions[0].x;
+    std::size_t made = meshopt_simplify(out.data(), indices, count, data, positions.size(),
+                                        sizeof(glm::vec3), target, kMaxError);
+    // Hard edges everywhere (flat shading) lock every vertex: clustering still helps there.
+    if (made > target + target / 2) {
+        made = meshopt_simplifySloppy(out.data(), indices, count, data, positions.size(),
+                                      sizeof(glm::vec3), target, kMaxError);
+    }
+    return made;
+}
+
+DrawLevel simplified(const DrawLevel& finest, const std::vector<glm::vec3>& positions, float share)
+{
+    DrawLevel level;
+    level.vertexLevel = finest.vertexLevel;
+    std::vector<std::uint32_t> scratch;
+    for (Submesh submesh : finest.submeshes) {
+        const std::uint32_t* source = finest.indices.data() + submesh.firstIndex;
+        const auto triangles = std::lround(static_cast<float>(submesh.indexCount / 3) * share);
+        scratch.resize(submesh.indexCount);
+        const std::size_t made =
+            simplify(positions, source, submesh.indexCount,
+                     static_cast<std::size_t>(std::max(triangles, 2L)) * 3, scratch);
+        submesh.firstIndex = static_cast<std::uint32_t>(level.indices.size());
+        submesh.indexCount = static_cast<std::uint32_t>(made);
+        level.indices.insert(level.indices.end(), scratch.begin(),
+                             scratch.begin() + static_cast<std::ptrdiff_t>(made));
+        if (made > 0) {
+            level.submeshes.push_back(submesh);
+        }
+    }
+    return level;
+}
+
+bool isWorthwhile(const DrawLevel& coarser, const DrawLevel& finer)
+{
+    return !coarser.indices.empty() && static_cast<float>(coarser.indices.size()) <
+                                           kWorthwhile * static_cast<float>(finer.indices.size());
+}
+
+} // namespace
+
+std::vector<DrawLevel> drawLevels(const Template& asset)
+{
+    std::vector<DrawLevel> levels;
+    for (std::size_t i = 0; i < asset.levels.size(); ++i) {
+        const Mesh& mesh = asset.levels[i];
+        levels.push_back({static_cast<int>(i), mesh.indices, mesh.submeshes});
+    }
+    if (levels.size() != 1 || levels[0].indices.size() / 3 < kSmallestMesh) {
+        return levels;
+    }
+    const std::vector<glm::vec3> positions = keyframePositions(asset, asset.defaultClip, 0);
+    for (const float share : kShares) {
+        DrawLevel coarser = simplified(levels.front(), positions, share);
+        if (isWorthwhile(coarser, levels.back())) {
+            levels.push_back(std::move(coarser));
+        }
+    }
+    return levels;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,57 @@
+in vec4 color;
+#ifdef TEXTURED
+in vec2 textureUv;
+flat in float layer;
+uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
+#endif
+#ifdef TINT_IN_TEXTURE
+in vec3 maskedTint;
+#endif
+#ifdef CUTOUT
+flat in float alphaCutoff;
+#endif
+#ifdef SEPARATE_MASK
+flat in float maskLayer;
+#endif
+#ifdef SPECIAL
+in vec3 emissive;
+#endif
+#ifdef OPACITY
+uniform float opacity;
+#endif
+
+out vec4 fragment;
+
+void main()
+{
+    vec4 result = color;
+#ifdef TEXTURED
+    vec4 texel = texture(images, vec3(textureUv, layer));
+    result.rgb *= texel.rgb;
+#ifdef SEPARATE_MASK
+    result.a *= texel.a;
+    float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv, maskLayer)).r;
+#else
+    float mask = texel.a;
+#endif
+#ifdef TINT_IN_TEXTURE
+    result.rgb *= mix(vec3(1.0), maskedTint, mask);
+#endif
+#endif
+#ifdef SPECIAL
+    result.rgb += emissive;
+#endif
+#ifdef CUTOUT
+    if (result.a < alphaCutoff) {
+        discard;
+    }
+    result.a = 1.0;
+#endif
+#if !defined(BLENDED) && !defined(CUTOUT)
+    result.a = 1.0;
+#endif
+#ifdef OPACITY
+    result.a *= opacity;
+#endif
+    fragment = result;
+}

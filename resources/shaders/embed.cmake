@@ -1,0 +1,11 @@
+# Writes OUTPUT: a C++ file with the text of every shader in FILES (separated by commas).
+set(text "// SPDX-License-Identifier: MIT\n#include \"render/gl/ShaderSources.h\"\n\nnamespace crowd::render {\n\n")
+string(APPEND text "std::string_view shaderSource(std::string_view name)\n{\n")
+string(REPLACE "," ";" files "${FILES}")
+foreach(file IN LISTS files)
+    get_filename_component(name "${file}" NAME)
+    file(READ "${file}" source)
+    string(APPEND text "    if (name == \"${name}\") {\n        return R\"shader(${source})shader\";\n    }\n")
+endforeach()
+string(APPEND text "    return {};\n}\n\n} // namespace crowd::render\n")
+file(WRITE "${OUTPUT}" "${text}")

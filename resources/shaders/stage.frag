@@ -1,0 +1,26 @@
+in vec4 color;
+#ifdef TEXTURED
+in vec2 textureUv;
+in vec3 glow;
+uniform sampler2D image;
+#endif
+uniform float alphaCutoff;
+out vec4 fragment;
+
+void main()
+{
+    vec4 result = color;
+#ifdef TEXTURED
+    result *= texture(image, textureUv);
+    result.rgb += glow;
+#endif
+#ifdef CUTOUT
+    if (result.a < alphaCutoff) {
+        discard;
+    }
+#endif
+#ifndef BLENDED
+    result.a = 1.0;
+#endif
+    fragment = result;
+}
