@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "render/Renderer.h"
+
+#include <chrono>
+#include <cstring>
+#include <string>
+
+#include <epoxy/gl.h>
+
+#include "model/base/Color.h"
+#include "render/gl/PictureTarget.h"
+#include "render/gl/SoftwareTuning.h"
+#include "render/passes/BackgroundPass.h"
+#include "render/passes/CrowdPass.h"
+#include "render/passes/OverlayPass.h"
+#include "render/passes/StagePass.h"
+
+namespace crowd::render {
+
+namespace {
+
+constexpr int kLeastVersion = 33;
+
+/// Everything that holds GL names; lives while a context does.
+struct Passes
+{
+    PictureTarget target;
+    CrowdPass crowd;
+    StagePass stage;
+    BackgroundPass background;
+    OverlayPass overlay;
+};
+
+void beginState()
+{
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_BLEND);
+    // The picture stays opaque whatever is blended over it.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void endState()
+{
+    glUseProgram(0);
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glActiveTexture(GL_TEXTURE0);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+bool isSoftwareRenderer()
+{
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name != nullptr &&
+           (std::strstr(name, "llvmpipe") != nullptr || std::strstr(name, "softpipe") != nullptr);
+}
+
+} // namespace
+
+struct Renderer::Private
+{
+    std::unique_ptr<Passes> passes;
+    bool isSoftware = false;
+    RenderStatistics statistics;
+
+    [[nodiscard]] model::Result<void> draw(const RenderInput& input, const std::uint32_t* target);
+    [[nodiscard]] model::Result<void> drawPasses(const PassContext& context) const;
+};
+
+const char* lookName(Look look)
+{
+    switch (look) {
+    case Look::Plain:
+        return "plain";
+    case Look::Lit:
+    case Look::Count:
+        break;
+    }
+    return "lit";
+}
+
+Renderer::Renderer() : m_private(std::make_unique<Private>()) {}
+
+Renderer::~Renderer()
+{
+    abandon();
+}
+
+model::Result<void> Renderer::initialize()
+{
+    const int version = epoxy_gl_version();
+    if (!epoxy_is_desktop_gl() || version < kLeastVersion) {
+        const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+        return model::Error{std::string("Drawing needs OpenGL 3.3; this context offers ") +
+                            (text != nullptr ? text : "nothing") +
+                            ". Install a newer graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1."};
+    }
+    m_private->isSoftware = isSoftwareRenderer();
+    if (m_private->isSoftware) {
+        tuneForSoftwareRendering();
+    }
+    auto passes = std::make_unique<Passes>();
+    if (auto crowd = passes->crowd.initialize(); !crowd) {
+        return crowd;
+    }
+    if (auto background = passes->background.initialize(); !background) {
+        return background;
+    }
+    if (auto overlay = passes->overlay.initialize(); !overlay) {
+        return overlay;
+    }
+    m_private->passes = std::move(passes);
+    return {};
+}
+
+bool Renderer::isInitialized() const
+{
+    return m_private->passes != nullptr;
+}
+
+void Renderer::destroy()
+{
+    m_private->passes.reset();
+}
+
+void Renderer::abandon()
+{
+    const ContextLostScope lost;
+    m_private->passes.reset();
+}
+
+model::Result<void> Renderer::Private::drawPasses(const PassContext& context) const
+{
+    glm::vec3 clear = context.light.horizon;
+    const bool hasSky = context.input.background.w <= 0.0F;
+    if (!hasSky) {
+        clear = model::linearFromSrgb(glm::vec3(context.input.background));
+    }
+    glClearColor(clear.x, clear.y, clear.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // People first: they hide more of the stage than it hides of them.
+    if (auto drawn = passes->crowd.drawPeople(context); !drawn) {
+        return drawn;
+    }
+    if (auto drawn = passes->stage.draw(context); !drawn) {
+        return drawn;
+    }
+    if (context.input.showGround) {
+        passes->background.drawGround(context);
+    }
+    if (hasSky) {
+        passes->background.drawSky(context);
+    }
+    passes->crowd.drawShadows(context);
+    if (auto drawn = passes->stage.drawBlended(context); !drawn) {
+        return drawn;
+    }
+    if (auto drawn = passes->crowd.drawOutlines(context); !drawn) {
+        return drawn;
+    }
+    passes->overlay.draw(context);
+    return passes->crowd.drawGhosts(context);
+}
+
+model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
+{
+    const auto start = std::chrono::steady_clock::now();
+    statistics = {};
+    const glm::ivec2 size =
+        input.pixelSize.x > 0 ? input.pixelSize : glm::ivec2(input.view.size() + 0.5F);
+    PassContext context{
+        input,     input.view.viewProjection(), LinearLight::from(input.lighting), size, isSoftware,
+        statistics};
+    if (auto begun = passes->target.begin(size, input.samples); !begun) {
+        return begun;
+    }
+    beginState();
+    model::Result<void> drawn = passes->crowd.prepare(context);
+    if (drawn) {
+        drawn = drawPasses(context);
+    }
+    passes->target.end(target);
+    endState();
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    statistics.totalMs = spent.count();
+    statistics.submitMs = spent.count() - statistics.recordsMs - statistics.planMs;
+    return drawn;
+}
+
+model::Result<void> Renderer::draw(const RenderInput& input, std::uint32_t framebuffer)
+{
+    return m_private->draw(input, &framebuffer);
+}
+
+model::Result<void> Renderer::draw(const RenderInput& input)
+{
+    return m_private->draw(input, nullptr);
+}
+
+std::vector<std::uint8_t> Renderer::readPixels() const
+{
+    return m_private->passes->target.read();
+}
+
+glm::ivec2 Renderer::size() const
+{
+    return m_private->passes->target.size();
+}
+
+const RenderStatistics& Renderer::statistics() const
+{
+    return m_private->statistics;
+}
+
+} // namespace crowd::render

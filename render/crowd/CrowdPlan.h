@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/base/Bounds.h"
+#include "model/scene/CrowdFrame.h"
+#include "model/view/View.h"
+#include "render/RenderInput.h"
+
+/// Who is drawn how: phase, cull, projected size, level, sort. No GL. The result is the same for
+/// any number of threads.
+namespace crowd::render {
+
+/// A clip as the plan needs it.
+struct PlanClip
+{
+    const model::Clip* clip = nullptr;
+    std::uint32_t firstKeyframe = 0; ///< in the template's keyframe buffer
+    bool isComplete = false;         ///< else only its first keyframe is there
+    std::uint16_t box = 0;           ///< row of the template's clip boxes
+    model::Bounds bounds;            ///< of what is there, template frame
+};
+
+/// A template entry as the plan needs it.
+struct PlanTemplate
+{
+    bool isDrawable = false;
+    float height = 0.0F; ///< metres at scale 1, for the projected size
+    int levels = 1;
+    std::vector<PlanClip> clips;           ///< as in the asset; those nobody uses have no bounds
+    std::vector<std::uint16_t> clipOfName; ///< TemplateEntry::clipNames → asset clip
+};
+
+/// What the vertex shader gets of an individual each frame.
+struct Instance
+{
+    std::uint32_t rowAndFlags = 0;
+    std::uint32_t keyframeA = 0;
+    std::uint32_t keyframeB = 0;
+    std::uint32_t boxes = 0; ///< A's in the low half, B's in the high one
+    float blend = 0.0F;
+
+    static constexpr std::uint32_t kSelected = 0x80000000U;
+    static constexpr std::uint32_t kHovered = 0x40000000U;
+    static constexpr std::uint32_t kRowMask = 0x00FFFFFFU;
+};
+static_assert(sizeof(Instance) == 20);
+
+/// A run of instances of one template entry and level.
+struct InstanceRun
+{
+    int entry = 0; ///< index into CrowdFrame::templates
+    int level = 0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/// Keeps each individual's level from frame to frame, for the hysteresis.
+class CrowdPlan
+{
+public:
+    struct Request
+    {
+        const model::CrowdFrame& frame;
+        std::span<const PlanTemplate> templates; ///< one per frame template entry
+        std::span<const float> lifts;            ///< per row: metres above the foot point
+        const model::View& view;
+        float pixelRatio = 1.0F; ///< physical per logical pixel
+        LevelThresholds thresholds;
+        std::span<const model::IndividualId> selected; ///< ascending
+        model::IndividualId hovered = 0;
+    };
+    /// Fills instances() and runs(): ordered by level (finest first), template, distance in coarse
+    /// steps (nearest first), keyframe, row.
+    void make(const Request& request);
+    /// Forgets the levels of the last frame.
+    void reset();
+
+    [[nodiscard]] std::span<const Instance> instances() const { return m_instances; }
+    [[nodiscard]] std::span<const InstanceRun> runs() const { return m_runs; }
+    /// The highlighted ones of instances(), as runs of highlighted().
+    [[nodiscard]] std::span<const Instance> highlighted() const { return m_highlighted; }
+    [[nodiscard]] std::span<const InstanceRun> highlightedRuns() const { return m_highlightedRuns; }
+    [[nodiscard]] std::array<int, model::kMaxLevels> byLevel() const { return m_byLevel; }
+    [[nodiscard]] bool areKeyframesMissing() const { return m_areKeyframesMissing; }
+
+    static constexpr int kDistanceSteps = 32;
+
+private:
+    /// A visible row, before sorting.
+    struct Seen
+    {
+        Instance instance;
+        std::uint32_t group = 0; ///< (level × entries + entry) × kDistanceSteps + step
+    };
+
+    void keepLevels(const model::Population& population);
+    void look(const Request& request);
+    void mark(const Request& request);
+    void sortSeen(std::size_t entries);
+    void collectHighlighted();
+
+    model::Population m_lastPopulation; ///< shares columns: says which row was whose
+    std::vector<std::uint8_t> m_levels; ///< per row; kNoLevel: not seen last time
+    std::vector<std::uint8_t> m_flags;  ///< per row, highest byte of Instance::rowAndFlags
+    std::vector<std::vector<Seen>> m_seenByChunk;
+    std::vector<Seen> m_seen;
+    std::vector<std::uint32_t> m_order;
+    std::vector<std::uint32_t> m_orderByKeyframe;
+    std::vector<std::uint32_t> m_counts;
+    std::vector<Instance> m_instances;
+    std::vector<InstanceRun> m_runs;
+    std::vector<Instance> m_highlighted;
+    std::vector<InstanceRun> m_highlightedRuns;
+    std::array<int, model::kMaxLevels> m_byLevel{};
+    bool m_areKeyframesMissing = false;
+};
+
+/// The level for a projected height: kept while the height stays within the hysteresis around the
+/// thresholds of `last` (negative: none).
+[[nodiscard]] int levelFor(float pixels, int last, int levels, const LevelThresholds& thresholds);
+
+} // namespace crowd::render

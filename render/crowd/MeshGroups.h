@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "model/bake/DrawLevels.h"
+#include "model/template/Template.h"
+
+/// The triangles of a level arranged for drawing: what needs the same GL state lies together. No
+/// GL.
+namespace crowd::render {
+
+/// What decides on shader variant and GL state, over all choices of a slot.
+struct GroupState
+{
+    bool isTextured = false;
+    bool isMasked = false; ///< some tint mask
+    bool isDoubleSided = false;
+    bool isSpecial = false; ///< unlit or emissive
+    model::AlphaMode alphaMode = model::AlphaMode::Opaque;
+    friend auto operator<=>(const GroupState&, const GroupState&) = default;
+};
+
+[[nodiscard]] GroupState groupStateOf(const model::Slot& slot);
+/// Words for ShaderProgram::build.
+[[nodiscard]] std::string definesOf(const GroupState& state);
+
+struct MeshGroup
+{
+    GroupState state;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+};
+
+/// Static attributes of a vertex; its position and normal come from the keyframes.
+struct StaticVertex
+{
+    glm::vec2 uv{0.0F};
+    glm::u8vec4 color{255};
+    std::uint32_t source = 0; ///< vertex within a keyframe
+    std::uint8_t slot = 0;
+    std::uint8_t part = 255; ///< 255: always shown
+    std::uint16_t unused = 0;
+};
+static_assert(sizeof(StaticVertex) == 20);
+
+struct GroupedMesh
+{
+    std::vector<StaticVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<MeshGroup> groups; ///< opaque first, blended last
+};
+
+/// A vertex that several slots or parts use is doubled.
+[[nodiscard]] GroupedMesh groupMesh(const model::Template& asset, const model::DrawLevel& level);
+
+} // namespace crowd::render

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/bake/DrawLevels.h"
+#include "model/bake/KeyframeStore.h"
+#include "render/crowd/CrowdPlan.h"
+#include "render/crowd/MeshGroups.h"
+#include "render/gl/GlObjects.h"
+
+namespace crowd::render {
+
+/// A template on the graphics card: triangles and static vertex data per level, the keyframes that
+/// were asked for so far, its textures in one array, its materials in a table.
+class TemplateGpu
+{
+public:
+    explicit TemplateGpu(model::TemplatePtr asset);
+
+    /// Asks the store for a clip and uploads what is new of it.
+    void useClip(model::KeyframeStore& store, int clipIndex);
+
+    [[nodiscard]] const model::TemplatePtr& asset() const { return m_asset; }
+    /// One per clip of the asset; unused ones have no bounds.
+    [[nodiscard]] const std::vector<PlanClip>& clips() const { return m_clips; }
+    [[nodiscard]] int levelCount() const { return static_cast<int>(m_levels.size()); }
+    /// Radius of the soft shadow at girth 1, metres.
+    [[nodiscard]] float shadowRadius() const { return m_shadowRadius; }
+
+    struct Level
+    {
+        std::vector<MeshGroup> groups;
+        GlVertexArray array; ///< static attributes and indices; instance attributes are the user's
+        GlBuffer vertices;
+        GlBuffer indices;
+        int vertexLevel = 0;
+        std::uint32_t verticesPerKeyframe = 0;
+    };
+    [[nodiscard]] const Level& level(int index) const
+    {
+        return m_levels[static_cast<std::size_t>(index)];
+    }
+    /// Binds keyframes (of a level), clip boxes, materials and images to texture units from
+    /// `first`.
+    void bindTextures(int levelIndex, int first) const;
+    [[nodiscard]] int choicesPerSlot() const { return m_choicesPerSlot; }
+    [[nodiscard]] std::uint32_t tintableSlots() const { return m_tintableSlots; }
+
+private:
+    void makeLevels();
+    void makeMaterials();
+    void append(int clipIndex, const model::KeyframeStore::Entry& entry);
+
+    model::TemplatePtr m_asset;
+    std::vector<PlanClip> m_clips;
+    std::vector<model::BakedClipPtr> m_uploaded; ///< per clip, what its PlanClip refers to
+    std::vector<Level> m_levels;
+    std::vector<TexelBuffer> m_keyframes; ///< per level of the asset
+    TexelBuffer m_boxes;
+    TexelBuffer m_materials;
+    GlTexture m_images;
+    std::uint32_t m_keyframeCount = 0; ///< uploaded so far
+    std::uint16_t m_boxCount = 0;
+    int m_choicesPerSlot = 1;
+    std::uint32_t m_tintableSlots = 0;
+    float m_shadowRadius = 0.0F;
+};
+
+} // namespace crowd::render

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/PictureTarget.h"
+
+#include <algorithm>
+#include <string>
+
+#include <epoxy/gl.h>
+
+namespace crowd::render {
+
+namespace {
+
+GlRenderbuffer makeStorage(GLenum format, glm::ivec2 size, int samples)
+{
+    GlRenderbuffer storage = GlRenderbuffer::create();
+    glBindRenderbuffer(GL_RENDERBUFFER, storage.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
+    return storage;
+}
+
+bool isComplete()
+{
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+} // namespace
+
+model::Result<void> PictureTarget::begin(glm::ivec2 size, int samples)
+{
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    const int used = std::clamp(samples, 0, static_cast<int>(most));
+    if (!m_drawn || size != m_size || used != m_samples) {
+        m_size = size;
+        m_samples = used;
+        if (auto made = make(); !made) {
+            m_drawn.reset();
+            return made;
+        }
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
+    glViewport(0, 0, m_size.x, m_size.y);
+    return {};
+}
+
+model::Result<void> PictureTarget::make()
+{
+    m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);
+    m_drawnDepth = makeStorage(GL_DEPTH_COMPONENT24, m_size, m_samples);
+    m_drawn = GlFramebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              m_drawnColor.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              m_drawnDepth.name());
+    bool isUsable = isComplete();
+    m_resolvedColor = makeStorage(GL_SRGB8_ALPHA8, m_size, 0);
+    m_resolved = GlFramebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              m_resolvedColor.name());
+    isUsable = isUsable && isComplete();
+    if (!isUsable) {
+        return model::Error{"The graphics driver offers no framebuffer of " +
+                            std::to_string(m_size.x) + " by " + std::to_string(m_size.y) +
+                            " pixels. Try a smaller picture."};
+    }
+    return {};
+}
+
+void PictureTarget::end(const std::uint32_t* framebuffer)
+{
+    // The bytes are copied as they are, encoded.
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved.name());
+    glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    if (framebuffer != nullptr) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved.name());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *framebuffer);
+        glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer != nullptr ? *framebuffer : m_resolved.name());
+}
+
+std::vector<std::uint8_t> PictureTarget::read() const
+{
+    const std::size_t stride = static_cast<std::size_t>(m_size.x) * 4;
+    std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(m_size.y));
+    GLint before = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
+    for (int y = 0; y < m_size.y / 2; ++y) {
+        std::uint8_t* top = pixels.data() + static_cast<std::size_t>(y) * stride;
+        std::uint8_t* bottom = pixels.data() + static_cast<std::size_t>(m_size.y - 1 - y) * stride;
+        std::swap_ranges(top, top + stride, bottom);
+    }
+    return pixels;
+}
+
+} // namespace crowd::render

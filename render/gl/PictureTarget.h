@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "model/base/Result.h"
+#include "render/gl/GlObjects.h"
+
+namespace crowd::render {
+
+/// The framebuffer a picture is drawn into: sRGB, several samples a pixel, physical pixels; and the
+/// one with a sample a pixel that it is resolved into.
+class PictureTarget
+{
+public:
+    /// Makes the framebuffers anew if size or samples differ from the last call's; binds the one
+    /// that is drawn into.
+    [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples);
+    /// Resolves; then copies to `framebuffer`'s origin unless it is null. Leaves that one (or the
+    /// resolved one) bound.
+    void end(const std::uint32_t* framebuffer);
+    /// RGBA8 of the resolved picture, rows from the top.
+    [[nodiscard]] std::vector<std::uint8_t> read() const;
+    [[nodiscard]] glm::ivec2 size() const { return m_size; }
+
+private:
+    [[nodiscard]] model::Result<void> make();
+
+    glm::ivec2 m_size{0};
+    int m_samples = -1;
+    GlFramebuffer m_drawn;
+    GlRenderbuffer m_drawnColor;
+    GlRenderbuffer m_drawnDepth;
+    GlFramebuffer m_resolved;
+    GlRenderbuffer m_resolvedColor;
+};
+
+} // namespace crowd::render

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/ShaderProgram.h"
+
+#include <array>
+#include <sstream>
+
+#include <epoxy/gl.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "render/gl/ShaderSources.h"
+
+namespace crowd::render {
+
+namespace {
+
+std::string fullText(const std::string& file, std::string_view defines)
+{
+    std::string text = "#version 330 core\n";
+    std::istringstream words{std::string(defines)};
+    for (std::string word; words >> word;) {
+        text += "#define " + word + "\n";
+    }
+    if (file.ends_with(".vert")) {
+        text += shaderSource("lighting.glsl");
+    }
+    return text.append(shaderSource(file));
+}
+
+std::string logOf(GLuint object, bool isProgram)
+{
+    std::array<char, 1024> text{};
+    if (isProgram) {
+        glGetProgramInfoLog(object, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    } else {
+        glGetShaderInfoLog(object, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    }
+    return text.data();
+}
+
+/// Compiles and attaches; the shader lives on with the program only.
+model::Result<void> attach(GLuint program, GLenum stage, const std::string& file,
+                           std::string_view defines)
+{
+    const std::string text = fullText(file, defines);
+    const char* data = text.c_str();
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, 1, &data, nullptr);
+    glCompileShader(shader);
+    GLint isCompiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
+    glAttachShader(program, shader);
+    const std::string log = isCompiled == GL_TRUE ? std::string() : logOf(shader, false);
+    glDeleteShader(shader);
+    if (isCompiled != GL_TRUE) {
+        return model::Error{"The graphics driver does not compile the shader " + file + " (" +
+                            std::string(defines) + "): " + log +
+                            " A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."};
+    }
+    return {};
+}
+
+} // namespace
+
+model::Result<ShaderProgram> ShaderProgram::build(std::string_view name, std::string_view defines)
+{
+    ShaderProgram program;
+    program.m_program = GlProgram::create();
+    const GLuint id = program.m_program.name();
+    const std::string file(name);
+    if (auto vertex = attach(id, GL_VERTEX_SHADER, file + ".vert", defines); !vertex) {
+        return vertex.error();
+    }
+    if (auto fragment = attach(id, GL_FRAGMENT_SHADER, file + ".frag", defines); !fragment) {
+        return fragment.error();
+    }
+    glLinkProgram(id);
+    GLint isLinked = GL_FALSE;
+    glGetProgramiv(id, GL_LINK_STATUS, &isLinked);
+    if (isLinked != GL_TRUE) {
+        return model::Error{"The graphics driver does not link the shader " + file + " (" +
+                            std::string(defines) + "): " + logOf(id, true) +
+                            " A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."};
+    }
+    return program;
+}
+
+void ShaderProgram::use() const
+{
+    glUseProgram(m_program.name());
+}
+
+int ShaderProgram::location(const char* name)
+{
+    const auto found = m_locations.find(std::string_view(name));
+    if (found != m_locations.end()) {
+        return found->second;
+    }
+    const int place = glGetUniformLocation(m_program.name(), name);
+    m_locations.emplace(name, place);
+    return place;
+}
+
+void ShaderProgram::set(const char* name, float value)
+{
+    glUniform1f(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, int value)
+{
+    glUniform1i(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, std::uint32_t value)
+{
+    glUniform1ui(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, const glm::vec2& value)
+{
+    glUniform2fv(location(name), 1, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* name, const glm::vec3& value)
+{
+    glUniform3fv(location(name), 1, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* name, const glm::vec4& value)
+{
+    glUniform4fv(location(name), 1, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* name, const glm::mat4& value)
+{
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+} // namespace crowd::render

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/TextureUpload.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+namespace crowd::render {
+
+namespace {
+
+GLint wrapMode(model::Wrap wrap)
+{
+    switch (wrap) {
+    case model::Wrap::Mirror:
+        return GL_MIRRORED_REPEAT;
+    case model::Wrap::Clamp:
+        return GL_CLAMP_TO_EDGE;
+    case model::Wrap::Repeat:
+        break;
+    }
+    return GL_REPEAT;
+}
+
+void finish(GLenum target, const Sampling& sampling)
+{
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrapMode(sampling.wrapU));
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrapMode(sampling.wrapV));
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, sampling.isNearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                    sampling.isNearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    glGenerateMipmap(target);
+}
+
+} // namespace
+
+GlTexture uploadLayers(int width, int height, const std::vector<std::vector<std::uint8_t>>& layers,
+                       const Sampling& sampling)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_SRGB8_ALPHA8, width, height,
+                 static_cast<GLsizei>(layers.size()), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), width, height, 1,
+                        GL_RGBA, GL_UNSIGNED_BYTE, layers[i].data());
+    }
+    finish(GL_TEXTURE_2D_ARRAY, sampling);
+    return texture;
+}
+
+GlTexture uploadImage(const model::Image& image, const Sampling& sampling)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, image.rgba.data());
+    finish(GL_TEXTURE_2D, sampling);
+    return texture;
+}
+
+} // namespace crowd::render

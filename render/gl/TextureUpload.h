@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/template/Template.h"
+#include "render/gl/GlObjects.h"
+
+namespace crowd::render {
+
+struct Sampling
+{
+    model::Wrap wrapU = model::Wrap::Repeat;
+    model::Wrap wrapV = model::Wrap::Repeat;
+    bool isNearest = false;
+};
+
+/// An sRGB texture array with mipmaps from RGBA8 layers of equal size.
+[[nodiscard]] GlTexture uploadLayers(int width, int height,
+                                     const std::vector<std::vector<std::uint8_t>>& layers,
+                                     const Sampling& sampling);
+/// An sRGB texture with mipmaps.
+[[nodiscard]] GlTexture uploadImage(const model::Image& image, const Sampling& sampling);
+
+} // namespace crowd::render

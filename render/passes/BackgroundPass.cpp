@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/BackgroundPass.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+namespace crowd::render {
+
+namespace {
+
+constexpr float kHalfSize = 1500.0F; ///< metres
+constexpr float kFadeNear = 120.0F;  ///< the plane is sky-coloured from here on, at least
+constexpr float kFadePerHeight = 25.0F;
+
+} // namespace
+
+model::Result<void> BackgroundPass::initialize()
+{
+    auto sky = ShaderProgram::build("sky");
+    if (!sky) {
+        return sky.error();
+    }
+    auto ground = ShaderProgram::build("ground");
+    if (!ground) {
+        return ground.error();
+    }
+    auto grid = ShaderProgram::build("ground", "GRID");
+    if (!grid) {
+        return grid.error();
+    }
+    m_sky = std::move(sky).value();
+    m_ground = std::move(ground).value();
+    m_grid = std::move(grid).value();
+    m_nothing = GlVertexArray::create();
+    return {};
+}
+
+void BackgroundPass::drawGround(const PassContext& context)
+{
+    const glm::vec3 eye = context.input.view.camera().position;
+    ShaderProgram& program = context.input.lighting.showGroundGrid ? m_grid : m_ground;
+    program.use();
+    context.setCommon(program);
+    const bool isLit = context.input.look != Look::Plain;
+    program.set("center", glm::vec2(eye.x, eye.z));
+    program.set("halfSize", kHalfSize);
+    program.set("groundColor",
+                context.light.ground * (isLit ? context.light.onGround() : glm::vec3(1.0F)));
+    program.set("horizon", context.light.horizon);
+    const float fade = std::max(kFadeNear, std::abs(eye.y) * kFadePerHeight);
+    program.set("fadeDistance", std::min(fade, kHalfSize));
+    glBindVertexArray(m_nothing.name());
+    glDisable(GL_CULL_FACE);
+    // A stage's floor at the same height wins.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0F, 8.0F);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    context.countDraw(2);
+}
+
+void BackgroundPass::drawSky(const PassContext& context)
+{
+    m_sky.use();
+    m_sky.set("worldFromClip", glm::inverse(context.viewProjection));
+    m_sky.set("zenith", context.light.zenith);
+    m_sky.set("horizon", context.light.horizon);
+    glBindVertexArray(m_nothing.name());
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
+    context.countDraw(1);
+}
+
+} // namespace crowd::render

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/CrowdPass.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <epoxy/gl.h>
+
+#include "model/bake/KeyframeTime.h"
+#include "model/base/Color.h"
+
+namespace crowd::render {
+
+namespace {
+
+using namespace model;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPlacementUnit = 0;
+constexpr int kAppearanceUnit = 1;
+constexpr int kTemplateUnit = 2; ///< and the three after it
+constexpr int kFramesBeforeDropping = 600;
+/// A software rasteriser works on what was flushed while the next piece is prepared.
+constexpr std::size_t kSoftwarePiece = 100;
+constexpr std::size_t kMaxBlockRun = 64; ///< blocks written by one call
+constexpr int kShadowCorners = 8;
+constexpr float kShadowStrength = 0.42F;
+constexpr float kSelectedTint = 0.22F;
+constexpr float kHoveredTint = 0.14F;
+constexpr float kOutlinePixels = 2.0F;
+constexpr std::size_t kFewOutlined = 200; ///< more get four sides instead of eight
+constexpr std::size_t kMostOutlined = 5000;
+/// Diagonals at even places.
+constexpr std::array<glm::vec2, 8> kSides{{{0.75F, 0.75F},
+                                           {1.0F, 0.0F},
+                                           {-0.75F, 0.75F},
+                                           {0.0F, 1.0F},
+                                           {0.75F, -0.75F},
+                                           {-1.0F, 0.0F},
+                                           {-0.75F, -0.75F},
+                                           {0.0F, -1.0F}}};
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+glm::vec4 highlight(const glm::vec3& srgb, float strength)
+{
+    return {linearFromSrgb(srgb), strength};
+}
+
+} // namespace
+
+CrowdPass::RowBuffers::RowBuffers() : placement(GL_RGBA32F), appearance(GL_RGBA32UI) {}
+
+CrowdPass::CrowdPass() = default;
+
+Result<void> CrowdPass::initialize()
+{
+    auto blob = ShaderProgram::build("blob");
+    if (!blob) {
+        return blob.error();
+    }
+    m_blobProgram = std::move(blob).value();
+    std::array<glm::vec2, kShadowCorners> corners{};
+    for (int i = 0; i < kShadowCorners; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(kShadowCorners);
+        // Out to where the octagon's edges touch the circle.
+        corners[static_cast<std::size_t>(i)] =
+            glm::vec2(std::cos(angle), -std::sin(angle)) * 1.0824F;
+    }
+    m_blobArray = GlVertexArray::create();
+    glBindVertexArray(m_blobArray.name());
+    m_blobCorners = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(corners)));
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(0);
+    glEnableVertexAttribArray(4);
+    glVertexAttribDivisor(4, 1);
+    glBindVertexArray(0);
+    for (RowBuffers* rows : {&m_rows, &m_ghostRows}) {
+        rows->instances = GlBuffer::create();
+        rows->placement.reserve(sizeof(PlacementRecord));
+        rows->appearance.reserve(sizeof(AppearanceRecord));
+    }
+    m_outlineInstances = GlBuffer::create();
+    return {};
+}
+
+TemplateGpu& CrowdPass::gpuOf(const TemplatePtr& asset)
+{
+    std::unique_ptr<TemplateGpu>& gpu = m_gpu[asset.get()];
+    if (!gpu) {
+        gpu = std::make_unique<TemplateGpu>(asset);
+    }
+    m_unusedFrames[asset.get()] = 0;
+    return *gpu;
+}
+
+/// Templates that no frame mentions any more go, after a while: thumbnails come back often.
+void CrowdPass::dropUnused()
+{
+    if (m_entries) {
+        for (const TemplateEntry& entry : *m_entries) {
+            m_unusedFrames[entry.asset.get()] = 0;
+        }
+    }
+    for (auto& [asset, frames] : m_unusedFrames) {
+        if (++frames > kFramesBeforeDropping) {
+            m_gpu.erase(asset);
+        }
+    }
+    std::erase_if(m_unusedFrames,
+                  [](const auto& item) { return item.second > kFramesBeforeDropping; });
+}
+
+void CrowdPass::refreshTemplates(const PassContext& context)
+{
+    const auto& entries = context.input.frame->templates;
+    if (entries != m_entries) {
+        m_entries = entries;
+        ++m_templatesVersion;
+    }
+    m_planTemplates.assign(entries->size(), {});
+    m_recordTemplates.assign(entries->size(), {});
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+        const TemplateEntry& entry = (*entries)[i];
+        if (!entry.asset || entry.asset->levels.empty()) {
+            continue;
+        }
+        const TemplateGpu& gpu = gpuOf(entry.asset);
+        PlanTemplate& plan = m_planTemplates[i];
+        RecordTemplate& record = m_recordTemplates[i];
+        for (const std::string& name : entry.clipNames) {
+            const int found = entry.asset->clipIndex(name);
+            plan.clipOfName.push_back(
+                static_cast<std::uint16_t>(found >= 0 ? found : entry.asset->defaultClip));
+        }
+        if (plan.clipOfName.empty()) {
+            plan.clipOfName.push_back(static_cast<std::uint16_t>(entry.asset->defaultClip));
+        }
+        for (const std::uint16_t clip : plan.clipOfName) {
+            record.clipOfName.push_back(&entry.asset->clips[clip]);
+        }
+        record.shadowRadius = gpu.shadowRadius();
+        plan.height = entry.asset->height;
+        plan.levels = gpu.levelCount();
+        plan.isDrawable = true;
+    }
+}
+
+/// Asks for the clips that somebody is in; others are not baked.
+void CrowdPass::useShownClips(const PassContext& context)
+{
+    const CrowdFrame& frame = *context.input.frame;
+    const std::span<const TemplateId> templates = frame.population.column(columns::templateId);
+    const std::span<const std::uint16_t> clips = frame.population.column(columns::clip);
+    std::vector<std::vector<bool>> isUsed(std::size_t{1} << 16U);
+    for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
+        isUsed[(*m_entries)[i].id].resize(m_planTemplates[i].clipOfName.size());
+    }
+    for (std::size_t row = 0; row < templates.size(); ++row) {
+        std::vector<bool>& used = isUsed[templates[row]];
+        if (!used.empty()) {
+            used[std::min<std::size_t>(clips[row], used.size() - 1)] = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
+        PlanTemplate& plan = m_planTemplates[i];
+        if (!plan.isDrawable) {
+            continue;
+        }
+        const TemplateEntry& entry = (*m_entries)[i];
+        TemplateGpu& gpu = gpuOf(entry.asset);
+        for (std::size_t name = 0; name < plan.clipOfName.size(); ++name) {
+            if (isUsed[entry.id][name]) {
+                gpu.useClip(context.input.keyframes, plan.clipOfName[name]);
+            }
+        }
+        plan.clips = gpu.clips();
+    }
+}
+
+void CrowdPass::uploadRecords(const PassContext& context)
+{
+    const std::span<const PlacementRecord> placements = m_records.placements();
+    const std::span<const AppearanceRecord> appearances = m_records.appearances();
+    m_rows.placement.reserve(placements.size_bytes());
+    m_rows.appearance.reserve(appearances.size_bytes());
+    const std::span<const std::uint32_t> blocks = m_records.changedBlocks();
+    for (std::size_t i = 0; i < blocks.size();) {
+        std::size_t run = 1;
+        while (i + run < blocks.size() && run < kMaxBlockRun &&
+               blocks[i + run] == blocks[i] + run) {
+            ++run;
+        }
+        const std::size_t first = blocks[i] * Population::kBlockRows;
+        const std::size_t count = std::min(run * Population::kBlockRows, placements.size() - first);
+        m_rows.placement.write(first * sizeof(PlacementRecord),
+                               std::as_bytes(placements.subspan(first, count)));
+        m_rows.appearance.write(first * sizeof(AppearanceRecord),
+                                std::as_bytes(appearances.subspan(first, count)));
+        i += run;
+    }
+    context.statistics.uploadedBlocks = static_cast<int>(blocks.size());
+}
+
+void CrowdPass::uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const
+{
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(),
+                 GL_STREAM_DRAW);
+}
+
+Result<void> CrowdPass::prepare(const PassContext& context)
+{
+    const RenderInput& input = context.input;
+    dropUnused();
+    if (!input.frame) {
+        return {};
+    }
+    auto start = Clock::now();
+    refreshTemplates(context);
+    useShownClips(context);
+    m_records.update(
+        {*input.frame, m_recordTemplates, input.seats, input.seatsVersion, m_templatesVersion});
+    context.statistics.recordsMs = millisecondsSince(start);
+    start = Clock::now();
+    const float ratio = static_cast<float>(context.pixelSize.y) / input.view.size().y;
+    m_plan.make({*input.frame, m_planTemplates, m_records.lifts(), input.view, ratio, input.levels,
+                 input.selected, input.hovered});
+    context.statistics.planMs = millisecondsSince(start);
+    uploadRecords(context);
+    uploadInstances(m_rows.instances, m_plan.instances());
+    context.statistics.individuals = static_cast<int>(input.frame->population.size());
+    context.statistics.visible = static_cast<int>(m_plan.instances().size());
+    context.statistics.byLevel = m_plan.byLevel();
+    context.statistics.areKeyframesMissing = m_plan.areKeyframesMissing();
+    return {};
+}
+
+Result<ShaderProgram*> CrowdPass::program(const std::string& defines)
+{
+    const auto found = m_programs.find(defines);
+    if (found != m_programs.end()) {
+        return &found->second;
+    }
+    auto built = ShaderProgram::build("crowd", defines);
+    if (!built) {
+        return built.error();
+    }
+    ShaderProgram& program = m_programs.emplace(defines, std::move(built).value()).first->second;
+    program.use();
+    program.set("placement", kPlacementUnit);
+    program.set("appearance", kAppearanceUnit);
+    program.set("keyframes", kTemplateUnit);
+    program.set("clipBoxes", kTemplateUnit + 1);
+    program.set("materials", kTemplateUnit + 2);
+    program.set("images", kTemplateUnit + 3);
+    return &program;
+}
+
+void CrowdPass::setUniforms(const PassContext& context, const Drawing& drawing,
+                            const TemplateGpu& gpu, std::uint32_t verticesPerKeyframe,
+                            ShaderProgram& shader) const
+{
+    context.setCommon(shader);
+    shader.set("verticesPerKeyframe", verticesPerKeyframe);
+    shader.set("choicesPerSlot", gpu.choicesPerSlot());
+    shader.set("tintableSlots", gpu.tintableSlots());
+    shader.set("selectedTint", highlight(context.input.selectionColor, kSelectedTint));
+    shader.set("hoveredTint", highlight(glm::vec3(1.0F), kHoveredTint));
+    shader.set("opacity", drawing.opacity);
+    shader.set("outlineShift", drawing.outlineShift);
+    shader.set("viewForward", context.input.view.camera().forward());
+}
+
+void CrowdPass::drawGroup(const PassContext& context, const MeshGroup& group,
+                          const InstanceRun& run) const
+{
+    const std::size_t piece = context.isSoftware ? kSoftwarePiece : run.count;
+    const auto* indices = reinterpret_cast<const void*>(group.firstIndex * sizeof(std::uint32_t));
+    for (std::size_t done = 0; done < run.count; done += piece) {
+        const std::size_t count = std::min(piece, run.count - done);
+        const std::size_t offset = (run.first + done) * sizeof(Instance);
+        glVertexAttribIPointer(4, 4, GL_UNSIGNED_INT, sizeof(Instance),
+                               reinterpret_cast<const void*>(offset));
+        glVertexAttribPointer(5, 1, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                              reinterpret_cast<const void*>(offset + offsetof(Instance, blend)));
+        glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(group.indexCount),
+                                GL_UNSIGNED_INT, indices, static_cast<GLsizei>(count));
+        context.countDraw(static_cast<std::int64_t>(group.indexCount / 3) *
+                          static_cast<std::int64_t>(count));
+        if (context.isSoftware && count == piece) {
+            glFlush();
+        }
+    }
+}
+
+Result<void> CrowdPass::drawRun(const PassContext& context, const Drawing& drawing,
+                                const TemplateGpu& gpu, const InstanceRun& run)
+{
+    const TemplateGpu::Level& level = gpu.level(run.level);
+    drawing.rows.placement.bind(kPlacementUnit);
+    drawing.rows.appearance.bind(kAppearanceUnit);
+    gpu.bindTextures(run.level, kTemplateUnit);
+    glBindVertexArray(level.array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, drawing.instances.name());
+    for (const MeshGroup& group : level.groups) {
+        auto shader =
+            program(drawing.isOutline ? drawing.defines : drawing.defines + definesOf(group.state));
+        if (!shader) {
+            return shader.error();
+        }
+        shader.value()->use();
+        setUniforms(context, drawing, gpu, level.verticesPerKeyframe, *shader.value());
+        const bool isCulled = !group.state.isDoubleSided;
+        (isCulled ? glEnable : glDisable)(GL_CULL_FACE);
+        const bool isBlended = group.state.alphaMode == AlphaMode::Blend || drawing.opacity < 1.0F;
+        (isBlended ? glEnable : glDisable)(GL_BLEND);
+        drawGroup(context, group, run);
+    }
+    return {};
+}
+
+Result<void> CrowdPass::drawPeople(const PassContext& context)
+{
+    if (!context.input.frame) {
+        return {};
+    }
+    const Drawing drawing{m_rows, m_rows.instances, definesOf(context.input.look)};
+    for (const InstanceRun& run : m_plan.runs()) {
+        const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
+        TemplateGpu& gpu = gpuOf(entry.asset);
+        if (auto drawn = drawRun(context, drawing, gpu, run); !drawn) {
+            return drawn;
+        }
+    }
+    glDisable(GL_BLEND);
+    return {};
+}
+
+/// Under everybody but those at the coarsest level, whose shadows would be a pixel or two.
+void CrowdPass::drawShadows(const PassContext& context)
+{
+    if (!context.input.frame || !context.input.showShadows) {
+        return;
+    }
+    std::size_t count = 0;
+    for (const InstanceRun& run : m_plan.runs()) {
+        if (run.level < kMaxLevels - 1) {
+            count = run.first + run.count;
+        }
+    }
+    if (count == 0) {
+        return;
+    }
+    m_blobProgram.use();
+    context.setCommon(m_blobProgram);
+    m_blobProgram.set("placement", kPlacementUnit);
+    m_blobProgram.set("appearance", kAppearanceUnit);
+    m_blobProgram.set("strength", kShadowStrength);
+    m_rows.placement.bind(kPlacementUnit);
+    m_rows.appearance.bind(kAppearanceUnit);
+    glBindVertexArray(m_blobArray.name());
+    glBindBuffer(GL_ARRAY_BUFFER, m_rows.instances.name());
+    glVertexAttribIPointer(4, 4, GL_UNSIGNED_INT, sizeof(Instance), nullptr);
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0F, -2.0F);
+    glDepthMask(GL_FALSE);
+    glDrawArraysInstanced(GL_TRIANGLE_FAN, 0, kShadowCorners, static_cast<GLsizei>(count));
+    context.countDraw(static_cast<std::int64_t>(kShadowCorners - 2) *
+                      static_cast<std::int64_t>(count));
+    glDepthMask(GL_TRUE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_BLEND);
+}
+
+/// Each highlighted individual in one colour, shifted to all sides behind itself.
+Result<void> CrowdPass::drawOutlines(const PassContext& context)
+{
+    if (!context.input.frame || m_plan.highlighted().empty() ||
+        m_plan.highlighted().size() > kMostOutlined) {
+        return {};
+    }
+    uploadInstances(m_outlineInstances, m_plan.highlighted());
+    Drawing drawing{m_rows, m_outlineInstances, "OUTLINE ", 1.0F, true};
+    const bool isMany = m_plan.highlighted().size() > kFewOutlined;
+    for (std::size_t side = 0; side < kSides.size(); side += isMany ? 2 : 1) {
+        drawing.outlineShift =
+            kSides[side] * (2.0F * kOutlinePixels) / glm::vec2(context.pixelSize);
+        for (const InstanceRun& run : m_plan.highlightedRuns()) {
+            const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
+            if (auto drawn = drawRun(context, drawing, gpuOf(entry.asset), run); !drawn) {
+                return drawn;
+            }
+        }
+    }
+    return {};
+}
+
+Result<void> CrowdPass::drawGhosts(const PassContext& context)
+{
+    for (const Ghost& ghost : context.input.ghosts) {
+        if (ghost.asset && !ghost.asset->levels.empty()) {
+            if (auto drawn = drawGhost(context, ghost); !drawn) {
+                return drawn;
+            }
+        }
+    }
+    glDisable(GL_BLEND);
+    return {};
+}
+
+/// First its depth alone, so that only its front shows through.
+Result<void> CrowdPass::drawGhost(const PassContext& context, const Ghost& ghost)
+{
+    const int clipIndex =
+        std::clamp(ghost.clip, 0, static_cast<int>(ghost.asset->clips.size()) - 1);
+    TemplateGpu& gpu = gpuOf(ghost.asset);
+    gpu.useClip(context.input.keyframes, clipIndex);
+    const PlanClip& clip = gpu.clips()[static_cast<std::size_t>(clipIndex)];
+    Instance instance;
+    instance.boxes = clip.box | static_cast<std::uint32_t>(clip.box) << 16U;
+    const KeyframePlace place =
+        clip.isComplete ? keyframePlace(*clip.clip, ghost.phase) : KeyframePlace{};
+    instance.keyframeA = clip.firstKeyframe + static_cast<std::uint32_t>(place.first);
+    instance.keyframeB = clip.firstKeyframe + static_cast<std::uint32_t>(place.second);
+    instance.blend = place.blend;
+    context.statistics.areKeyframesMissing |= !clip.isComplete;
+    const std::array<PlacementRecord, 1> placement{
+        {{ghost.position + glm::vec3(0.0F, ghost.lift, 0.0F), std::cos(ghost.headingRadians),
+          std::sin(ghost.headingRadians), ghost.height, ghost.girth, ghost.lift}}};
+    const std::array<AppearanceRecord, 1> appearance{
+        {{ghost.tints, ghost.materialChoices, ghost.parts, 0.0F}}};
+    m_ghostRows.placement.write(0, std::as_bytes(std::span(placement)));
+    m_ghostRows.appearance.write(0, std::as_bytes(std::span(appearance)));
+    uploadInstances(m_ghostRows.instances, {&instance, 1});
+    const InstanceRun run{0, 0, 0, 1};
+    Drawing drawing{m_ghostRows, m_ghostRows.instances, definesOf(context.input.look)};
+    if (ghost.alpha < 1.0F) {
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        auto drawn = drawRun(context, drawing, gpu, run);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        if (!drawn) {
+            return drawn;
+        }
+        drawing.defines += "OPACITY ";
+        drawing.opacity = ghost.alpha;
+    }
+    return drawRun(context, drawing, gpu, run);
+}
+
+} // namespace crowd::render

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/base/Result.h"
+#include "render/crowd/CrowdPlan.h"
+#include "render/crowd/StaticRecords.h"
+#include "render/crowd/TemplateGpu.h"
+#include "render/gl/GlObjects.h"
+#include "render/gl/ShaderProgram.h"
+#include "render/passes/PassContext.h"
+
+namespace crowd::render {
+
+/// Draws all individuals of a frame, the shadows and outlines that go with them, and ghosts.
+/// Order of calls per picture: prepare, drawPeople, then (after the stage) drawShadows,
+/// drawOutlines, drawGhosts.
+class CrowdPass
+{
+public:
+    CrowdPass();
+
+    [[nodiscard]] model::Result<void> initialize();
+    /// Records, plan and uploads.
+    [[nodiscard]] model::Result<void> prepare(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawPeople(const PassContext& context);
+    void drawShadows(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawOutlines(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawGhosts(const PassContext& context);
+
+private:
+    /// Per-row buffers: of the population, or of the ghosts.
+    struct RowBuffers
+    {
+        RowBuffers();
+        TexelBuffer placement;
+        TexelBuffer appearance;
+        GlBuffer instances;
+    };
+    struct Drawing
+    {
+        const RowBuffers& rows;
+        const GlBuffer& instances;
+        std::string defines; ///< added to those of the group
+        float opacity = 1.0F;
+        bool isOutline = false;
+        glm::vec2 outlineShift{0.0F}; ///< normalised device coordinates
+    };
+
+    [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
+    void dropUnused();
+    void refreshTemplates(const PassContext& context);
+    void useShownClips(const PassContext& context);
+    void uploadRecords(const PassContext& context);
+    void uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const;
+    [[nodiscard]] model::Result<ShaderProgram*> program(const std::string& defines);
+    [[nodiscard]] model::Result<void> drawRun(const PassContext& context, const Drawing& drawing,
+                                              const TemplateGpu& gpu, const InstanceRun& run);
+    [[nodiscard]] model::Result<void> drawGhost(const PassContext& context, const Ghost& ghost);
+    void setUniforms(const PassContext& context, const Drawing& drawing, const TemplateGpu& gpu,
+                     std::uint32_t verticesPerKeyframe, ShaderProgram& shader) const;
+    void drawGroup(const PassContext& context, const MeshGroup& group,
+                   const InstanceRun& run) const;
+
+    std::map<const model::Template*, std::unique_ptr<TemplateGpu>> m_gpu;
+    std::map<const model::Template*, int> m_unusedFrames;
+    std::map<std::string, ShaderProgram> m_programs;
+    ShaderProgram m_blobProgram;
+    GlVertexArray m_blobArray;
+    GlBuffer m_blobCorners;
+
+    std::shared_ptr<const std::vector<model::TemplateEntry>>
+        m_entries; ///< that the next two mirror
+    std::uint64_t m_templatesVersion = 0;
+    std::vector<PlanTemplate> m_planTemplates;
+    std::vector<RecordTemplate> m_recordTemplates;
+    StaticRecords m_records;
+    CrowdPlan m_plan;
+    RowBuffers m_rows;
+    RowBuffers m_ghostRows;
+    GlBuffer m_outlineInstances;
+};
+
+} // namespace crowd::render

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/OverlayPass.h"
+
+#include <array>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "model/base/Color.h"
+
+namespace crowd::render {
+
+namespace {
+
+constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
+constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
+
+struct MarkerVertex
+{
+    glm::vec4 positionAndRadius{0.0F};
+    glm::vec4 color{1.0F};
+};
+
+struct LineVertex
+{
+    glm::vec3 position{0.0F};
+    glm::vec4 color{1.0F};
+};
+
+glm::vec4 linear(const glm::vec4& srgb)
+{
+    return {model::linearFromSrgb(glm::vec3(srgb)), srgb.w};
+}
+
+const void* offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
+
+template<class Items>
+void stream(const GlBuffer& buffer, const Items& items)
+{
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(items[0])),
+                 items.data(), GL_STREAM_DRAW);
+}
+
+} // namespace
+
+model::Result<void> OverlayPass::initialize()
+{
+    auto marker = ShaderProgram::build("marker");
+    if (!marker) {
+        return marker.error();
+    }
+    auto line = ShaderProgram::build("line");
+    if (!line) {
+        return line.error();
+    }
+    m_marker = std::move(marker).value();
+    m_line = std::move(line).value();
+    m_markers = GlBuffer::create();
+    m_lines = GlBuffer::create();
+    constexpr std::array<glm::vec2, 4> kCorners{
+        {{-1.0F, -1.0F}, {-1.0F, 1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}}};
+    m_markerArray = GlVertexArray::create();
+    glBindVertexArray(m_markerArray.name());
+    m_corners = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(kCorners)));
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glBindBuffer(GL_ARRAY_BUFFER, m_markers.name());
+    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex), nullptr);
+    glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
+                          offset(sizeof(glm::vec4)));
+    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+        glEnableVertexAttribArray(attribute);
+    }
+    glVertexAttribDivisor(1, 1);
+    glVertexAttribDivisor(2, 1);
+    m_lineArray = GlVertexArray::create();
+    glBindVertexArray(m_lineArray.name());
+    glBindBuffer(GL_ARRAY_BUFFER, m_lines.name());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), offset(sizeof(glm::vec3)));
+    glEnableVertexAttribArray(0);
+    glEnableVertexAttribArray(1);
+    glBindVertexArray(0);
+    return {};
+}
+
+void OverlayPass::draw(const PassContext& context)
+{
+    glEnable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    drawMarkers(context);
+    drawLines(context);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void OverlayPass::drawMarkers(const PassContext& context)
+{
+    if (context.input.markers.empty()) {
+        return;
+    }
+    std::vector<MarkerVertex> vertices;
+    vertices.reserve(context.input.markers.size());
+    for (const Marker& marker : context.input.markers) {
+        const glm::vec3 lifted = marker.position + glm::vec3(0.0F, kMarkerLift, 0.0F);
+        vertices.push_back({glm::vec4(lifted, marker.radius), linear(marker.color)});
+    }
+    stream(m_markers, vertices);
+    m_marker.use();
+    context.setCommon(m_marker);
+    glBindVertexArray(m_markerArray.name());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(vertices.size()));
+    context.countDraw(static_cast<std::int64_t>(vertices.size()) * 2);
+}
+
+void OverlayPass::drawLines(const PassContext& context)
+{
+    if (context.input.lines.empty()) {
+        return;
+    }
+    std::vector<LineVertex> vertices;
+    for (const OverlayLine& line : context.input.lines) {
+        vertices.push_back({line.from, linear(line.color)});
+        vertices.push_back({line.to, linear(line.color)});
+    }
+    stream(m_lines, vertices);
+    m_line.use();
+    context.setCommon(m_line);
+    glBindVertexArray(m_lineArray.name());
+    const auto count = static_cast<GLsizei>(vertices.size());
+    m_line.set("opacity", kHiddenOpacity);
+    glDepthFunc(GL_GREATER);
+    glDrawArrays(GL_LINES, 0, count);
+    m_line.set("opacity", 1.0F);
+    glDepthFunc(GL_LEQUAL);
+    glDrawArrays(GL_LINES, 0, count);
+    context.countDraw(0);
+    context.countDraw(0);
+}
+
+} // namespace crowd::render

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/StagePass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include <epoxy/gl.h>
+
+#include "render/gl/TextureUpload.h"
+
+namespace crowd::render {
+
+namespace {
+
+using namespace model;
+
+constexpr int kFramesBeforeDropping = 60;
+
+struct StageVertex
+{
+    glm::vec3 position{0.0F};
+    glm::vec3 normal{0.0F, 1.0F, 0.0F};
+    glm::vec2 uv{0.0F};
+    glm::u8vec4 color{255};
+};
+static_assert(sizeof(StageVertex) == 36);
+
+glm::u8vec4 toBytes(const glm::vec4& color)
+{
+    return glm::u8vec4(glm::clamp(color, 0.0F, 1.0F) * 255.0F + 0.5F);
+}
+
+void append(const StageMesh& mesh, std::vector<StageVertex>& vertices,
+            std::vector<std::uint32_t>& indices)
+{
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        StageVertex vertex;
+        vertex.position = mesh.positions[v];
+        if (v < mesh.normals.size()) {
+            vertex.normal = mesh.normals[v];
+        }
+        if (v < mesh.uv.size()) {
+            vertex.uv = mesh.uv[v];
+        }
+        if (v < mesh.colors.size()) {
+            vertex.color = toBytes(mesh.colors[v]);
+        }
+        vertices.push_back(vertex);
+    }
+    for (const std::uint32_t index : mesh.indices) {
+        indices.push_back(first + index);
+    }
+}
+
+std::vector<std::size_t> meshesByMaterial(const StageAsset& asset)
+{
+    std::vector<std::size_t> order(asset.meshes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {},
+                             [&asset](std::size_t i) { return asset.meshes[i].material; });
+    return order;
+}
+
+void pointAttributes()
+{
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    constexpr GLsizei kStride = sizeof(StageVertex);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
+                          offset(offsetof(StageVertex, position)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(StageVertex, normal)));
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(StageVertex, uv)));
+    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
+                          offset(offsetof(StageVertex, color)));
+    for (GLuint attribute = 0; attribute < 4; ++attribute) {
+        glEnableVertexAttribArray(attribute);
+    }
+}
+
+std::string definesOf(const MaterialChoice& material, Look look)
+{
+    std::string defines = crowd::render::definesOf(look);
+    defines += material.image >= 0 ? "TEXTURED " : "";
+    defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";
+    defines += material.alphaMode == AlphaMode::Blend ? "BLENDED " : "";
+    return defines;
+}
+
+} // namespace
+
+StagePass::Gpu& StagePass::gpuOf(const StagePtr& asset)
+{
+    std::unique_ptr<Gpu>& gpu = m_gpu[asset.get()];
+    if (gpu) {
+        gpu->unusedFrames = 0;
+        return *gpu;
+    }
+    gpu = std::make_unique<Gpu>();
+    gpu->asset = asset;
+    std::vector<StageVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (const std::size_t i : meshesByMaterial(*asset)) {
+        const StageMesh& mesh = asset->meshes[i];
+        if (gpu->batches.empty() || gpu->batches.back().material != mesh.material) {
+            gpu->batches.push_back({mesh.material, static_cast<std::uint32_t>(indices.size()), 0});
+        }
+        append(mesh, vertices, indices);
+        gpu->batches.back().indexCount += static_cast<std::uint32_t>(mesh.indices.size());
+    }
+    gpu->array = GlVertexArray::create();
+    glBindVertexArray(gpu->array.name());
+    gpu->vertices = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(vertices)));
+    pointAttributes();
+    gpu->indices = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
+    glBindVertexArray(0);
+    gpu->textures.resize(asset->materials.size());
+    for (std::size_t i = 0; i < asset->materials.size(); ++i) {
+        const MaterialChoice& material = asset->materials[i];
+        if (material.image >= 0) {
+            gpu->textures[i] = uploadImage(asset->images[static_cast<std::size_t>(material.image)],
+                                           {material.wrapU, material.wrapV, material.nearest});
+        }
+    }
+    return *gpu;
+}
+
+Result<ShaderProgram*> StagePass::program(const std::string& defines)
+{
+    const auto found = m_programs.find(defines);
+    if (found != m_programs.end()) {
+        return &found->second;
+    }
+    auto built = ShaderProgram::build("stage", defines);
+    if (!built) {
+        return built.error();
+    }
+    return &m_programs.emplace(defines, std::move(built).value()).first->second;
+}
+
+Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, const Batch& batch,
+                                  const glm::mat4& matrix)
+{
+    const auto index = static_cast<std::size_t>(batch.material);
+    const MaterialChoice& material = gpu.asset->materials[index];
+    auto built = program(definesOf(material, context.input.look));
+    if (!built) {
+        return built.error();
+    }
+    ShaderProgram& shader = *built.value();
+    shader.use();
+    context.setCommon(shader);
+    shader.set("worldFromStage", matrix);
+    shader.set("baseColor", material.baseColor);
+    shader.set("emissive", material.emissive);
+    shader.set("unlit", material.unlit ? 1.0F : 0.0F);
+    shader.set("alphaCutoff", material.alphaCutoff);
+    const std::array<float, 6>& uv = material.uvTransform;
+    shader.set("uvRowU", glm::vec3(uv[0], uv[1], uv[2]));
+    shader.set("uvRowV", glm::vec3(uv[3], uv[4], uv[5]));
+    if (gpu.textures[index]) {
+        shader.set("image", 0);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, gpu.textures[index].name());
+    }
+    (material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(batch.firstIndex * sizeof(std::uint32_t)));
+    context.countDraw(batch.indexCount / 3);
+    return {};
+}
+
+Result<void> StagePass::drawEntries(const PassContext& context, bool isBlended)
+{
+    for (const StageEntry& entry : context.input.stages) {
+        if (!entry.asset) {
+            continue;
+        }
+        const Gpu& gpu = gpuOf(entry.asset);
+        glBindVertexArray(gpu.array.name());
+        for (const Batch& batch : gpu.batches) {
+            const MaterialChoice& material =
+                entry.asset->materials[static_cast<std::size_t>(batch.material)];
+            if ((material.alphaMode == AlphaMode::Blend) != isBlended) {
+                continue;
+            }
+            if (auto drawn = drawBatch(context, gpu, batch, entry.worldFromStage()); !drawn) {
+                return drawn;
+            }
+        }
+    }
+    return {};
+}
+
+Result<void> StagePass::draw(const PassContext& context)
+{
+    std::erase_if(m_gpu, [](const auto& item) {
+        return ++item.second->unusedFrames > kFramesBeforeDropping;
+    });
+    return drawEntries(context, false);
+}
+
+Result<void> StagePass::drawBlended(const PassContext& context)
+{
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    auto drawn = drawEntries(context, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    return drawn;
+}
+
+} // namespace crowd::render

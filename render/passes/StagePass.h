@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/base/Result.h"
+#include "model/scene/Scene.h"
+#include "render/gl/GlObjects.h"
+#include "render/gl/ShaderProgram.h"
+#include "render/passes/PassContext.h"
+
+namespace crowd::render {
+
+/// Draws the static geometry of a scene: a call per material of each stage.
+class StagePass
+{
+public:
+    /// Opaque and cut-out materials; blended ones follow in drawBlended().
+    [[nodiscard]] model::Result<void> draw(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawBlended(const PassContext& context);
+
+private:
+    struct Batch
+    {
+        int material = 0;
+        std::uint32_t firstIndex = 0;
+        std::uint32_t indexCount = 0;
+    };
+    struct Gpu
+    {
+        model::StagePtr asset;
+        GlVertexArray array;
+        GlBuffer vertices;
+        GlBuffer indices;
+        std::vector<Batch> batches;
+        std::vector<GlTexture> textures; ///< per material; empty where it has none
+        int unusedFrames = 0;
+    };
+
+    [[nodiscard]] Gpu& gpuOf(const model::StagePtr& asset);
+    [[nodiscard]] model::Result<void> drawEntries(const PassContext& context, bool isBlended);
+    [[nodiscard]] model::Result<void> drawBatch(const PassContext& context, const Gpu& gpu,
+                                                const Batch& batch, const glm::mat4& matrix);
+    [[nodiscard]] model::Result<ShaderProgram*> program(const std::string& defines);
+
+    std::map<const model::StageAsset*, std::unique_ptr<Gpu>> m_gpu;
+    std::map<std::string, ShaderProgram> m_programs;
+};
+
+} // namespace crowd::render

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QtTest>
+
+#include "TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+namespace {
+
+struct Rgb
+{
+    int red = 0;
+    int green = 0;
+    int blue = 0;
+};
+
+bool isNear(const Rgb& a, const Rgb& b, int distance = 3)
+{
+    return std::abs(a.red - b.red) <= distance && std::abs(a.green - b.green) <= distance &&
+           std::abs(a.blue - b.blue) <= distance;
+}
+
+} // namespace
+
+/// Pictures of tiny scenes, pixel by pixel, without a window or a display.
+class TestRenderer : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase();
+    void backgroundFillsAnEmptyScene();
+    void skyIsBehindAnEmptyScene();
+    void tintMultipliesTheSlotAlone();
+    void tintHasAStrength();
+    void slotsThatAreNotTintableKeepTheirColour();
+    void hiddenPartIsNotDrawn();
+    void materialChoiceIsPerIndividual();
+    void peopleStandWhereTheyAre();
+    void headingTurnsFromZTowardsX();
+    void keyframesAreBlended();
+    void seatedPeopleMeetTheirSeat();
+    void stageHidesWhoIsBehind();
+    void selectionChangesThePicture();
+    void ghostShowsWhatIsBehind();
+    void textureIsDrawnAsAuthored();
+    void tintMaskLimitsTheTint();
+    void cutOutTexelsAreNotDrawn();
+    void samePictureTwice();
+    void picturesAreOpaque();
+    void onlyChangedBlocksAreUploaded();
+    void whoIsOutOfViewIsNotDrawn();
+    void contextIsReplaced();
+
+private:
+    [[nodiscard]] render::RenderInput inputFor(const model::CrowdFramePtr& frame);
+    [[nodiscard]] Rgb pixel(int x, int y) const;
+    void draw(const render::RenderInput& input);
+    void drawMan(const model::Population& population, double seconds = 0.0);
+    void drawAsset(const std::shared_ptr<model::Template>& asset, const model::Population& people);
+
+    std::unique_ptr<render::OffscreenContext> m_context;
+    std::unique_ptr<render::Renderer> m_renderer;
+    std::unique_ptr<model::KeyframeStore> m_keyframes;
+    model::TemplatePtr m_man;
+    std::vector<std::uint8_t> m_pixels;
+};
+
+void TestRenderer::initTestCase()
+{
+    qunsetenv("DISPLAY");
+    qunsetenv("WAYLAND_DISPLAY");
+    auto context = render::OffscreenContext::create();
+    QVERIFY2(context.isOk(), context ? "" : context.error().message.c_str());
+    m_context = std::move(context).value();
+    m_renderer = std::make_unique<render::Renderer>();
+    const auto ready = m_renderer->initialize();
+    QVERIFY2(ready.isOk(), ready ? "" : ready.error().message.c_str());
+    m_keyframes = std::make_unique<model::KeyframeStore>();
+    m_man = makeBoxMan();
+}
+
+void TestRenderer::cleanupTestCase()
+{
+    m_renderer->destroy();
+}
+
+render::RenderInput TestRenderer::inputFor(const model::CrowdFramePtr& frame)
+{
+    render::RenderInput input(frontView(), *m_keyframes);
+    input.frame = frame;
+    input.look = render::Look::Plain;
+    input.showGround = false;
+    input.showShadows = false;
+    input.background = {0.0F, 1.0F, 0.0F, 1.0F};
+    return input;
+}
+
+void TestRenderer::draw(const render::RenderInput& input)
+{
+    for (int pass = 0; pass < 2; ++pass) { // the first asks for clips, the second has them
+        const auto drawn = m_renderer->draw(input);
+        QVERIFY2(drawn.isOk(), drawn ? "" : drawn.error().message.c_str());
+        m_keyframes->waitForAll();
+    }
+    m_pixels = m_renderer->readPixels();
+}
+
+void TestRenderer::drawMan(const model::Population& population, double seconds)
+{
+    draw(inputFor(frameOf(population, {entryFor(m_man)}, seconds)));
+}
+
+void TestRenderer::drawAsset(const std::shared_ptr<model::Template>& asset,
+                             const model::Population& people)
+{
+    draw(inputFor(frameOf(people, {entryFor(asset)})));
+}
+
+Rgb TestRenderer::pixel(int x, int y) const
+{
+    const std::size_t at = (static_cast<std::size_t>(y) * 64 + static_cast<std::size_t>(x)) * 4;
+    return {m_pixels[at], m_pixels[at + 1], m_pixels[at + 2]};
+}
+
+// Where the character is seen at 64 by 64 pixels: hat, body, legs.
+constexpr int kMiddle = 32;
+constexpr int kHatY = 18;
+constexpr int kBodyY = 28;
+constexpr int kLegsY = 40;
+constexpr Rgb kGreen{0, 255, 0};
+
+void TestRenderer::backgroundFillsAnEmptyScene()
+{
+    render::RenderInput input = inputFor(nullptr);
+    input.background = {0.5F, 0.25F, 0.75F, 1.0F};
+    draw(input);
+    QVERIFY(isNear(pixel(0, 0), {128, 64, 191}, 1));
+    QVERIFY(isNear(pixel(63, 63), {128, 64, 191}, 1));
+}
+
+void TestRenderer::skyIsBehindAnEmptyScene()
+{
+    render::RenderInput input = inputFor(nullptr);
+    input.background = {};
+    input.lighting.skyHorizon = {1.0F, 0.0F, 0.0F};
+    input.lighting.skyZenith = {0.0F, 0.0F, 1.0F};
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, 60), {255, 0, 0}));
+    QVERIFY(pixel(kMiddle, 0).blue > 100);
+    QVERIFY(pixel(kMiddle, 0).red < 255);
+}
+
+void TestRenderer::tintMultipliesTheSlotAlone()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(1), model::Tint{255, 64, 0, 255});
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), {255, 64, 0}));
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {255, 255, 255}));
+    QVERIFY(isNear(pixel(2, 2), kGreen));
+}
+
+void TestRenderer::tintHasAStrength()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(0), model::Tint{0, 0, 0, 128});
+    drawMan(people);
+    // Half the light of white, encoded.
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {188, 188, 188}));
+}
+
+void TestRenderer::slotsThatAreNotTintableKeepTheirColour()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(2), model::Tint{255, 0, 0, 255});
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kHatY), {124, 124, 124}));
+}
+
+void TestRenderer::hiddenPartIsNotDrawn()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::parts, 0U);
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kHatY), kGreen));
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), {255, 255, 255}));
+}
+
+void TestRenderer::materialChoiceIsPerIndividual()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::materialChoices, model::MaterialChoices{0, 1});
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), {0, 0, 255}));
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {255, 255, 255}));
+}
+
+void TestRenderer::peopleStandWhereTheyAre()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::position, glm::vec3(-1.0F, 0.0F, 0.0F));
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), kGreen));
+    QVERIFY(isNear(pixel(13, kBodyY), {255, 255, 255}));
+}
+
+void TestRenderer::headingTurnsFromZTowardsX()
+{
+    // A second character whose body sticks out to the front only.
+    auto asset = makeBoxMan();
+    asset->levels[0] = {};
+    addBox(asset->levels[0], {-0.1F, 0.0F, 0.0F}, {0.1F, 1.8F, 0.8F}, 0);
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::heading, 1.5707963F);
+    drawAsset(asset, people);
+    QVERIFY(isNear(pixel(kMiddle + 8, kBodyY), {255, 255, 255}));
+    QVERIFY(isNear(pixel(kMiddle - 8, kBodyY), kGreen));
+}
+
+void TestRenderer::keyframesAreBlended()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::clip, std::uint16_t{1});
+    setAll(people, model::columns::parts, 0U);
+    setAll(people, model::columns::playbackSpeed, 1.0F);
+    // The top edge rises a metre in 1.5 s; 19 pixels a metre at this distance.
+    const auto topRow = [this] {
+        for (int y = 0; y < 64; ++y) {
+            if (!isNear(pixel(kMiddle, y), kGreen)) {
+                return y;
+            }
+        }
+        return 64;
+    };
+    drawMan(people, 0.0);
+    const int atStart = topRow();
+    drawMan(people, 0.2 / 32.0);
+    QVERIFY(std::abs(topRow() - atStart) <= 1);
+    drawMan(people, 0.7578125); // between keyframes 24 and 25: 0.505 m
+    const int halfWay = topRow();
+    QVERIFY2(std::abs(atStart - halfWay - 10) <= 1, qPrintable(QString::number(atStart - halfWay)));
+}
+
+void TestRenderer::seatedPeopleMeetTheirSeat()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::clip, std::uint16_t{2});
+    setAll(people, model::columns::seat, model::SeatId{0x01000000});
+    model::WorldSeat seat;
+    seat.id = 0x01000000;
+    seat.seat.height = 0.9F; // 0.4 m above the clip's own seat plane
+    render::RenderInput input = inputFor(frameOf(people, {entryFor(m_man)}));
+    draw(input);
+    QVERIFY(!isNear(pixel(kMiddle, 47), kGreen)); // the foot of one who is not lifted
+    input.seats = {&seat, 1};
+    input.seatsVersion = 1;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, 47), kGreen));
+    QVERIFY(isNear(pixel(kMiddle, 38), {255, 255, 255}));
+}
+
+void TestRenderer::stageHidesWhoIsBehind()
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    stage->materials[0].baseColor = {1.0F, 0.0F, 0.0F, 1.0F};
+    model::StageMesh wall;
+    wall.positions = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0}};
+    wall.normals.assign(4, glm::vec3(0, 0, 1));
+    wall.uv.assign(4, glm::vec2(0));
+    wall.indices = {0, 1, 2, 0, 2, 3};
+    stage->meshes.push_back(wall);
+    model::StageEntry entry;
+    entry.asset = stage;
+    entry.position = {0.0F, 0.0F, 1.0F};
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    input.stages = {&entry, 1};
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {255, 0, 0}));
+    QVERIFY(isNear(pixel(kMiddle, kHatY), {124, 124, 124}));
+}
+
+void TestRenderer::selectionChangesThePicture()
+{
+    render::RenderInput input = inputFor(frameOf(makeRow(2), {entryFor(m_man)}));
+    draw(input);
+    const Rgb before = pixel(kMiddle, kBodyY);
+    const std::array<model::IndividualId, 1> selected{1};
+    input.selected = selected;
+    draw(input);
+    const Rgb after = pixel(kMiddle, kBodyY);
+    QVERIFY(after.blue < before.blue - 10);
+    // An outline round the silhouette: left of the legs, which end 6 pixels from the middle.
+    QVERIFY(!isNear(pixel(kMiddle - 7, kLegsY), kGreen, 40));
+}
+
+void TestRenderer::ghostShowsWhatIsBehind()
+{
+    render::Ghost ghost;
+    ghost.asset = m_man;
+    ghost.alpha = 0.5F;
+    render::RenderInput input = inputFor(nullptr);
+    input.ghosts = {&ghost, 1};
+    draw(input);
+    const Rgb through = pixel(kMiddle, kBodyY);
+    QVERIFY(isNear(through, {188, 255, 188}));
+}
+
+/// Left half red, right half white; the same picture serves as mask.
+std::shared_ptr<model::Template> texturedMan(model::AlphaMode alphaMode, bool hasMask)
+{
+    auto asset = makeBoxMan();
+    model::Image image;
+    image.width = 64;
+    image.height = 64;
+    image.rgba.resize(64 * 64 * 4, 255);
+    model::Image mask = image;
+    for (std::size_t i = 0; i < 64 * 64; ++i) {
+        const bool isLeft = i % 64 < 32;
+        image.rgba[i * 4 + 1] = isLeft ? 0 : 255;
+        image.rgba[i * 4 + 2] = isLeft ? 0 : 255;
+        image.rgba[i * 4 + 3] = alphaMode != model::AlphaMode::Opaque && isLeft ? 0 : 255;
+        mask.rgba[i * 4] = isLeft ? 0 : 255;
+    }
+    asset->images = {image, mask};
+    model::MaterialChoice& material = asset->slots[1].choices[0];
+    material.image = 0;
+    material.tintMask = hasMask ? 1 : -1;
+    material.alphaMode = alphaMode;
+    return asset;
+}
+
+void TestRenderer::textureIsDrawnAsAuthored()
+{
+    drawAsset(texturedMan(model::AlphaMode::Opaque, false), makeRow(1));
+    QVERIFY(isNear(pixel(kMiddle - 3, kBodyY), {255, 0, 0}));
+    QVERIFY(isNear(pixel(kMiddle + 3, kBodyY), {255, 255, 255}));
+}
+
+void TestRenderer::tintMaskLimitsTheTint()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(1), model::Tint{0, 0, 255, 255});
+    drawAsset(texturedMan(model::AlphaMode::Opaque, true), people);
+    QVERIFY(isNear(pixel(kMiddle - 3, kBodyY), {255, 0, 0}));
+    QVERIFY(isNear(pixel(kMiddle + 3, kBodyY), {0, 0, 255}));
+}
+
+void TestRenderer::cutOutTexelsAreNotDrawn()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(1), model::Tint{0, 0, 255, 255});
+    drawAsset(texturedMan(model::AlphaMode::Mask, true), people);
+    QVERIFY(isNear(pixel(kMiddle - 3, kBodyY), kGreen));
+    QVERIFY(isNear(pixel(kMiddle + 3, kBodyY), {0, 0, 255}));
+}
+
+void TestRenderer::samePictureTwice()
+{
+    render::RenderInput input = inputFor(frameOf(makeRow(3), {entryFor(m_man)}));
+    input.look = render::Look::Lit;
+    input.showGround = true;
+    input.showShadows = true;
+    draw(input);
+    const std::vector<std::uint8_t> first = m_pixels;
+    draw(input);
+    QVERIFY(first == m_pixels);
+}
+
+void TestRenderer::picturesAreOpaque()
+{
+    render::Ghost ghost;
+    ghost.asset = m_man;
+    render::RenderInput input = inputFor(frameOf(makeRow(3), {entryFor(m_man)}));
+    input.showShadows = true;
+    input.showGround = true;
+    input.background = {};
+    input.ghosts = {&ghost, 1};
+    draw(input);
+    for (std::size_t i = 3; i < m_pixels.size(); i += 4) {
+        QCOMPARE(static_cast<int>(m_pixels[i]), 255);
+    }
+}
+
+void TestRenderer::onlyChangedBlocksAreUploaded()
+{
+    model::Population people = makeRow(2000);
+    const model::TemplateEntry entry = entryFor(m_man);
+    const auto entries = std::make_shared<const std::vector<model::TemplateEntry>>(1, entry);
+    const auto drawPeople = [&] {
+        auto frame = std::make_shared<model::CrowdFrame>();
+        frame->population = people;
+        frame->templates = entries;
+        draw(inputFor(frame));
+        const auto drawn = m_renderer->draw(inputFor(frame));
+        QVERIFY(drawn.isOk());
+    };
+    drawPeople();
+    QCOMPARE(m_renderer->statistics().uploadedBlocks, 0);
+    const std::array<model::IndividualId, 2> changed{1, 700};
+    const float heading = 1.0F;
+    people.setValues(model::columns::heading, changed, std::span(&heading, 1));
+    auto frame = std::make_shared<model::CrowdFrame>();
+    frame->population = people;
+    frame->templates = entries;
+    QVERIFY(m_renderer->draw(inputFor(frame)).isOk());
+    QCOMPARE(m_renderer->statistics().uploadedBlocks, 2);
+}
+
+void TestRenderer::whoIsOutOfViewIsNotDrawn()
+{
+    drawMan(makeRow(100));
+    QCOMPARE(m_renderer->statistics().individuals, 100);
+    QVERIFY(m_renderer->statistics().visible >= 2);
+    QVERIFY(m_renderer->statistics().visible <= 4);
+}
+
+void TestRenderer::contextIsReplaced()
+{
+    drawMan(makeRow(1));
+    const std::vector<std::uint8_t> before = m_pixels;
+    m_renderer->destroy();
+    QVERIFY(!m_renderer->isInitialized());
+    m_context.reset();
+    auto context = render::OffscreenContext::create();
+    QVERIFY(context.isOk());
+    m_context = std::move(context).value();
+    QVERIFY(m_renderer->initialize().isOk());
+    drawMan(makeRow(1));
+    QVERIFY(before == m_pixels);
+}
+
+QTEST_GUILESS_MAIN(TestRenderer)
+#include "tst_Renderer.moc"
