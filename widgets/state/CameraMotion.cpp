@@ -24,9 +24,9 @@ Camera blended(const Camera& from, const Camera& to, float t)
     return camera;
 }
 
-void CameraMotion::start(const Camera& from, const Camera& to)
+void CameraMotion::start(const Camera& from, const Camera& to, double seconds)
 {
-    m_way = Way{from, to, 0.0};
+    m_way = Way{from, to, seconds, 0.0};
 }
 
 std::optional<Camera> CameraMotion::target() const
@@ -40,8 +40,10 @@ Camera CameraMotion::advance(double realSeconds)
         return {};
     }
     m_way->seconds += std::max(realSeconds, 0.0);
-    const auto t = static_cast<float>(std::min(m_way->seconds / kSeconds, 1.0));
-    const Camera camera = blended(m_way->from, m_way->to, t * t * (3.0F - 2.0F * t));
+    const auto t = static_cast<float>(std::min(m_way->seconds / m_way->length, 1.0));
+    // Leaves at once and arrives gently: a motion that takes over from another does not stall.
+    const float rest = 1.0F - t;
+    const Camera camera = blended(m_way->from, m_way->to, 1.0F - rest * rest * rest);
     if (t >= 1.0F) {
         m_way.reset();
     }

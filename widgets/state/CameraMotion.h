@@ -14,7 +14,7 @@ class CameraMotion
 public:
     static constexpr double kSeconds = 0.3;
 
-    void start(const model::Camera& from, const model::Camera& to);
+    void start(const model::Camera& from, const model::Camera& to, double seconds = kSeconds);
     void stop() { m_way.reset(); }
     [[nodiscard]] bool isMoving() const { return m_way.has_value(); }
     /// Where it leads; nothing while not moving.
@@ -27,6 +27,7 @@ private:
     {
         model::Camera from;
         model::Camera to;
+        double length = kSeconds;
         double seconds = 0.0;
     };
     std::optional<Way> m_way;

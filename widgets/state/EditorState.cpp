@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/EditorState.h"
 
+#include <utility>
+
 #include <QtCore/QMetaObject>
 
 namespace crowd::widgets {
@@ -13,7 +15,7 @@ EditorState::EditorState(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_selection(document)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
-        m_brushes[kind] = model::defaultBrush(static_cast<BrushKind>(kind));
+        m_brushes[kind] = initialBrush(static_cast<BrushKind>(kind));
     }
     m_keyframes.setFinishedCallback([this] {
         QMetaObject::invokeMethod(
@@ -64,6 +66,18 @@ const BrushSettings* EditorState::activeBrush() const
     return kind ? &brush(*kind) : nullptr;
 }
 
+bool EditorState::isSeatGridOn() const
+{
+    return brush(BrushKind::Create).create.seats.isOn;
+}
+
+void EditorState::setSeatGridOn(bool isOn)
+{
+    BrushSettings settings = brush(BrushKind::Create);
+    settings.create.seats.isOn = isOn;
+    setBrush(settings);
+}
+
 void EditorState::placeCamera(const Camera& camera, const QString& name)
 {
     if (m_view.camera == camera && m_view.name == name) {
@@ -79,9 +93,9 @@ void EditorState::setCamera(const Camera& camera, const QString& name)
     placeCamera(camera, name);
 }
 
-void EditorState::moveCameraTo(const Camera& camera, const QString& name)
+void EditorState::moveCameraTo(const Camera& camera, const QString& name, double seconds)
 {
-    m_motion.start(m_view.camera, camera);
+    m_motion.start(m_view.camera, camera, seconds);
     m_motionName = name;
     // Whoever runs a frame clock hears of it through this signal.
     m_view.name.clear();
@@ -133,9 +147,13 @@ bool EditorState::isAnimating() const
 
 void EditorState::followScene(const model::SceneChange& change)
 {
+    if (std::holds_alternative<model::TemplatesChanged>(change)) {
+        refreshMix(false);
+    }
     if (!std::holds_alternative<model::SceneReplaced>(change)) {
         return;
     }
+    refreshMix(true);
     m_transport.rewind();
     const auto& cameras = scene().cameras;
     if (cameras.empty()) {
@@ -143,6 +161,21 @@ void EditorState::followScene(const model::SceneChange& change)
     } else {
         setCamera(cameras.front().camera, QString::fromStdString(cameras.front().name));
     }
+}
+
+void EditorState::refreshMix(bool isNewScene)
+{
+    BrushSettings settings = brush(BrushKind::Create);
+    std::vector<model::TemplateWeight>& mix = settings.create.mix;
+    std::erase_if(mix, [&](const model::TemplateWeight& item) {
+        return isNewScene || scene().findTemplate(item.id) == nullptr;
+    });
+    if (mix.empty()) {
+        for (const model::TemplateEntry& entry : scene().templates) {
+            mix.push_back({entry.id, 1.0F});
+        }
+    }
+    setBrush(settings);
 }
 
 } // namespace crowd::widgets

@@ -82,13 +82,17 @@ public:
     void setBrush(const model::BrushSettings& settings); ///< for the kind it names
     /// Settings of the active tool; null when it is no brush.
     [[nodiscard]] const model::BrushSettings* activeBrush() const;
+    /// Whether creation and dragging snap to free seats (part of the creation brush's settings).
+    [[nodiscard]] bool isSeatGridOn() const;
+    void setSeatGridOn(bool isOn);
 
     [[nodiscard]] const ViewCamera& viewCamera() const { return m_view; }
     [[nodiscard]] const model::Camera& camera() const { return m_view.camera; }
     /// At once, as drags do; stops a motion. The name is forgotten unless one is given.
     void setCamera(const model::Camera& camera, const QString& name = {});
     /// Smoothly; later calls take over from where the camera is by then.
-    void moveCameraTo(const model::Camera& camera, const QString& name = {});
+    void moveCameraTo(const model::Camera& camera, const QString& name = {},
+                      double seconds = CameraMotion::kSeconds);
     [[nodiscard]] bool isCameraMoving() const { return m_motion.isMoving(); }
     /// Where the camera is going, or where it is.
     [[nodiscard]] model::Camera cameraTarget() const;
@@ -127,12 +131,13 @@ Q_SIGNALS:
 private:
     void placeCamera(const model::Camera& camera, const QString& name);
     void followScene(const model::SceneChange& change);
+    void refreshMix(bool isNewScene);
 
     model::SceneDocument& m_document;
     model::KeyframeStore m_keyframes;
     Selection m_selection;
     Transport m_transport;
-    std::array<model::BrushSettings, model::kBrushKindCount> m_brushes;
+    std::array<model::BrushSettings, kBrushCount> m_brushes;
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;
     ViewCamera m_view;

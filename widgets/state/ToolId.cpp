@@ -46,4 +46,33 @@ ToolId toolOf(BrushKind kind)
     return ToolId::Select;
 }
 
+model::BrushSettings initialBrush(BrushKind kind)
+{
+    model::BrushSettings settings;
+    settings.kind = kind;
+    switch (kind) {
+    case BrushKind::Create:
+        // Clothes of an ordinary evening: nobody like his neighbour, nobody glaring.
+        settings.create.palette = {{42, 52, 86},   {112, 40, 48},   {58, 84, 66},   {196, 186, 168},
+                                   {70, 70, 76},   {150, 112, 70},  {92, 120, 156}, {206, 160, 72},
+                                   {120, 84, 122}, {226, 222, 214}, {36, 38, 42},   {168, 92, 66}};
+        break;
+    case BrushKind::Delete:
+        settings.selection = model::BrushSelection::AllInCircle;
+        settings.radiusPixels = 24.0F;
+        break;
+    case BrushKind::Colour:
+        settings.selection = model::BrushSelection::AllInCircle;
+        break;
+    case BrushKind::Orientation:
+        settings.selection = model::BrushSelection::AllInCircle;
+        break;
+    case BrushKind::Animation:
+        settings.selection = model::BrushSelection::AllInCircle;
+        settings.op = model::BrushOperator::Random;
+        break;
+    }
+    return settings;
+}
+
 } // namespace crowd::widgets

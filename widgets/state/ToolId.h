@@ -37,4 +37,8 @@ struct ToolInfo
 [[nodiscard]] std::optional<model::BrushKind> brushKindOf(ToolId id);
 [[nodiscard]] ToolId toolOf(model::BrushKind kind);
 
+inline constexpr std::size_t kBrushCount = 5;
+/// How a brush is set when the editor starts.
+[[nodiscard]] model::BrushSettings initialBrush(model::BrushKind kind);
+
 } // namespace crowd::widgets

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/BrushDrags.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+using model::BrushSelection;
+using model::BrushSettings;
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BrushTool)
+};
+
+QString affectedText(BrushKind kind, int count)
+{
+    switch (kind) {
+    case BrushKind::Create:
+        return Text::tr("%n people created", nullptr, count);
+    case BrushKind::Delete:
+        return Text::tr("%n people deleted", nullptr, count);
+    case BrushKind::Colour:
+        return Text::tr("%n people coloured", nullptr, count);
+    case BrushKind::Orientation:
+        return Text::tr("%n people turned", nullptr, count);
+    case BrushKind::Animation:
+        return Text::tr("%n people do something else", nullptr, count);
+    }
+    return {};
+}
+
+} // namespace
+
+StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings,
+                       std::uint64_t seed, const ToolInput& press)
+    : m_context(context),
+      m_stroke(model::Stroke::begin(context.state.document(), context.queries.brushContext(),
+                                    settings, seed, press.pointer)),
+      m_press(press), m_current(press)
+{
+}
+
+void StrokeDrag::update(const ToolInput& input)
+{
+    m_current = input;
+    if (m_stroke) {
+        m_stroke->move(input.pointer);
+    }
+}
+
+void StrokeDrag::tick(const ToolInput& resting, double /*elapsedSeconds*/)
+{
+    update(resting);
+}
+
+void StrokeDrag::release(const ToolInput& input)
+{
+    update(input);
+    if (!m_stroke) {
+        return;
+    }
+    const BrushKind kind = m_stroke->settings().kind;
+    const model::StrokeOutcome outcome = m_stroke->finish();
+    m_stroke.reset();
+    m_context.state.showStatus(outcome.isCommitted ? affectedText(kind, outcome.affected)
+                                                   : outcome.message);
+}
+
+void StrokeDrag::cancel()
+{
+    if (m_stroke) {
+        m_stroke->cancel();
+        m_stroke.reset();
+        m_context.state.showStatus(Text::tr("The stroke was taken back."));
+    }
+}
+
+void StrokeDrag::show(ToolPicture& picture) const
+{
+    if (!m_stroke) {
+        return;
+    }
+    const BrushSettings& settings = m_stroke->settings();
+    showBrush(settings, m_current.position(), m_current.pointer.pressure, picture);
+    if (settings.selection == BrushSelection::Rectangle) {
+        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+    }
+    if (settings.isReevaluated() && settings.op == model::BrushOperator::Gradient) {
+        picture.gradient = QLineF(m_press.position(), m_current.position());
+    }
+    if (settings.isReevaluated() || settings.kind == BrushKind::Create) {
+        picture.label = Text::tr("%n people", nullptr, m_stroke->affected());
+    }
+}
+
+ResizeDrag::ResizeDrag(const ToolContext& context, BrushKind kind, const ToolInput& press)
+    : m_context(context), m_before(context.state.brush(kind)), m_press(press.position())
+{
+}
+
+void ResizeDrag::update(const ToolInput& input)
+{
+    const double way = input.position().x() - m_press.x();
+    m_context.state.setBrush(m_before.resized(static_cast<float>(way)));
+}
+
+void ResizeDrag::release(const ToolInput& input)
+{
+    update(input);
+}
+
+void ResizeDrag::cancel()
+{
+    m_context.state.setBrush(m_before);
+}
+
+void ResizeDrag::show(ToolPicture& picture) const
+{
+    const BrushSettings& settings = m_context.state.brush(m_before.kind);
+    showBrush(settings, m_press, 1.0, picture);
+    picture.cursor = Qt::SizeHorCursor;
+    picture.label = Text::tr("%1 px").arg(qRound(settings.radiusPixels));
+}
+
+void showBrush(const BrushSettings& settings, const QPointF& at, double pressure,
+               ToolPicture& picture)
+{
+    picture.cursor = Qt::CrossCursor;
+    picture.symbol = toolOf(settings.kind);
+    picture.symbolAt = at;
+    if (settings.hasCircle()) {
+        const double share = settings.pressureSize ? pressure : 1.0;
+        picture.circle = CircleOutline{at, std::max(1.0, settings.radiusPixels * share)};
+    } else {
+        picture.crosshair = at;
+    }
+}
+
+} // namespace crowd::widgets

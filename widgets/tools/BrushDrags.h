@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "model/brush/Stroke.h"
+#include "widgets/tools/Tool.h"
+
+namespace crowd::widgets {
+
+/// A stroke of the brush: applied while the button is held, one undo step on release, none after
+/// Escape. Says why when nothing came of it.
+class StrokeDrag : public DragSession
+{
+public:
+    StrokeDrag(const ToolContext& context, const model::BrushSettings& settings, std::uint64_t seed,
+               const ToolInput& press);
+
+    void update(const ToolInput& input) override;
+    void tick(const ToolInput& resting, double elapsedSeconds) override;
+    void release(const ToolInput& input) override;
+    void cancel() override;
+    void show(ToolPicture& picture) const override;
+
+private:
+    ToolContext m_context;
+    std::unique_ptr<model::Stroke> m_stroke;
+    ToolInput m_press;
+    ToolInput m_current;
+};
+
+/// Shift and dragging sideways: the circle stays where it is and grows or shrinks.
+class ResizeDrag : public DragSession
+{
+public:
+    ResizeDrag(const ToolContext& context, model::BrushKind kind, const ToolInput& press);
+
+    void update(const ToolInput& input) override;
+    void release(const ToolInput& input) override;
+    void cancel() override;
+    void show(ToolPicture& picture) const override;
+
+private:
+    ToolContext m_context;
+    model::BrushSettings m_before;
+    QPointF m_press;
+};
+
+/// Outline and symbol of a brush at the cursor.
+void showBrush(const model::BrushSettings& settings, const QPointF& at, double pressure,
+               ToolPicture& picture);
+
+} // namespace crowd::widgets

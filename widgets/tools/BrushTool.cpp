@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/BrushTool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
+
+#include "model/base/Random.h"
+#include "widgets/tools/BrushDrags.h"
+#include "widgets/tools/GhostPreview.h"
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+using model::BrushSelection;
+using model::BrushSettings;
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BrushTool)
+};
+
+QString whatItDoes(BrushKind kind)
+{
+    switch (kind) {
+    case BrushKind::Create:
+        return Text::tr("Drag: create people · + −: how many");
+    case BrushKind::Delete:
+        return Text::tr("Drag: delete people · + −: how fast");
+    case BrushKind::Colour:
+        return Text::tr("Drag: colour people · + −: strength");
+    case BrushKind::Orientation:
+        return Text::tr("Drag: turn people · + −: direction");
+    case BrushKind::Animation:
+        return Text::tr("Drag: change what people do · + −: speed");
+    }
+    return {};
+}
+
+} // namespace
+
+BrushTool::BrushTool(const ToolContext& context, BrushKind kind) : m_context(context), m_kind(kind)
+{
+}
+
+const BrushSettings& BrushTool::settings() const
+{
+    return m_context.state.brush(m_kind);
+}
+
+std::uint64_t BrushTool::nextSeed() const
+{
+    return model::hashKeys(m_context.state.scene().seed, static_cast<std::uint64_t>(m_kind),
+                           m_strokes);
+}
+
+QString BrushTool::hint() const
+{
+    const QString general =
+        m_context.state.viewOptions().buttons == ButtonMapping::Paper
+            ? Text::tr("Left: point · Middle: circle · Right: rectangle · "
+                       "Alt or Space and drag: navigate · [ ]: size")
+            : Text::tr("Right button: brushes · Middle button, Alt or Space and "
+                       "drag: navigate · [ ], Ctrl+wheel, Shift+drag: size");
+    return Text::tr("%1 · %2").arg(whatItDoes(m_kind), general);
+}
+
+DragSessionPtr BrushTool::press(const ToolInput& input)
+{
+    const ButtonMapping mapping = m_context.state.viewOptions().buttons;
+    const bool isPaintButton =
+        input.button == Qt::LeftButton ||
+        (mapping == ButtonMapping::Paper &&
+         (input.button == Qt::MiddleButton || input.button == Qt::RightButton));
+    if (!isPaintButton || m_context.state.document().isEditOpen()) {
+        return nullptr;
+    }
+    if (input.modifiers.testFlag(Qt::ShiftModifier) && settings().hasCircle()) {
+        return std::make_unique<ResizeDrag>(m_context, m_kind, input);
+    }
+    const std::uint64_t seed = nextSeed();
+    ++m_strokes;
+    return std::make_unique<StrokeDrag>(
+        m_context, settingsForButton(settings(), input.button, mapping), seed, input);
+}
+
+void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const
+{
+    showBrush(settings(), input.position(), 1.0, picture);
+}
+
+void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const
+{
+    if (m_kind == BrushKind::Create && !m_context.state.document().isEditOpen()) {
+        picture.ghosts = ghostsAt(m_context, settings(), nextSeed(), input);
+    }
+}
+
+BrushSettings settingsForButton(const BrushSettings& settings, Qt::MouseButton button,
+                                ButtonMapping mapping)
+{
+    BrushSettings result = settings;
+    if (mapping == ButtonMapping::Paper) {
+        if (button == Qt::LeftButton) {
+            result.selection = BrushSelection::Point;
+        } else if (button == Qt::RightButton) {
+            result.selection = BrushSelection::Rectangle;
+        } else if (!settings.hasCircle()) {
+            result.selection = BrushSelection::Spray;
+        }
+    }
+    return result;
+}
+
+BrushSettings resizedBySteps(const BrushSettings& settings, double steps, bool isFine)
+{
+    const double share = isFine ? 0.03 : 0.12;
+    const double pixels = std::max(1.0, std::round(settings.radiusPixels * share));
+    return settings.resized(static_cast<float>(pixels * steps));
+}
+
+BrushSettings steppedMainNumber(const BrushSettings& settings, int steps)
+{
+    const model::MainNumber number = settings.mainNumber();
+    return settings.withMainNumber(number.value + number.step * steps);
+}
+
+QString mainNumberText(const BrushSettings& settings)
+{
+    const model::MainNumber number = settings.mainNumber();
+    const QString value = QLocale().toString(number.value, 'f', number.decimals);
+    switch (number.quantity) {
+    case model::MainQuantity::Density:
+        return Text::tr("Density: %1 people per m²").arg(value);
+    case model::MainQuantity::SeatPercent:
+        return Text::tr("Seats filled: %1 %").arg(value);
+    case model::MainQuantity::Rate:
+        return Text::tr("Rate: %1 a second").arg(value);
+    case model::MainQuantity::Strength:
+        return Text::tr("Strength: %1 %").arg(value);
+    case model::MainQuantity::Heading:
+        return Text::tr("Direction: %1°").arg(value);
+    case model::MainQuantity::Speed:
+        return Text::tr("Speed: × %1").arg(value);
+    }
+    return value;
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/SelectTool.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/brush/MoveDrag.h"
+
+namespace crowd::widgets {
+
+using model::IndividualId;
+
+namespace {
+
+/// A hand that clicks trembles this much, logical pixels.
+constexpr double kClickSlack = 4.0;
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SelectTool)
+};
+
+bool isClick(const QPointF& from, const QPointF& to)
+{
+    return (to - from).manhattanLength() <= kClickSlack;
+}
+
+/// Press on empty ground: a click clears, a drag draws a rectangle. Nothing changes before release.
+class RectangleSelect : public DragSession
+{
+public:
+    RectangleSelect(const ToolContext& context, const ToolInput& press)
+        : m_context(context), m_press(press), m_current(press)
+    {
+    }
+
+    void update(const ToolInput& input) override { m_current = input; }
+
+    void tick(const ToolInput& /*resting*/, double /*elapsedSeconds*/) override
+    {
+        if (m_counted != m_current.pointer.grid) {
+            m_counted = m_current.pointer.grid;
+            m_count = isDrag() ? static_cast<int>(inside().size()) : 0;
+        }
+    }
+
+    void release(const ToolInput& input) override
+    {
+        m_current = input;
+        const SelectionMode mode = selectionModeFor(input.modifiers);
+        if (isDrag()) {
+            m_context.state.selection().apply(inside(), mode);
+        } else if (mode == SelectionMode::Replace) {
+            m_context.state.selection().clear();
+        }
+    }
+
+    void cancel() override {}
+
+    void show(ToolPicture& picture) const override
+    {
+        picture.cursor = Qt::CrossCursor;
+        if (!isDrag()) {
+            return;
+        }
+        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+        picture.symbolAt = m_current.position();
+        picture.label = Text::tr("%n people", nullptr, m_count);
+    }
+
+private:
+    [[nodiscard]] bool isDrag() const { return !isClick(m_press.position(), m_current.position()); }
+    [[nodiscard]] std::vector<IndividualId> inside() const
+    {
+        const auto area =
+            model::ScreenArea::rectangle(m_press.pointer.pixels(), m_current.pointer.pixels());
+        return m_context.queries.picker(m_current.pointer.shownSeconds)
+            .individualsInArea(area, model::AreaMode::Visible);
+    }
+
+    ToolContext m_context;
+    ToolInput m_press;
+    ToolInput m_current;
+    glm::ivec2 m_counted{-1};
+    int m_count = 0;
+};
+
+/// Press on somebody: a click selects, a drag moves what is selected.
+class ClickOrMove : public DragSession
+{
+public:
+    ClickOrMove(const ToolContext& context, const ToolInput& press, IndividualId hit)
+        : m_context(context), m_press(press), m_hit(hit)
+    {
+    }
+
+    void update(const ToolInput& input) override
+    {
+        if (!m_move && !isClick(m_press.position(), input.position())) {
+            beginMove();
+        }
+        if (m_move) {
+            m_move->move(input.pointer);
+        }
+    }
+
+    void release(const ToolInput& input) override
+    {
+        update(input);
+        if (!m_move) {
+            m_context.state.selection().apply(std::array{m_hit}, selectionModeFor(input.modifiers));
+            return;
+        }
+        const model::StrokeOutcome outcome = m_move->finish();
+        m_move.reset();
+        if (!outcome.isCommitted && !outcome.message.isEmpty()) {
+            m_context.state.showStatus(outcome.message);
+        }
+    }
+
+    void cancel() override
+    {
+        if (m_move) {
+            m_move->cancel();
+            m_move.reset();
+        }
+    }
+
+    void show(ToolPicture& picture) const override
+    {
+        picture.cursor = m_move ? Qt::SizeAllCursor : Qt::ArrowCursor;
+        picture.hovered = m_move ? 0 : m_hit;
+    }
+
+private:
+    void beginMove()
+    {
+        Selection& selection = m_context.state.selection();
+        if (!selection.contains(m_hit)) {
+            selection.apply(std::array{m_hit}, m_press.modifiers == Qt::NoModifier
+                                                   ? SelectionMode::Replace
+                                                   : SelectionMode::Add);
+        }
+        m_move = model::MoveDrag::begin(m_context.state.document(),
+                                        m_context.queries.brushContext(), selection.ids(),
+                                        m_context.state.isSeatGridOn(), m_press.pointer);
+    }
+
+    ToolContext m_context;
+    ToolInput m_press;
+    IndividualId m_hit;
+    std::unique_ptr<model::MoveDrag> m_move;
+};
+
+} // namespace
+
+SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
+{
+    if (modifiers.testFlag(Qt::ControlModifier)) {
+        return SelectionMode::Toggle;
+    }
+    return modifiers.testFlag(Qt::ShiftModifier) ? SelectionMode::Add : SelectionMode::Replace;
+}
+
+QString SelectTool::hint() const
+{
+    return Text::tr("Click: select · Shift: add · Ctrl: toggle · Drag: rectangle, or move the "
+                    "selected · Delete: remove · F: show the selection");
+}
+
+DragSessionPtr SelectTool::press(const ToolInput& input)
+{
+    const bool isPaperRectangle = m_context.state.viewOptions().buttons == ButtonMapping::Paper &&
+                                  input.button == Qt::RightButton;
+    if (isPaperRectangle) {
+        return std::make_unique<RectangleSelect>(m_context, input);
+    }
+    if (input.button != Qt::LeftButton) {
+        return nullptr;
+    }
+    const auto hit =
+        m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
+    if (hit) {
+        return std::make_unique<ClickOrMove>(m_context, input, hit->id);
+    }
+    return std::make_unique<RectangleSelect>(m_context, input);
+}
+
+void SelectTool::hover(const ToolInput& /*input*/, ToolPicture& picture) const
+{
+    picture.cursor = Qt::ArrowCursor;
+}
+
+void SelectTool::preview(const ToolInput& input, ToolPicture& picture) const
+{
+    const auto hit =
+        m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
+    picture.hovered = hit ? hit->id : 0;
+    picture.cursor = hit ? Qt::PointingHandCursor : Qt::ArrowCursor;
+}
+
+} // namespace crowd::widgets

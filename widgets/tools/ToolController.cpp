@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/ToolController.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "widgets/tools/BrushTool.h"
+#include "widgets/tools/FlySession.h"
+#include "widgets/tools/SelectTool.h"
+#include "widgets/tools/ToolKeys.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr double kTapSeconds = 0.35; ///< a key held longer was held
+
+} // namespace
+
+ToolController::ToolController(EditorState& state) : m_state(state), m_queries(state)
+{
+    const ToolContext context{m_state, m_queries};
+    for (const ToolInfo& info : toolTable()) {
+        std::unique_ptr<Tool>& tool = m_tools[static_cast<std::size_t>(info.id)];
+        if (info.brush) {
+            tool = std::make_unique<BrushTool>(context, *info.brush);
+        } else if (info.id == ToolId::Navigate) {
+            tool = std::make_unique<NavigateTool>(context);
+        } else {
+            tool = std::make_unique<SelectTool>(context);
+        }
+    }
+    connect(&state, &EditorState::toolChanged, this, [this] {
+        cancel();
+        refreshHint();
+        refreshPicture();
+    });
+    connect(&state, &EditorState::viewOptionsChanged, this, &ToolController::refreshHint);
+    connect(&state, &EditorState::brushChanged, this, &ToolController::refreshPicture);
+    connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
+    refreshHint();
+}
+
+ToolController::~ToolController() = default;
+
+Tool& ToolController::activeTool() const
+{
+    return *m_tools[static_cast<std::size_t>(m_state.tool())];
+}
+
+bool ToolController::claimsKey(int key) const
+{
+    return m_session || key == Qt::Key_Space;
+}
+
+ToolInput ToolController::monotonic(ToolInput input)
+{
+    // Events that waited while a frame was drawn are older than the frame's tick.
+    if (m_session) {
+        input.pointer.timeSeconds = std::max(input.pointer.timeSeconds, m_lastSeconds);
+    }
+    m_lastSeconds = input.pointer.timeSeconds;
+    m_pointer = input;
+    return input;
+}
+
+bool ToolController::isNavigation(const ToolInput& input) const
+{
+    if (m_isSpaceHeld || input.modifiers.testFlag(Qt::AltModifier)) {
+        return input.button == Qt::LeftButton || input.button == Qt::MiddleButton ||
+               input.button == Qt::RightButton;
+    }
+    const bool isPaperBrush =
+        m_state.viewOptions().buttons == ButtonMapping::Paper && m_state.activeBrush() != nullptr;
+    return input.button == Qt::MiddleButton && !isPaperBrush && m_state.tool() != ToolId::Navigate;
+}
+
+DragSessionPtr ToolController::sessionFor(const ToolInput& input)
+{
+    const ToolContext context{m_state, m_queries};
+    if (!isNavigation(input)) {
+        return activeTool().press(input);
+    }
+    m_isSpaceUsed = true;
+    Navigation kind = navigationFor(input.modifiers);
+    if (m_isSpaceHeld || input.modifiers.testFlag(Qt::AltModifier)) {
+        // As in modelling programs: left turns, middle pans, right goes nearer.
+        if (input.button != Qt::LeftButton) {
+            kind = input.button == Qt::MiddleButton ? Navigation::Pan : Navigation::Dolly;
+        }
+    }
+    return std::make_unique<NavigateDrag>(context, kind, input);
+}
+
+void ToolController::press(const ToolInput& event)
+{
+    const ToolInput input = monotonic(event);
+    if (m_session) {
+        if (m_session->isHandsFree()) {
+            finish();
+        }
+        return;
+    }
+    m_session = sessionFor(input);
+    m_sessionButton = m_session ? input.button : Qt::NoButton;
+    if (!m_session && input.button == Qt::RightButton) {
+        Q_EMIT paletteRequested(input.position());
+    }
+    refreshPicture();
+}
+
+void ToolController::move(const ToolInput& event)
+{
+    const ToolInput input = monotonic(event);
+    if (m_session) {
+        m_session->update(input);
+    }
+    refreshPicture();
+}
+
+void ToolController::release(const ToolInput& event)
+{
+    const ToolInput input = monotonic(event);
+    if (m_session && input.button == m_sessionButton && !m_session->isHandsFree()) {
+        m_session->release(input);
+        finish();
+    }
+}
+
+void ToolController::finish()
+{
+    m_session.reset();
+    m_sessionButton = Qt::NoButton;
+    refreshPicture();
+}
+
+void ToolController::cancel()
+{
+    if (m_session) {
+        m_session->cancel();
+        finish();
+    }
+}
+
+void ToolController::leave()
+{
+    if (!m_session) {
+        m_pointer.reset();
+        refreshPicture();
+    }
+}
+
+void ToolController::loseKeys()
+{
+    m_isSpaceHeld = false;
+    if (isHandsFree()) {
+        finish(); // lands where it is
+    }
+    refreshPicture();
+}
+
+void ToolController::pointerPlaced(const ToolInput& input)
+{
+    (void)monotonic(input);
+    if (m_session) {
+        m_session->place(input);
+    }
+}
+
+void ToolController::wheel(const WheelInput& input)
+{
+    if (m_session) {
+        m_session->wheel(input);
+        refreshPicture();
+        return;
+    }
+    const Qt::KeyboardModifiers modifiers = input.at.modifiers;
+    const model::BrushSettings* brush = m_state.activeBrush();
+    if (brush != nullptr && brush->hasCircle() &&
+        (modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier))) {
+        changeBrush(resizedBySteps(*brush, input.notches, modifiers.testFlag(Qt::ShiftModifier)),
+                    false);
+        return;
+    }
+    m_wheel.turn({m_state, m_queries}, input);
+}
+
+bool ToolController::keyDown(const KeyInput& input)
+{
+    if (input.key == Qt::Key_Escape) {
+        return escape();
+    }
+    if (m_session) {
+        m_session->key(input, true);
+        return true; // nothing else happens in the middle of a drag
+    }
+    if (input.key == Qt::Key_Space && input.modifiers == Qt::NoModifier) {
+        if (!input.isRepeat) {
+            m_isSpaceHeld = true;
+            m_isSpaceUsed = false;
+            m_spaceSeconds = input.timeSeconds;
+            refreshPicture();
+        }
+        return true;
+    }
+    return runShortcut(input);
+}
+
+bool ToolController::keyUp(const KeyInput& input)
+{
+    if (input.key == Qt::Key_Space && m_isSpaceHeld) {
+        if (input.isRepeat) {
+            return true;
+        }
+        m_isSpaceHeld = false;
+        if (!m_isSpaceUsed && input.timeSeconds - m_spaceSeconds <= kTapSeconds) {
+            m_state.transport().toggle();
+        }
+        refreshPicture();
+        return true;
+    }
+    return m_session && !input.isRepeat && m_session->key(input, false);
+}
+
+bool ToolController::escape()
+{
+    if (m_session) {
+        cancel();
+        return true;
+    }
+    if (m_state.tool() == ToolId::Navigate) {
+        m_state.setTool(m_state.previousTool());
+        return true;
+    }
+    m_state.selection().clear();
+    return true;
+}
+
+bool ToolController::runShortcut(const KeyInput& input)
+{
+    const model::BrushSettings* brush = m_state.activeBrush();
+    if (isFlyKey(input)) {
+        const ToolInput start = m_pointer.value_or(ToolInput{});
+        m_session = std::make_unique<FlySession>(ToolContext{m_state, m_queries},
+                                                 FlySession::Hold::HandsFree, start);
+        refreshPicture();
+        return true;
+    }
+    if (const int steps = sizeSteps(input); steps != 0 && brush != nullptr) {
+        changeBrush(resizedBySteps(*brush, steps), false);
+        return true;
+    }
+    if (const int steps = numberSteps(input); steps != 0 && brush != nullptr) {
+        changeBrush(steppedMainNumber(*brush, steps), true);
+        return true;
+    }
+    return runStateKey(m_state, input);
+}
+
+void ToolController::changeBrush(const model::BrushSettings& settings, bool saysNumber)
+{
+    m_state.setBrush(settings);
+    m_state.showStatus(saysNumber ? mainNumberText(settings)
+                                  : tr("Brush size: %1 px").arg(qRound(settings.radiusPixels)));
+}
+
+void ToolController::tick(const ToolInput& resting, double elapsedSeconds)
+{
+    if (m_session) {
+        m_session->tick(monotonic(resting), elapsedSeconds);
+        refreshPicture();
+        return;
+    }
+    if (!m_isPreviewStale) {
+        return;
+    }
+    m_isPreviewStale = false;
+    if (m_pointer && !m_isSpaceHeld) {
+        m_pointer->pointer.shownSeconds = resting.pointer.shownSeconds;
+        ToolPicture picture = m_picture;
+        activeTool().preview(*m_pointer, picture);
+        replacePicture(std::move(picture));
+    }
+}
+
+void ToolController::replacePicture(ToolPicture picture)
+{
+    const bool isSameInScene = showsTheSameInScene(picture, m_picture);
+    m_picture = std::move(picture);
+    Q_EMIT pictureChanged();
+    if (!isSameInScene) {
+        Q_EMIT scenePreviewChanged();
+    }
+}
+
+void ToolController::refreshPicture()
+{
+    ToolPicture picture;
+    if (m_session) {
+        m_session->show(picture);
+    } else if (m_pointer && m_isSpaceHeld) {
+        picture.cursor = Qt::OpenHandCursor;
+    } else if (m_pointer) {
+        activeTool().hover(*m_pointer, picture);
+        // What takes longer stays as it was until the next frame.
+        picture.ghosts = m_picture.ghosts;
+        picture.hovered = m_picture.hovered;
+    }
+    m_isPreviewStale = !m_session && m_pointer.has_value();
+    replacePicture(std::move(picture));
+}
+
+void ToolController::refreshHint()
+{
+    m_state.setHint(activeTool().hint());
+}
+
+} // namespace crowd::widgets

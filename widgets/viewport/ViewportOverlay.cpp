@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/ViewportOverlay.h"
+
+#include <algorithm>
+
+#include <QtGui/QPainter>
+#include <QtGui/QPainterPath>
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr int kSymbolSize = 26;
+constexpr double kSymbolGap = 9.0;
+constexpr double kCrosshair = 5.0;
+
+const QColor kDark(0, 0, 0, 170);
+const QColor kLight(255, 255, 255, 235);
+const QColor kAccent(255, 170, 60);
+
+/// Light on dark, so that it is seen on any ground.
+template<class Draw>
+void drawTwice(QPainter& painter, double width, const Draw& draw)
+{
+    painter.setPen(QPen(kDark, width + 2.0));
+    draw();
+    painter.setPen(QPen(kLight, width));
+    draw();
+}
+
+/// Text on a dark rounded plate around `center`, kept inside `area`.
+void drawPlate(QPainter& painter, const QRectF& area, const QPointF& center, const QString& text)
+{
+    const QRectF wide(0.0, 0.0, std::max(80.0, area.width() - 40.0), area.height());
+    const QRectF bounds = painter.boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text);
+    QRectF plate(0.0, 0.0, bounds.width() + 28.0, bounds.height() + 16.0);
+    plate.moveCenter(center);
+    plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
+                              std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 22, 26, 190));
+    painter.drawRoundedRect(plate, 7.0, 7.0);
+    painter.setPen(kLight);
+    painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+} // namespace
+
+ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+void ViewportOverlay::setPicture(const ToolPicture& picture)
+{
+    m_picture = picture;
+    if (m_symbolOf != picture.symbol) {
+        m_symbolOf = picture.symbol;
+        m_symbolIcon = m_symbolOf ? QIcon(QStringLiteral(":/icons/%1.svg")
+                                              .arg(QLatin1String(toolInfo(*m_symbolOf).stableId)))
+                                  : QIcon();
+    }
+    update();
+}
+
+void ViewportOverlay::setText(const OverlayText& text)
+{
+    if (m_text != text) {
+        m_text = text;
+        update();
+    }
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintAreas(painter);
+    paintSymbol(painter);
+    paintLabel(painter);
+    paintTexts(painter);
+}
+
+void ViewportOverlay::paintAreas(QPainter& painter) const
+{
+    painter.setBrush(Qt::NoBrush);
+    if (m_picture.circle) {
+        const double radius = m_picture.circle->radius;
+        drawTwice(painter, 1.0,
+                  [&] { painter.drawEllipse(m_picture.circle->center, radius, radius); });
+    }
+    if (m_picture.crosshair) {
+        const QPointF at = *m_picture.crosshair;
+        drawTwice(painter, 1.0, [&] {
+            painter.drawLine(at - QPointF(kCrosshair, 0.0), at + QPointF(kCrosshair, 0.0));
+            painter.drawLine(at - QPointF(0.0, kCrosshair), at + QPointF(0.0, kCrosshair));
+        });
+    }
+    if (m_picture.rectangle) {
+        painter.setBrush(QColor(255, 255, 255, 28));
+        drawTwice(painter, 1.0, [&] {
+            painter.drawRect(*m_picture.rectangle);
+            painter.setBrush(Qt::NoBrush);
+        });
+    }
+    if (m_picture.gradient) {
+        const QLineF line = *m_picture.gradient;
+        drawTwice(painter, 2.0, [&] { painter.drawLine(line); });
+        painter.setPen(QPen(kDark, 1.0));
+        painter.setBrush(kLight);
+        painter.drawEllipse(line.p1(), 4.0, 4.0);
+        painter.setBrush(kAccent);
+        painter.drawEllipse(line.p2(), 5.0, 5.0);
+        painter.setBrush(Qt::NoBrush);
+    }
+}
+
+void ViewportOverlay::paintSymbol(QPainter& painter)
+{
+    if (!m_picture.symbol || m_symbolIcon.isNull()) {
+        return;
+    }
+    // Below right of the cursor, on the other side where the picture ends.
+    QPointF corner = m_picture.symbolAt + QPointF(kSymbolGap, kSymbolGap);
+    if (corner.x() + kSymbolSize > width()) {
+        corner.setX(m_picture.symbolAt.x() - kSymbolGap - kSymbolSize);
+    }
+    if (corner.y() + kSymbolSize > height()) {
+        corner.setY(m_picture.symbolAt.y() - kSymbolGap - kSymbolSize);
+    }
+    const QRectF plate(corner, QSizeF(kSymbolSize, kSymbolSize));
+    painter.setPen(QPen(kDark, 1.0));
+    painter.setBrush(QColor(250, 250, 250, 225));
+    painter.drawRoundedRect(plate, 5.0, 5.0);
+    m_symbolIcon.paint(&painter, plate.adjusted(3.0, 3.0, -3.0, -3.0).toRect());
+}
+
+void ViewportOverlay::paintLabel(QPainter& painter) const
+{
+    if (m_picture.label.isEmpty()) {
+        return;
+    }
+    const QPointF at = m_picture.symbolAt + QPointF(0.0, -24.0);
+    drawPlate(painter, rect(), at.y() < 20.0 ? m_picture.symbolAt + QPointF(0.0, 54.0) : at,
+              m_picture.label);
+}
+
+void ViewportOverlay::paintTexts(QPainter& painter) const
+{
+    const QRectF area = rect();
+    if (!m_text.help.isEmpty()) {
+        QFont large = font();
+        large.setPointSizeF(large.pointSizeF() * 1.2);
+        painter.setFont(large);
+        drawPlate(painter, area, area.center(), m_text.help);
+        painter.setFont(font());
+    }
+    if (!m_text.mode.isEmpty()) {
+        drawPlate(painter, area, {area.center().x(), 26.0}, m_text.mode);
+    }
+    if (!m_text.work.isEmpty()) {
+        const QPointF at(area.center().x(), area.bottom() - 34.0);
+        drawPlate(painter, area, at, m_text.work);
+        const QRectF track(at.x() - 60.0, at.y() + 19.0, 120.0, 3.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(kDark);
+        painter.drawRect(track);
+        painter.setBrush(kAccent);
+        painter.drawRect(QRectF(track.topLeft(), QSizeF(track.width() * m_text.done, 3.0)));
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QString>
+#include <QtGui/QIcon>
+#include <QtWidgets/QWidget>
+
+#include "widgets/tools/ToolPicture.h"
+
+namespace crowd::widgets {
+
+/// What lies over the picture as a whole rather than at the cursor.
+struct OverlayText
+{
+    QString help;      ///< in the middle: what to do in an empty scene
+    QString work;      ///< below: "Baking 3 of 7 clips"
+    double done = 0.0; ///< of the work, 0..1
+    QString mode;      ///< above: "Flying – …"
+    friend bool operator==(const OverlayText&, const OverlayText&) = default;
+};
+
+/// A transparent child over the viewport: moving the cursor repaints only this, never the scene.
+/// Takes no events.
+class ViewportOverlay : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ViewportOverlay(QWidget* parent);
+
+    void setPicture(const ToolPicture& picture);
+    void setText(const OverlayText& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintAreas(QPainter& painter) const;
+    void paintSymbol(QPainter& painter);
+    void paintLabel(QPainter& painter) const;
+    void paintTexts(QPainter& painter) const;
+
+    ToolPicture m_picture;
+    OverlayText m_text;
+    QIcon m_symbolIcon;
+    std::optional<ToolId> m_symbolOf;
+};
+
+} // namespace crowd::widgets

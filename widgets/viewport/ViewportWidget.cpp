@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/ViewportWidget.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QEvent>
+#include <QtGui/QOpenGLContext>
+
+#include "render/Renderer.h"
+#include "widgets/viewport/ViewportOverlay.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr qint64 kPublishMs = 250;
+
+QSurfaceFormat surfaceFormat()
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSamples(0); // the renderer smooths in a framebuffer of its own
+    return format;
+}
+
+} // namespace
+
+ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
+    : QOpenGLWidget(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
+      m_tools(state), m_overlay(new ViewportOverlay(this))
+{
+    setFormat(surfaceFormat());
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setAcceptDrops(false); // the main window takes what is dropped
+    m_sinceInput.start();
+    m_sincePublished.start();
+    m_sinceSwap.start();
+    connectState();
+}
+
+ViewportWidget::~ViewportWidget()
+{
+    // The base class destroys the context after this; nobody is to call back into half an object.
+    if (context() != nullptr) {
+        disconnect(context(), nullptr, this, nullptr);
+    }
+    releaseContext();
+}
+
+void ViewportWidget::connectState()
+{
+    const auto redraw = [this] {
+        update();
+        refreshClock();
+    };
+    connect(&m_state.document(), &model::SceneDocument::changed, this, [this, redraw] {
+        redraw();
+        refreshText();
+    });
+    connect(&m_state.selection(), &Selection::changed, this, redraw);
+    connect(&m_state.transport(), &Transport::stateChanged, this, redraw);
+    connect(&m_state, &EditorState::viewCameraChanged, this, redraw);
+    connect(&m_state, &EditorState::viewOptionsChanged, this, redraw);
+    connect(&m_state, &EditorState::brushChanged, this, redraw);
+    connect(&m_state, &EditorState::toolChanged, this, redraw);
+    connect(&m_state, &EditorState::keyframesChanged, this, [this, redraw] {
+        redraw();
+        refreshText();
+    });
+    connect(&m_state, &EditorState::longWorkChanged, this, &ViewportWidget::refreshText);
+    connect(&m_tools, &ToolController::scenePreviewChanged, this, redraw);
+    connect(&m_tools, &ToolController::pictureChanged, this, &ViewportWidget::refreshOverlay);
+    connect(&m_tools, &ToolController::paletteRequested, this, [this](const QPointF& position) {
+        Q_EMIT paletteRequested(mapToGlobal(position.toPoint()));
+    });
+    connect(&m_clock, &FrameClock::beat, this, &ViewportWidget::beat);
+    connect(this, &QOpenGLWidget::frameSwapped, this, &ViewportWidget::finishFrame);
+}
+
+void ViewportWidget::initializeGL()
+{
+    // A new context after docking: the old one released its objects in releaseContext().
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewportWidget::releaseContext,
+            Qt::UniqueConnection);
+    const model::Result<void> result = m_renderer->initialize();
+    setProblem(result ? QString() : QString::fromStdString(result.error().message));
+}
+
+void ViewportWidget::releaseContext()
+{
+    if (!m_renderer->isInitialized()) {
+        return;
+    }
+    makeCurrent();
+    if (QOpenGLContext::currentContext() != nullptr) {
+        m_renderer->destroy();
+        doneCurrent();
+    } else {
+        m_renderer->abandon();
+    }
+}
+
+render::RenderInput ViewportWidget::renderInput()
+{
+    const ViewOptions& options = m_state.viewOptions();
+    SceneQueries& queries = m_tools.queries();
+    render::RenderInput input(queries.view(), m_state.keyframes());
+    input.frame = m_state.frame();
+    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF();
+    input.pixelSize = {static_cast<int>(std::lround(pixels.width())),
+                       static_cast<int>(std::lround(pixels.height()))};
+    input.stages = m_state.scene().stages;
+    input.seats = queries.seats();
+    input.seatsVersion = queries.seatsVersion();
+    input.lighting = m_state.scene().lighting;
+    input.lighting.showGroundGrid &= options.showGroundGrid;
+    input.look = options.look;
+    input.showShadows = options.showShadows;
+    input.selected = m_state.selection().ids();
+    input.hovered = m_tools.picture().hovered;
+    input.ghosts = m_tools.picture().ghosts;
+    const bool isCreating = m_state.tool() == ToolId::BrushCreate;
+    if (options.showSeats && isCreating && m_state.isSeatGridOn()) {
+        input.markers = queries.freeSeats();
+    }
+    return input;
+}
+
+void ViewportWidget::paintGL()
+{
+    if (!m_renderer->isInitialized()) {
+        return;
+    }
+    m_sinceDraw.start();
+    const render::RenderInput input = renderInput();
+    const model::Result<void> result = m_renderer->draw(input, defaultFramebufferObject());
+    setProblem(result ? QString() : QString::fromStdString(result.error().message));
+    m_shownSeconds = m_state.transport().seconds();
+    m_statistics.render = m_renderer->statistics();
+    m_isFrameOpen = true;
+    ++m_drawnFrames;
+}
+
+void ViewportWidget::finishFrame()
+{
+    if (!m_isFrameOpen) {
+        return; // only the overlay was painted
+    }
+    m_isFrameOpen = false;
+    const double frameMs = static_cast<double>(m_sinceDraw.nsecsElapsed()) * 1e-6;
+    m_clock.noteFrameTime(frameMs);
+    m_frameTimes.add(frameMs);
+    m_frameIntervals.add(static_cast<double>(m_sinceSwap.nsecsElapsed()) * 1e-6);
+    m_sinceSwap.start();
+    if (m_statistics.render.areKeyframesMissing) {
+        refreshText();
+    }
+    publishStatistics(!m_clock.isRunning());
+}
+
+void ViewportWidget::publishStatistics(bool isAtRest)
+{
+    if (!isAtRest && m_sincePublished.elapsed() < kPublishMs) {
+        return;
+    }
+    m_sincePublished.start();
+    m_statistics.frameMs = m_frameTimes.median();
+    const double interval = m_frameIntervals.median();
+    m_statistics.framesPerSecond = isAtRest || interval <= 0.0 ? 0.0 : 1000.0 / interval;
+    Q_EMIT statisticsChanged(m_statistics);
+}
+
+void ViewportWidget::beat(double elapsedSeconds)
+{
+    const bool isAnimating = m_state.isAnimating();
+    m_state.advance(elapsedSeconds);
+    m_tools.tick(restingInput(), elapsedSeconds);
+    if (isAnimating) {
+        update();
+    }
+    refreshClock();
+}
+
+void ViewportWidget::refreshClock()
+{
+    const bool wasRunning = m_clock.isRunning();
+    m_clock.setRunning(isVisible() && (m_state.isAnimating() || m_tools.needsTick()));
+    if (wasRunning && !m_clock.isRunning()) {
+        publishStatistics(true);
+    }
+}
+
+void ViewportWidget::refreshOverlay()
+{
+    const ToolPicture& picture = m_tools.picture();
+    m_overlay->setPicture(picture);
+    if (cursor().shape() != picture.cursor) {
+        setCursor(picture.cursor);
+    }
+    refreshText();
+    refreshClock();
+}
+
+void ViewportWidget::refreshText()
+{
+    OverlayText text;
+    const model::Scene& scene = m_state.scene();
+    if (!m_problem.isEmpty()) {
+        text.help = m_problem;
+    } else if (scene.population.isEmpty() && scene.stages.empty() && scene.templates.empty()) {
+        text.help = tr("This scene is empty.\nDrop a character (.glb) or a stage here, or open a "
+                       "scene from the File menu.");
+    } else if (scene.population.isEmpty() && scene.stages.empty() && !m_tools.isDragging()) {
+        text.help = tr("Nobody is here yet.\nPress C and paint people on the ground.");
+    }
+    const auto baking = m_state.keyframes().progress();
+    if (baking.pendingClips == 0) {
+        m_bakedBefore = baking.finishedClips;
+    }
+    if (const LongWork& work = m_state.longWork(); work.total > 0) {
+        text.work = work.text;
+        text.done = static_cast<double>(work.done) / work.total;
+    } else if (baking.pendingClips > 0) {
+        const int done = baking.finishedClips - m_bakedBefore;
+        const int total = done + baking.pendingClips;
+        text.work = tr("Baking %1 of %2 clips").arg(done + 1).arg(total);
+        text.done = static_cast<double>(done) / total;
+    } else if (baking.isBudgetReached) {
+        text.work = tr("The memory for baked animations is used up: some people stand still. "
+                       "The preferences set its size.");
+        text.done = 1.0;
+    }
+    text.mode = m_tools.picture().mode;
+    m_overlay->setText(text);
+}
+
+void ViewportWidget::setProblem(const QString& problem)
+{
+    if (m_problem == problem) {
+        return;
+    }
+    m_problem = problem;
+    refreshText();
+    Q_EMIT problemChanged(m_problem);
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent* event)
+{
+    QOpenGLWidget::resizeEvent(event);
+    m_overlay->setGeometry(rect());
+    m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
+}
+
+void ViewportWidget::changeEvent(QEvent* event)
+{
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshText();
+    }
+}
+
+} // namespace crowd::widgets

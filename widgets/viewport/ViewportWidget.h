@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QtCore/QElapsedTimer>
+#include <QtOpenGLWidgets/QOpenGLWidget>
+
+#include "widgets/state/EditorState.h"
+#include "widgets/tools/ToolController.h"
+#include "widgets/viewport/FrameClock.h"
+#include "widgets/viewport/FrameStatistics.h"
+
+class QSinglePointEvent;
+
+namespace crowd::model {
+class View;
+}
+namespace crowd::render {
+class Renderer;
+}
+
+namespace crowd::widgets {
+
+class ViewportOverlay;
+
+/// The picture. Draws the scene when something changed or plays, turns events into tool input and
+/// hands them on; what they mean is the tools' affair. Owns the renderer, which survives the loss
+/// of its context (docking). The state outlives it. Main thread only.
+class ViewportWidget : public QOpenGLWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ViewportWidget(EditorState& state, QWidget* parent = nullptr);
+    ~ViewportWidget() override;
+
+    [[nodiscard]] ToolController& tools() { return m_tools; }
+    [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
+    /// Pictures drawn so far: a picture at rest draws none.
+    [[nodiscard]] int drawnFrames() const { return m_drawnFrames; }
+    /// Why there is no picture; empty when all is well.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 180}; }
+    [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
+
+Q_SIGNALS:
+    /// At most four times a second, and once when the picture comes to rest.
+    void statisticsChanged(const crowd::widgets::FrameStatistics& statistics);
+    /// The right button asks for the brush palette here.
+    void paletteRequested(const QPoint& globalPosition);
+    void problemChanged(const QString& problem);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void connectState();
+    void releaseContext();
+    void beat(double elapsedSeconds);
+    void finishFrame();
+    void refreshClock();
+    void refreshOverlay();
+    void refreshText();
+    void publishStatistics(bool isAtRest);
+    void setProblem(const QString& problem);
+    void keepPointerInside(const ToolInput& input);
+    [[nodiscard]] render::RenderInput renderInput();
+    [[nodiscard]] ToolInput inputOf(const QSinglePointEvent& event, double pressure);
+    [[nodiscard]] ToolInput restingInput() const;
+
+    EditorState& m_state;
+    std::unique_ptr<render::Renderer> m_renderer;
+    ToolController m_tools;
+    ViewportOverlay* m_overlay; ///< child widget
+    FrameClock m_clock;
+    FrameTimes m_frameTimes;
+    FrameTimes m_frameIntervals;
+    FrameStatistics m_statistics;
+    QElapsedTimer m_sinceDraw;
+    QElapsedTimer m_sinceSwap;
+    QElapsedTimer m_sincePublished;
+    QElapsedTimer m_sinceInput;
+    ToolInput m_lastInput;
+    double m_shownSeconds = 0.0; ///< transport time of the picture on screen
+    bool m_isFrameOpen = false;  ///< drawn, not swapped yet
+    int m_drawnFrames = 0;
+    int m_bakedBefore = 0; ///< clips finished when the present baking began
+    QString m_problem;
+};
+
+} // namespace crowd::widgets
