@@ -45,6 +45,7 @@ struct StageAsset
     std::vector<MaterialChoice> materials; ///< never empty
     std::vector<Image> images;
     std::vector<Seat> seats;
+    std::size_t fileVertexCount = 0; ///< of the file's primitives, before any sharing or copying
     Bounds bounds;
     std::vector<std::string> warnings;
 

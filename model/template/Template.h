@@ -100,6 +100,8 @@ struct Mesh
     std::vector<glm::vec3> normals;   ///< unit, same space
     std::vector<glm::vec2> uv;        ///< base-colour set; zeros where the file has none
     std::vector<glm::u8vec4> colors;  ///< linear vertex colour, 255 = 1
+    /// The first so many vertices are the file's; behind them are copies made for flat normals.
+    std::size_t fileVertexCount = 0;
     int influencesPerVertex = 1;
     std::vector<std::uint16_t> bones; ///< indices into Template::bones
     std::vector<float> weights;       ///< sum 1 for each vertex
@@ -145,7 +147,9 @@ struct Clip
     float speed = 0.0F;
     /// Net horizontal displacement over the clip that the baker removes linearly, template frame.
     glm::vec3 rootMotion{0.0F};
-    int rootMotionNode = -1; ///< the node, with all below it, that it is taken from; -1 none
+    int rootMotionNode = -1;    ///< the node, with all below it, that it is taken from; -1 none
+    bool hasSpeedExtra = false; ///< the file itself gave the speed
+    bool isMadeUp = false;      ///< the resting pose of a file without animations
     std::vector<Channel> channels;
 
     /// Keyframes baked: one each 1/32 s plus the extra one at the end of the loop.
@@ -161,6 +165,7 @@ struct Template
     std::string name;
     std::vector<Node> nodes;
     std::vector<Bone> bones;
+    int jointCount = 0;       ///< nodes that are joints of a skin in use
     std::vector<Mesh> levels; ///< 1..kMaxLevels, finest first
     std::vector<Slot> slots;
     std::vector<Part> parts; ///< at most 32

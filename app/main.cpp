@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+
+#include "app/InfoCommand.h"
+
+namespace {
+
+constexpr int kBadUsage = 2;
+
+} // namespace
+
+/// Dispatches the command line; each command lives in a file of its own.
+int main(int argc, char** argv)
+{
+    CLI::App cli("Crowdbrush: paint crowds", "crowdbrush");
+    cli.require_subcommand(1);
+    crowd::app::InfoOptions info;
+    CLI::App* infoCommand = cli.add_subcommand("info", "Say what is in a scene, template or stage");
+    infoCommand->add_option("FILE", info.file, "A .crowd, .glb or .gltf file")->required();
+    infoCommand->add_flag("--json", info.json, "Print one JSON object");
+    infoCommand->add_option("--as", info.as, "Read a glTF file as this")
+        ->check(CLI::IsMember({"template", "stage"}));
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        const int status = cli.exit(problem);
+        return status == 0 ? 0 : kBadUsage;
+    }
+    return crowd::app::runInfo(info);
+}

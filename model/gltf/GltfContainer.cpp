@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GltfContainer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include <QtCore/QByteArray>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QString>
+
+#include "model/gltf/GltfLimits.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+constexpr std::size_t kHeaderBytes = 12;
+constexpr std::size_t kChunkHeaderBytes = 8;
+
+std::uint32_t readU32(const Bytes& bytes, std::size_t at)
+{
+    return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8U |
+           static_cast<std::uint32_t>(bytes[at + 2]) << 16U |
+           static_cast<std::uint32_t>(bytes[at + 3]) << 24U;
+}
+
+Result<Container> readGlb(const Bytes& bytes)
+{
+    Container container;
+    if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
+        return Error{"the file ends within the GLB header (" + std::to_string(bytes.size()) +
+                     " bytes)"};
+    }
+    if (const std::uint32_t version = readU32(bytes, 4); version != 2) {
+        return Error{"the GLB header says version " + std::to_string(version) +
+                     "; only glTF 2.0 can be read"};
+    }
+    const std::size_t length = readU32(bytes, 8);
+    if (length > bytes.size()) {
+        return Error{"the GLB header promises " + std::to_string(length) +
+                     " bytes, the file has only " + std::to_string(bytes.size())};
+    }
+    if (length < bytes.size()) {
+        container.warnings.push_back(std::to_string(bytes.size() - length) +
+                                     " bytes after the end of the GLB are ignored.");
+    }
+    std::size_t at = kHeaderBytes;
+    for (std::size_t chunk = 0; at + kChunkHeaderBytes <= length; ++chunk) {
+        const std::size_t size = readU32(bytes, at);
+        const std::uint32_t type = readU32(bytes, at + 4);
+        const std::size_t begin = at + kChunkHeaderBytes;
+        if (size > length - begin) {
+            return Error{"GLB chunk " + std::to_string(chunk) + " at byte " + std::to_string(at) +
+                         " is " + std::to_string(size) + " bytes long, but only " +
+                         std::to_string(length - begin) + " are left"};
+        }
+        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto last = first + static_cast<std::ptrdiff_t>(size);
+        if ((chunk == 0) != (type == kJsonChunk)) {
+            return Error{"GLB chunk " + std::to_string(chunk) + " at byte " + std::to_string(at) +
+                         (chunk == 0 ? " is not the JSON chunk" : " is a second JSON chunk")};
+        }
+        if (type == kJsonChunk) {
+            container.json.assign(first, last);
+        } else if (type == kBinaryChunk && !container.hasBinary) {
+            container.binary.assign(first, last);
+            container.hasBinary = true;
+        }
+        at = begin + size;
+    }
+    return container;
+}
+
+bool startsWith(const Bytes& bytes, std::string_view text)
+{
+    return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
+}
+
+struct ForeignFormat
+{
+    std::string_view suffix;
+    std::string_view magic; ///< empty: only the suffix tells
+    std::string_view name;
+    std::string_view menu; ///< Blender's menu entry that reads it
+};
+
+constexpr ForeignFormat kForeign[] = {
+    {".fbx", "Kaydara FBX", "an FBX file", "File > Import > FBX"},
+    {".fbx", "; FBX", "an FBX file", "File > Import > FBX"},
+    {".obj", "", "a Wavefront OBJ file", "File > Import > Wavefront"},
+    {".dae", "", "a Collada file", "File > Import > Collada"},
+    {".blend", "BLENDER", "a Blender file", "File > Open"},
+    {".usdc", "PXR-USDC", "a USD file", "File > Import > Universal Scene Description"},
+    {".usda", "#usda", "a USD file", "File > Import > Universal Scene Description"},
+    {".usd", "", "a USD file", "File > Import > Universal Scene Description"},
+    {".usdz", "", "a USD file", "File > Import > Universal Scene Description"},
+    {".abc", "Ogawa", "an Alembic file", "File > Import > Alembic"},
+    {".stl", "", "an STL file", "File > Import > STL"},
+    {".ply", "ply\n", "a PLY file", "File > Import > Stanford"},
+    {".bvh", "HIERARCHY", "a BVH motion file", "File > Import > Motion Capture"},
+    {".x3d", "", "an X3D file", "File > Import > X3D"},
+    {".wrl", "#VRML", "a VRML file", "File > Import > X3D"},
+    {".3ds", "", "a 3DS file", "File > Import"},
+    {".vrm", "", "a VRM file of an unknown kind", "File > Import > glTF 2.0"},
+};
+
+const ForeignFormat* foreignFormat(const std::string& path, const Bytes& bytes)
+{
+    std::string lower = path;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    for (const ForeignFormat& format : kForeign) {
+        if (lower.ends_with(format.suffix) ||
+            (!format.magic.empty() && startsWith(bytes, format.magic))) {
+            return &format;
+        }
+    }
+    return nullptr;
+}
+
+bool looksLikeJson(const Bytes& bytes)
+{
+    const std::size_t start = startsWith(bytes, "\xEF\xBB\xBF") ? 3 : 0;
+    const auto first = std::find_if(
+        bytes.begin() + static_cast<std::ptrdiff_t>(start), bytes.end(), [](std::uint8_t c) {
+            return std::string_view(" \t\r\n").find(static_cast<char>(c)) == std::string_view::npos;
+        });
+    return first != bytes.end() && *first == '{';
+}
+
+Result<Bytes> decodeDataUri(const std::string& uri)
+{
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos) {
+        return Error{"the data: URI has no comma"};
+    }
+    const std::string_view head = std::string_view(uri).substr(0, comma);
+    const QByteArray body = QByteArray::fromRawData(uri.data() + comma + 1,
+                                                    static_cast<qsizetype>(uri.size() - comma - 1));
+    if (!head.ends_with(";base64")) {
+        const QByteArray plain = QByteArray::fromPercentEncoding(body);
+        return Bytes(plain.begin(), plain.end());
+    }
+    const QByteArray encoded = body.contains('%') ? QByteArray::fromPercentEncoding(body) : body;
+    const auto decoded =
+        QByteArray::fromBase64Encoding(encoded, QByteArray::AbortOnBase64DecodingErrors);
+    if (!decoded) {
+        return Error{"the data: URI is not valid base64"};
+    }
+    return Bytes(decoded.decoded.begin(), decoded.decoded.end());
+}
+
+/// A scheme as in RFC 3986: letters before a colon. One letter is a Windows drive.
+bool hasScheme(const QString& uri)
+{
+    const qsizetype colon = uri.indexOf(u':');
+    return colon > 0 && std::all_of(uri.begin(), uri.begin() + colon, [](QChar c) {
+               return c.isLetterOrNumber() || c == u'+' || c == u'-' || c == u'.';
+           });
+}
+
+bool leavesFolder(QString relative)
+{
+    relative.replace(u'\\', u'/');
+    return relative.startsWith(u'/') || relative.contains(QChar(u'\0')) ||
+           relative.split(u'/').contains(QStringLiteral(".."));
+}
+
+} // namespace
+
+Result<Bytes> readFile(const std::string& path)
+{
+    QFile file(QString::fromStdString(path));
+    if (!QFileInfo(file).isFile()) {
+        return Error{QFileInfo::exists(file.fileName()) ? "it is not a plain file"
+                                                        : "there is no such file"};
+    }
+    if (static_cast<std::uint64_t>(file.size()) > kMaxFileBytes) {
+        return Error{"it is larger than 1 GiB"};
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        return Error{"it cannot be opened: " + file.errorString().toStdString()};
+    }
+    Bytes bytes(static_cast<std::size_t>(file.size()));
+    const qint64 got = file.read(reinterpret_cast<char*>(bytes.data()), file.size());
+    if (got != file.size()) {
+        return Error{"it cannot be read to its end: " + file.errorString().toStdString()};
+    }
+    return bytes;
+}
+
+Result<Container> readContainer(const std::string& path)
+{
+    Result<Bytes> file = readFile(path);
+    if (!file) {
+        return file.error();
+    }
+    const Bytes& bytes = file.value();
+    if (bytes.empty()) {
+        return Error{"the file is empty"};
+    }
+    if (startsWith(bytes, "glTF")) {
+        return readGlb(bytes);
+    }
+    if (const ForeignFormat* format = foreignFormat(path, bytes)) {
+        return Error{"this is " + std::string(format->name) +
+                     ", which Crowdbrush does not read. Convert it in Blender: " +
+                     std::string(format->menu) + ", then File > Export > glTF 2.0 (.glb)"};
+    }
+    if (!looksLikeJson(bytes)) {
+        return Error{"this is neither a .glb (it does not begin with \"glTF\") nor a .gltf "
+                     "(it does not begin with \"{\")"};
+    }
+    Container container;
+    container.json.assign(bytes.begin(), bytes.end());
+    return container;
+}
+
+Result<Bytes> readUri(const std::string& uri, const std::string& folder)
+{
+    if (uri.starts_with("data:")) {
+        return decodeDataUri(uri);
+    }
+    const QString raw = QString::fromStdString(uri);
+    const QString decoded =
+        QString::fromUtf8(QByteArray::fromPercentEncoding(QByteArray::fromStdString(uri)));
+    if (hasScheme(raw)) {
+        return Error{"\"" + uri + "\" is not a path beside the file"};
+    }
+    if (decoded.isEmpty() || leavesFolder(decoded) || leavesFolder(raw)) {
+        return Error{"\"" + uri + "\" leads out of the file's folder"};
+    }
+    const QString base = QString::fromStdString(folder) + u'/';
+    // Some exporters write file names with a literal per cent sign, unescaped.
+    const QString path = !QFileInfo(base + decoded).isFile() && QFileInfo(base + raw).isFile()
+                             ? base + raw
+                             : base + decoded;
+    Result<Bytes> bytes = readFile(path.toStdString());
+    if (!bytes) {
+        return Error{"\"" + uri + "\": " + bytes.error().message};
+    }
+    return bytes;
+}
+
+} // namespace crowd::model::gltf

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GltfFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include <tiny_gltf.h>
+
+#include <QtCore/QFileInfo>
+#include <QtCore/QString>
+
+#include "model/gltf/GltfContainer.h"
+#include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfValidate.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+/// What tinygltf reads through its callbacks instead of the disk: "b3" is buffer 3, "i0" image 0.
+struct Memory
+{
+    std::vector<Bytes> buffers;
+    std::vector<Bytes> images;
+
+    Bytes* find(const std::string& name)
+    {
+        std::size_t number = 0;
+        const char* end = name.data() + name.size();
+        if (name.size() < 2 || std::from_chars(name.data() + 1, end, number).ptr != end) {
+            return nullptr;
+        }
+        std::vector<Bytes>& list = name[0] == 'b' ? buffers : images;
+        return number < list.size() ? &list[number] : nullptr;
+    }
+};
+
+bool memoryExists(const std::string& name, void* user)
+{
+    return static_cast<Memory*>(user)->find(name) != nullptr;
+}
+
+std::string keepName(const std::string& name, void* /*user*/)
+{
+    return name;
+}
+
+bool takeMemory(std::vector<unsigned char>* out, std::string* error, const std::string& name,
+                void* user)
+{
+    Bytes* bytes = static_cast<Memory*>(user)->find(name);
+    if (bytes == nullptr) {
+        *error += name + " is not in memory";
+        return false;
+    }
+    *out = std::move(*bytes);
+    return true;
+}
+
+bool writeNothing(std::string* /*error*/, const std::string& /*name*/,
+                  const std::vector<unsigned char>& /*bytes*/, void* /*user*/)
+{
+    return false;
+}
+
+bool storeImage(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
+                std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
+                int size, void* /*user*/)
+{
+    image->image.assign(bytes, bytes + size);
+    return true;
+}
+
+/// Reads the buffers into memory and gives each its place in tinygltf's eyes.
+Result<void> readBuffers(Json& root, Container& container, const std::string& folder,
+                         Memory& memory)
+{
+    std::uint64_t total = 0;
+    const std::size_t count = countOf(root, "buffers");
+    for (std::size_t i = 0; i < count; ++i) {
+        Json& buffer = root["buffers"][i];
+        const std::string where = place("buffers", i);
+        const std::uint64_t length = wholeOr(buffer, "byteLength", 0);
+        Bytes bytes;
+        if (buffer.contains("uri")) {
+            Result<Bytes> read = readUri(textOf(buffer, "uri"), folder);
+            if (!read) {
+                return Error{where + ".uri: " + read.error().message};
+            }
+            bytes = std::move(read).value();
+        } else if (i == 0 && container.hasBinary) {
+            bytes = std::move(container.binary);
+        } else {
+            return Error{where + " has no uri, and the file has no binary chunk for it"};
+        }
+        if (bytes.size() < length) {
+            return Error{where + " should have " + std::to_string(length) + " bytes, but only " +
+                         std::to_string(bytes.size()) + " are there"};
+        }
+        bytes.resize(length);
+        total += length;
+        if (total > kMaxBufferBytes) {
+            return Error{where + ": the buffers are larger than 1 GiB together"};
+        }
+        memory.buffers.push_back(std::move(bytes));
+    }
+    return {};
+}
+
+/// A copy of an image's bytes, so that nothing is left for tinygltf to decode or look up.
+Result<Bytes> imageBytes(const Json& root, const Json& image, const std::string& folder,
+                         const Memory& memory)
+{
+    if (image.contains("uri")) {
+        return readUri(textOf(image, "uri"), folder);
+    }
+    if (!image.contains("bufferView")) {
+        return Error{"it has neither uri nor bufferView"};
+    }
+    const Json& view = root.at("bufferViews").at(wholeOr(image, "bufferView", 0));
+    const Bytes& buffer = memory.buffers.at(wholeOr(view, "buffer", 0));
+    const auto first = buffer.begin() + static_cast<std::ptrdiff_t>(wholeOr(view, "byteOffset", 0));
+    return Bytes(first, first + static_cast<std::ptrdiff_t>(wholeOr(view, "byteLength", 0)));
+}
+
+void readImages(Json& root, const std::string& folder, Memory& memory,
+                std::vector<std::string>& problems)
+{
+    for (std::size_t i = 0; i < countOf(root, "images"); ++i) {
+        Json& image = root["images"][i];
+        Result<Bytes> bytes = imageBytes(root, image, folder, memory);
+        problems.push_back(bytes ? std::string() : bytes.error().message);
+        memory.images.push_back(bytes ? std::move(bytes).value() : Bytes());
+        if (memory.images.back().empty()) {
+            memory.images.back().push_back(0); // tinygltf refuses empty files
+        }
+        image = Json{{"name", textOf(image, "name")}, {"uri", "i" + std::to_string(i)}};
+    }
+}
+
+std::vector<Json*> sparseAccessors(Json& root)
+{
+    std::vector<Json*> found;
+    for (std::size_t i = 0; i < countOf(root, "accessors"); ++i) {
+        Json& accessor = root["accessors"][i];
+        if (accessor.contains("sparse")) {
+            found.push_back(&accessor);
+        }
+    }
+    return found;
+}
+
+/// Only what we read reaches tinygltf; buffers have at least the byte that it insists on.
+Json plainRoot(Json& root, Memory& memory)
+{
+    constexpr std::array kKept{"accessors", "animations", "asset",    "bufferViews",
+                               "buffers",   "extensions", "images",   "materials",
+                               "meshes",    "nodes",      "samplers", "scene",
+                               "scenes",    "skins",      "textures", "extras"};
+    Json plain = Json::object();
+    for (const char* key : kKept) {
+        if (root.contains(key)) {
+            plain[key] = std::move(root[key]);
+        }
+    }
+    if (plain.contains("nodes")) {
+        for (Json& node : plain["nodes"]) {
+            node.erase("camera");
+        }
+    }
+    if (plain.contains("extensions")) {
+        plain["extensions"].erase("KHR_lights_punctual");
+    }
+    for (Json* accessor : sparseAccessors(plain)) {
+        // tinygltf wants what the specification lets out.
+        for (const char* part : {"indices", "values"}) {
+            Json& of = (*accessor)["sparse"][part];
+            of["byteOffset"] = wholeOr(of, "byteOffset", 0);
+        }
+    }
+    for (std::size_t i = 0; i < memory.buffers.size(); ++i) {
+        memory.buffers[i].resize(std::max<std::size_t>(1, memory.buffers[i].size()));
+        plain["buffers"][i] =
+            Json{{"byteLength", memory.buffers[i].size()}, {"uri", "b" + std::to_string(i)}};
+    }
+    return plain;
+}
+
+Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
+{
+    tinygltf::TinyGLTF loader;
+    loader.SetFsCallbacks({memoryExists, keepName, takeMemory, writeNothing, &memory});
+    loader.SetImageLoader(storeImage, nullptr);
+    std::string problem;
+    std::string warning;
+    try {
+        const std::string text = plain.dump();
+        if (loader.LoadASCIIFromString(&model, &problem, &warning, text.data(),
+                                       static_cast<unsigned int>(text.size()), "",
+                                       tinygltf::NO_REQUIRE)) {
+            return {};
+        }
+    } catch (const std::exception& thrown) {
+        problem += thrown.what();
+    }
+    std::replace(problem.begin(), problem.end(), '\n', ' ');
+    return Error{"the file cannot be read: " + problem};
+}
+
+Result<GltfFile> readChecked(const std::string& path)
+{
+    const QFileInfo info(QString::fromStdString(path));
+    const std::string folder = info.path().toStdString();
+    Result<Container> container = readContainer(path);
+    if (!container) {
+        return container.error();
+    }
+    Result<Json> parsed = parseJson(container.value().json);
+    if (!parsed) {
+        return parsed.error();
+    }
+    Json& root = parsed.value();
+    if (const Result<void> structure = validateStructure(root); !structure) {
+        return structure.error();
+    }
+    GltfFile file;
+    file.name = info.completeBaseName().toStdString();
+    file.warnings = container.value().warnings;
+    Memory memory;
+    if (const Result<void> read = readBuffers(root, container.value(), folder, memory); !read) {
+        return read.error();
+    }
+    std::vector<std::size_t> sizes;
+    for (const Bytes& buffer : memory.buffers) {
+        sizes.push_back(buffer.size());
+    }
+    if (const Result<void> layout = validateLayout(root, sizes); !layout) {
+        return layout.error();
+    }
+    readImages(root, folder, memory, file.imageProblems);
+    const Json plain = plainRoot(root, memory);
+    if (const Result<void> done = parse(plain, memory, *file.model); !done) {
+        return done.error();
+    }
+    return file;
+}
+
+} // namespace
+
+GltfFile::GltfFile() : model(std::make_unique<tinygltf::Model>()) {}
+GltfFile::~GltfFile() = default;
+GltfFile::GltfFile(GltfFile&&) noexcept = default;
+GltfFile& GltfFile::operator=(GltfFile&&) noexcept = default;
+
+Error fileError(const std::string& path, const std::string& problem)
+{
+    const std::string file = QFileInfo(QString::fromStdString(path)).fileName().toStdString();
+    std::string message = (file.empty() ? path : file) + ": " + problem + ".";
+    if (problem.find("onvert it") == std::string::npos &&
+        problem.find("export the file") == std::string::npos &&
+        problem.find("no such file") == std::string::npos) {
+        message += " Export it again as glTF 2.0 (.glb) from the program it was made in.";
+    }
+    return Error{message};
+}
+
+Result<GltfFile> readGltf(const std::string& path)
+{
+    try {
+        Result<GltfFile> file = readChecked(path);
+        return file ? std::move(file) : Result<GltfFile>(fileError(path, file.error().message));
+    } catch (const std::bad_alloc&) {
+        return fileError(path, "it needs more memory than there is");
+    } catch (const std::exception& thrown) {
+        return fileError(path, std::string("it cannot be read: ") + thrown.what());
+    }
+}
+
+} // namespace crowd::model::gltf

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+
+#include <QtCore/QBuffer>
+#include <QtCore/QByteArray>
+#include <QtGui/QImage>
+#include <QtGui/QImageReader>
+
+#include "model/base/Result.h"
+#include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfMaterials.h"
+#include "model/gltf/GltfValue.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+/// The size is asked for before anything is decoded. `pixelsLeft` bounds what may be allocated.
+Result<Image> decode(const std::vector<unsigned char>& bytes, std::uint64_t pixelsLeft)
+{
+    QByteArray data = QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
+                                              static_cast<qsizetype>(bytes.size()));
+    QBuffer buffer(&data);
+    buffer.open(QIODevice::ReadOnly);
+    QImageReader reader(&buffer);
+    reader.setDecideFormatFromContent(true);
+    reader.setAutoTransform(false);
+    const QSize size = reader.size();
+    if (!reader.canRead() || !size.isValid()) {
+        return Error{"it is not a picture that can be read (PNG and JPEG can)"};
+    }
+    const auto pixels =
+        static_cast<std::uint64_t>(size.width()) * static_cast<std::uint64_t>(size.height());
+    if (std::max(size.width(), size.height()) > kMaxImageSide || pixels > pixelsLeft) {
+        return Error{"it is too large (" + std::to_string(size.width()) + " x " +
+                     std::to_string(size.height()) + " pixels)"};
+    }
+    QImage picture;
+    if (!reader.read(&picture)) {
+        return Error{"it cannot be decoded: " + reader.errorString().toStdString()};
+    }
+    picture.convertTo(QImage::Format_RGBA8888);
+    Image image;
+    image.width = picture.width();
+    image.height = picture.height();
+    const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+    image.rgba.resize(row * static_cast<std::size_t>(image.height));
+    for (int y = 0; y < image.height; ++y) {
+        std::memcpy(image.rgba.data() + row * static_cast<std::size_t>(y), picture.constScanLine(y),
+                    row);
+    }
+    return image;
+}
+
+/// Image index of a texture; -1 where only a format that we do not read is given.
+int sourceOf(const tinygltf::Texture& texture)
+{
+    if (texture.source >= 0) {
+        return texture.source;
+    }
+    const tinygltf::Value* webp = find(texture.extensions, "EXT_texture_webp");
+    return webp == nullptr ? -1 : wholeIn(*webp, "source", -1);
+}
+
+} // namespace
+
+ImageTable::ImageTable(const GltfFile& file, std::vector<std::string>& warnings)
+    : m_file(file), m_warnings(warnings)
+{
+}
+
+int ImageTable::fromTexture(int texture)
+{
+    if (texture < 0) {
+        return -1;
+    }
+    const int image = sourceOf(m_file.model->textures[static_cast<std::size_t>(texture)]);
+    if (image < 0) {
+        const std::string warning = "textures[" + std::to_string(texture) +
+                                    "] has no PNG, JPEG or WebP picture and is left out.";
+        if (std::find(m_warnings.begin(), m_warnings.end(), warning) == m_warnings.end()) {
+            m_warnings.push_back(warning);
+        }
+        return -1;
+    }
+    return fromImage(image);
+}
+
+int ImageTable::fromImage(int index)
+{
+    const auto [known, isNew] = m_ofFileImage.try_emplace(index, -1);
+    if (!isNew) {
+        return known->second;
+    }
+    const auto i = static_cast<std::size_t>(index);
+    tinygltf::Image& from = m_file.model->images[i];
+    Result<Image> image = m_file.imageProblems[i].empty()
+                              ? decode(from.image, kMaxImagePixels - m_pixels)
+                              : Result<Image>(Error{m_file.imageProblems[i]});
+    from.image.clear();
+    from.image.shrink_to_fit();
+    if (!image) {
+        m_warnings.push_back("images[" + std::to_string(index) + "]" +
+                             (from.name.empty() ? "" : " \"" + from.name + "\"") +
+                             " is left out: " + image.error().message + ".");
+        return -1;
+    }
+    image.value().name = from.name;
+    m_pixels += image.value().rgba.size() / 4;
+    known->second = static_cast<int>(m_images.size());
+    m_images.push_back(std::move(image).value());
+    return known->second;
+}
+
+} // namespace crowd::model::gltf

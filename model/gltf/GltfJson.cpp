@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GltfJson.h"
+
+#include <cmath>
+
+#include "model/gltf/GltfLimits.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+/// Offset of the first bracket nested too deep; npos when none is.
+std::size_t tooDeepAt(std::string_view text)
+{
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            if (c == '\\') {
+                ++i;
+            } else if (c == '"') {
+                inString = false;
+            }
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxJsonDepth) {
+                return i;
+            }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+    return std::string_view::npos;
+}
+
+/// "… parse error at line 3, column 7: …" without nlohmann's error number in front.
+std::string parseMessage(const char* what)
+{
+    const std::string text(what);
+    const std::size_t bracket = text.find("] ");
+    return bracket == std::string::npos ? text : text.substr(bracket + 2);
+}
+
+} // namespace
+
+Result<Json> parseJson(std::string_view text)
+{
+    if (const std::size_t at = tooDeepAt(text); at != std::string_view::npos) {
+        return Error{"the JSON is nested more than " + std::to_string(kMaxJsonDepth) +
+                     " levels deep at byte " + std::to_string(at)};
+    }
+    try {
+        Json root = Json::parse(text.begin(), text.end());
+        if (!root.is_object()) {
+            return Error{"the JSON is not an object, so this is no glTF"};
+        }
+        return root;
+    } catch (const Json::exception& problem) {
+        return Error{"the JSON cannot be read: " + parseMessage(problem.what())};
+    }
+}
+
+const Json& member(const Json& object, const char* key)
+{
+    static const Json none;
+    if (!object.is_object()) {
+        return none;
+    }
+    const auto found = object.find(key);
+    return found == object.end() ? none : *found;
+}
+
+std::optional<std::uint64_t> asWhole(const Json& value)
+{
+    if (value.is_number_unsigned()) {
+        return value.get<std::uint64_t>();
+    }
+    if (value.is_number_float()) {
+        const auto number = value.get<double>();
+        if (number >= 0.0 && number < 9.0e15 && number == std::floor(number)) {
+            return static_cast<std::uint64_t>(number);
+        }
+    }
+    return std::nullopt;
+}
+
+std::uint64_t wholeOr(const Json& object, const char* key, std::uint64_t fallback)
+{
+    return asWhole(member(object, key)).value_or(fallback);
+}
+
+std::string textOf(const Json& object, const char* key)
+{
+    const Json& value = member(object, key);
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+std::size_t countOf(const Json& root, const char* arrayKey)
+{
+    const Json& array = member(root, arrayKey);
+    return array.is_array() ? array.size() : 0;
+}
+
+std::string place(std::string_view array, std::size_t index)
+{
+    return std::string(array) + "[" + std::to_string(index) + "]";
+}
+
+} // namespace crowd::model::gltf

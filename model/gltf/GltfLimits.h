@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// What an import may take, so that a hostile file cannot exhaust the machine. All far above what a
+/// crowd's template or a stage needs.
+namespace crowd::model::gltf {
+
+inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30U;
+/// All buffers of a file together, decompressed ones included.
+inline constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30U;
+inline constexpr int kMaxJsonDepth = 64;
+inline constexpr std::uint64_t kMaxAccessorElements = std::uint64_t{1} << 25U;
+/// Emitted vertices and triangle corners, after nodes that share a mesh are expanded.
+inline constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << 24U;
+inline constexpr std::uint64_t kMaxCorners = std::uint64_t{3} << 24U;
+inline constexpr std::size_t kMaxNodes = 1U << 18U;
+inline constexpr std::size_t kMaxBones = 65535;
+inline constexpr std::uint64_t kMaxAnimationFloats = std::uint64_t{1} << 27U;
+inline constexpr float kMaxClipSeconds = 3600.0F;
+inline constexpr int kMaxImageSide = 16384;
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 27U; ///< all images together
+
+} // namespace crowd::model::gltf

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GltfMeshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "model/gltf/FlatNormals.h"
+#include "model/gltf/GltfAccessors.h"
+#include "model/gltf/GltfJson.h"
+#include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfMaterials.h"
+#include "model/gltf/GltfNames.h"
+#include "model/gltf/GltfPrimitives.h"
+#include "model/gltf/GltfValue.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+constexpr std::size_t kMaxParts = 32;
+
+/// The bones of all skins and of all meshes without one; equal ones are shared.
+class BoneTable
+{
+public:
+    BoneTable(const tinygltf::Model& model, const SceneNodes& scene, std::vector<Bone>& bones)
+        : m_model(model), m_scene(scene), m_bones(bones)
+    {
+    }
+
+    /// Bones of a skin, in the order of its joints.
+    const std::vector<std::uint16_t>& ofSkin(int skin)
+    {
+        const auto [known, isNew] = m_ofSkin.try_emplace(skin);
+        if (isNew) {
+            known->second = makeSkin(m_model.skins[static_cast<std::size_t>(skin)]);
+        }
+        return known->second;
+    }
+
+    std::uint16_t ofNode(int node) { return add(node, glm::mat4(1.0F)); }
+    [[nodiscard]] bool isOverfull() const { return m_bones.size() > kMaxBones; }
+
+private:
+    std::vector<std::uint16_t> makeSkin(const tinygltf::Skin& skin)
+    {
+        FloatArray matrices;
+        if (skin.inverseBindMatrices >= 0) {
+            matrices = readFloats(m_model, skin.inverseBindMatrices);
+            replaceNonFinite(matrices.values);
+        }
+        std::vector<std::uint16_t> bones;
+        for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+            const int node = m_scene.ofFileNode[static_cast<std::size_t>(skin.joints[i])];
+            bones.push_back(
+                add(node, i < matrices.count ? glm::make_mat4(matrices.at(i)) : glm::mat4(1.0F)));
+        }
+        return bones;
+    }
+
+    std::uint16_t add(int node, const glm::mat4& inverseBind)
+    {
+        std::vector<std::uint16_t>& same = m_ofNode[node];
+        for (const std::uint16_t bone : same) {
+            if (m_bones[bone].inverseBind == inverseBind) {
+                return bone;
+            }
+        }
+        const auto bone = static_cast<std::uint16_t>(std::min(m_bones.size(), kMaxBones));
+        m_bones.push_back({node, inverseBind});
+        same.push_back(bone);
+        return bone;
+    }
+
+    const tinygltf::Model& m_model;
+    const SceneNodes& m_scene;
+    std::vector<Bone>& m_bones;
+    std::map<int, std::vector<std::uint16_t>> m_ofSkin;
+    std::map<int, std::vector<std::uint16_t>> m_ofNode;
+};
+
+/// A primitive as it goes into a level.
+struct Emission
+{
+    PrimitiveData data;
+    std::vector<std::uint16_t> bones; ///< of the skin, or the one of the node
+    int slot = 0;
+    int part = -1;
+};
+
+void appendInfluences(const Emission& emission, Mesh& mesh)
+{
+    const PrimitiveData& data = emission.data;
+    const auto to = static_cast<std::size_t>(mesh.influencesPerVertex);
+    const auto from = static_cast<std::size_t>(data.influences);
+    for (std::size_t v = 0; v < data.positions.size(); ++v) {
+        for (std::size_t i = 0; i < to; ++i) {
+            if (from == 0) {
+                mesh.bones.push_back(emission.bones[0]);
+                mesh.weights.push_back(i == 0 ? 1.0F : 0.0F);
+            } else {
+                mesh.bones.push_back(emission.bones[i < from ? data.joints[v * from + i] : 0U]);
+                mesh.weights.push_back(i < from ? data.weights[v * from + i] : 0.0F);
+            }
+        }
+    }
+}
+
+/// Whether most vertices follow bones that mirror at rest, so that front faces are turned over.
+bool isMirrored(const Emission& emission, const std::vector<Bone>& bones,
+                const std::vector<glm::mat4>& restWorld)
+{
+    std::vector<char> mirrors;
+    for (const std::uint16_t bone : emission.bones) {
+        const glm::mat4 matrix =
+            restWorld[static_cast<std::size_t>(bones[bone].node)] * bones[bone].inverseBind;
+        mirrors.push_back(glm::determinant(glm::mat3(matrix)) < 0.0F ? 1 : 0);
+    }
+    if (emission.data.influences == 0) {
+        return mirrors[0] != 0;
+    }
+    double balance = 0.0;
+    for (std::size_t i = 0; i < emission.data.joints.size(); ++i) {
+        const auto weight = static_cast<double>(emission.data.weights[i]);
+        balance += mirrors[emission.data.joints[i]] != 0 ? weight : -weight;
+    }
+    return balance > 0.0;
+}
+
+void appendTriangles(const Emission& emission, bool mirrored, Mesh& mesh)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto firstIndex = static_cast<std::uint32_t>(mesh.indices.size());
+    const std::vector<std::uint32_t>& indices = emission.data.indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        mesh.indices.push_back(first + indices[i]);
+        mesh.indices.push_back(first + indices[mirrored ? i + 2 : i + 1]);
+        mesh.indices.push_back(first + indices[mirrored ? i + 1 : i + 2]);
+    }
+    const auto count = static_cast<std::uint32_t>(mesh.indices.size()) - firstIndex;
+    if (count > 0) {
+        mesh.submeshes.push_back({emission.slot, emission.part, firstIndex, count});
+    }
+}
+
+class MeshBuilder
+{
+public:
+    MeshBuilder(GltfFile& file, const SceneNodes& scene, Template& asset,
+                const std::function<bool(float)>& report)
+        : m_file(file), m_model(*file.model), m_scene(scene), m_asset(asset), m_report(report),
+          m_slots(file, asset.warnings), m_bones(m_model, scene, asset.bones)
+    {
+    }
+
+    Result<void> run()
+    {
+        const auto plan = planLevels(m_model, m_scene, m_asset.warnings);
+        findJoints();
+        announceSlots(plan);
+        for (const std::vector<MeshUse>& level : plan) {
+            m_total += level.size();
+        }
+        for (const std::vector<MeshUse>& level : plan) {
+            if (const Result<void> built = buildLevel(level); !built) {
+                return built;
+            }
+        }
+        m_asset.slots = m_slots.takeSlots();
+        m_asset.images = m_slots.takeImages();
+        addSummaries();
+        return {};
+    }
+
+private:
+    const tinygltf::Node& fileNode(int node) const
+    {
+        const int index = m_scene.fileNode[static_cast<std::size_t>(node)];
+        return m_model.nodes[static_cast<std::size_t>(index)];
+    }
+
+    const tinygltf::Mesh& meshOf(const MeshUse& use) const
+    {
+        return m_model.meshes[static_cast<std::size_t>(fileNode(use.node).mesh)];
+    }
+
+    void findJoints()
+    {
+        m_isJoint.assign(m_scene.nodes.size(), 0);
+        for (std::size_t i = 0; i < m_scene.nodes.size(); ++i) {
+            const int skin = fileNode(static_cast<int>(i)).skin;
+            if (skin < 0) {
+                continue;
+            }
+            for (const int joint : m_model.skins[static_cast<std::size_t>(skin)].joints) {
+                m_isJoint[static_cast<std::size_t>(
+                    m_scene.ofFileNode[static_cast<std::size_t>(joint)])] = 1;
+            }
+        }
+        m_asset.jointCount =
+            static_cast<int>(std::count(m_isJoint.begin(), m_isJoint.end(), char{1}));
+    }
+
+    void announceSlots(const std::vector<std::vector<MeshUse>>& plan)
+    {
+        for (const std::vector<MeshUse>& level : plan) {
+            for (const MeshUse& use : level) {
+                for (const tinygltf::Primitive& primitive : meshOf(use).primitives) {
+                    if (drawsTriangles(primitive)) {
+                        m_slots.add(primitive);
+                    }
+                }
+            }
+        }
+        m_slots.finish();
+    }
+
+    Result<void> buildLevel(const std::vector<MeshUse>& uses)
+    {
+        Mesh& mesh = m_asset.levels.emplace_back();
+        mesh.influencesPerVertex = influencesOf(uses);
+        std::vector<FlatRun> flat;
+        for (const MeshUse& use : uses) {
+            if (!m_report(static_cast<float>(m_done++) / static_cast<float>(m_total))) {
+                return Error{kCancelled};
+            }
+            if (const Result<void> added = addMesh(use, mesh, flat); !added) {
+                return added;
+            }
+        }
+        mesh.fileVertexCount = mesh.positions.size();
+        computeFlatNormals(mesh, flat);
+        return {};
+    }
+
+    bool isSkinned(const MeshUse& use, const tinygltf::Primitive& primitive) const
+    {
+        return fileNode(use.node).skin >= 0 && primitive.attributes.contains("JOINTS_0") &&
+               primitive.attributes.contains("WEIGHTS_0");
+    }
+
+    int influencesOf(const std::vector<MeshUse>& uses) const
+    {
+        int influences = 1;
+        for (const MeshUse& use : uses) {
+            for (const tinygltf::Primitive& primitive : meshOf(use).primitives) {
+                int sets = 0;
+                while (isSkinned(use, primitive) && sets < 4 &&
+                       primitive.attributes.contains("JOINTS_" + std::to_string(sets)) &&
+                       primitive.attributes.contains("WEIGHTS_" + std::to_string(sets))) {
+                    ++sets;
+                }
+                influences = std::max(influences, sets * 4);
+            }
+        }
+        return influences;
+    }
+
+    Result<void> addMesh(const MeshUse& use, Mesh& mesh, std::vector<FlatRun>& flat)
+    {
+        const tinygltf::Node& node = fileNode(use.node);
+        const tinygltf::Mesh& from = meshOf(use);
+        for (std::size_t i = 0; i < from.primitives.size(); ++i) {
+            const tinygltf::Primitive& primitive = from.primitives[i];
+            if (!drawsTriangles(primitive)) {
+                ++m_undrawn;
+                continue;
+            }
+            m_hasMorphs = m_hasMorphs || !primitive.targets.empty();
+            PrimitiveRequest request;
+            request.texCoord = m_slots.texCoordOf(primitive);
+            request.morphWeights = node.weights.empty() ? from.weights : node.weights;
+            request.place =
+                place("meshes", static_cast<std::size_t>(node.mesh)) + "." + place("primitives", i);
+            if (const Result<void> fits = takeBudget(primitive, request.place); !fits) {
+                return fits;
+            }
+            const bool skinned = isSkinned(use, primitive);
+            if (skinned) {
+                request.joints = m_model.skins[static_cast<std::size_t>(node.skin)].joints.size();
+            }
+            Result<PrimitiveData> data = decodePrimitive(m_model, primitive, request);
+            if (!data) {
+                return data.error();
+            }
+            Emission emission{std::move(data).value(), {}, m_slots.slotOf(primitive), -1};
+            emission.bones = skinned ? m_bones.ofSkin(node.skin)
+                                     : std::vector<std::uint16_t>{m_bones.ofNode(use.node)};
+            if (m_bones.isOverfull()) {
+                return Error{"nodes: more than " + std::to_string(kMaxBones) +
+                             " of them move meshes"};
+            }
+            emission.part = skinned ? -1 : partOf(use);
+            emit(emission, mesh, flat);
+        }
+        return {};
+    }
+
+    Result<void> takeBudget(const tinygltf::Primitive& primitive, const std::string& where)
+    {
+        const auto count = [this](int accessor) -> std::uint64_t {
+            return accessor < 0 ? 0 : m_model.accessors[static_cast<std::size_t>(accessor)].count;
+        };
+        const std::uint64_t vertices = count(primitive.attributes.at("POSITION"));
+        const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+        m_vertices += vertices;
+        m_corners +=
+            (primitive.indices < 0 ? vertices : count(primitive.indices)) * (isList ? 1U : 3U);
+        if (m_vertices > kMaxVertices || m_corners > kMaxCorners) {
+            return Error{where + ": the scene has more than " + std::to_string(kMaxVertices) +
+                         " vertices or " + std::to_string(kMaxCorners / 3) + " triangles"};
+        }
+        return {};
+    }
+
+    void emit(Emission& emission, Mesh& mesh, std::vector<FlatRun>& flat)
+    {
+        PrimitiveData& data = emission.data;
+        addWarnings(data.warnings);
+        const bool isFlat = data.normals.empty();
+        const std::size_t firstIndex = mesh.indices.size();
+        const bool mirrored = isMirrored(emission, m_asset.bones, m_scene.restWorld);
+        appendTriangles(emission, mirrored, mesh);
+        if (isFlat) {
+            flat.push_back({firstIndex, mesh.indices.size(), mirrored});
+            data.normals.assign(data.positions.size(), glm::vec3(0.0F));
+        }
+        appendInfluences(emission, mesh);
+        mesh.positions.insert(mesh.positions.end(), data.positions.begin(), data.positions.end());
+        mesh.normals.insert(mesh.normals.end(), data.normals.begin(), data.normals.end());
+        mesh.uv.insert(mesh.uv.end(), data.uv.begin(), data.uv.end());
+        mesh.colors.insert(mesh.colors.end(), data.colors.begin(), data.colors.end());
+    }
+
+    /// Coarser levels repeat the warnings of finer ones that they share a mesh with.
+    void addWarnings(const std::vector<std::string>& warnings)
+    {
+        for (const std::string& warning : warnings) {
+            if (m_seenWarnings.insert(warning).second) {
+                m_asset.warnings.push_back(warning);
+            }
+        }
+    }
+
+    /// A mesh without skin that hangs on a joint is a part; the same for all its levels.
+    int partOf(const MeshUse& use)
+    {
+        int node = m_scene.nodes[static_cast<std::size_t>(use.node)].parent;
+        while (node >= 0 && m_isJoint[static_cast<std::size_t>(node)] == 0) {
+            node = m_scene.nodes[static_cast<std::size_t>(node)].parent;
+        }
+        if (node < 0 && m_isJoint[static_cast<std::size_t>(use.node)] == 0) {
+            return -1;
+        }
+        const auto known = m_partOfObject.find(use.object);
+        if (known != m_partOfObject.end()) {
+            return known->second;
+        }
+        int part = -1;
+        if (m_asset.parts.size() < kMaxParts) {
+            part = static_cast<int>(m_asset.parts.size());
+            const std::string name = use.name.empty() ? "part_" + std::to_string(part) : use.name;
+            m_asset.parts.push_back({m_partNames.unique(name), true});
+        } else if (!m_hasTooManyParts) {
+            m_hasTooManyParts = true;
+            m_asset.warnings.push_back("Only the first 32 parts can be hidden; \"" + use.name +
+                                       "\" and those after it are always shown.");
+        }
+        m_partOfObject[use.object] = part;
+        return part;
+    }
+
+    void addSummaries()
+    {
+        if (m_undrawn > 0) {
+            m_asset.warnings.push_back(std::to_string(m_undrawn) +
+                                       " primitives are points or lines or have no positions; "
+                                       "they are not drawn.");
+        }
+        if (m_hasMorphs) {
+            m_asset.warnings.push_back(
+                "Morph targets are not animated: the mesh keeps its resting shape.");
+        }
+    }
+
+    GltfFile& m_file;
+    const tinygltf::Model& m_model;
+    const SceneNodes& m_scene;
+    Template& m_asset;
+    const std::function<bool(float)>& m_report;
+    SlotTable m_slots;
+    BoneTable m_bones;
+    std::vector<char> m_isJoint;
+    std::map<int, int> m_partOfObject;
+    NameSet m_partNames;
+    std::set<std::string> m_seenWarnings;
+    std::uint64_t m_vertices = 0;
+    std::uint64_t m_corners = 0;
+    std::size_t m_done = 0;
+    std::size_t m_total = 0;
+    std::size_t m_undrawn = 0;
+    bool m_hasMorphs = false;
+    bool m_hasTooManyParts = false;
+};
+
+} // namespace
+
+Result<void> buildMeshes(GltfFile& file, const SceneNodes& scene, Template& asset,
+                         const std::function<bool(float)>& report)
+{
+    return MeshBuilder(file, scene, asset, report).run();
+}
+
+} // namespace crowd::model::gltf

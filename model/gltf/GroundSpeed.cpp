@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GroundSpeed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "model/bake/Pose.h"
+#include "model/bake/Skinning.h"
+
+namespace crowd::model::gltf {
+
+namespace {
+
+constexpr std::size_t kMaxSamples = 512; ///< vertices looked at
+constexpr int kMaxMoments = 48;          ///< poses looked at for foot contact
+constexpr float kLeastShift = 0.05F;     ///< of the height: less is no root motion
+constexpr float kMostChange = 0.35F;     ///< change of shape against the shift
+constexpr float kContactBand = 0.02F;    ///< of the height above the lowest point
+constexpr float kLeastSteadiness = 0.8F; ///< |mean velocity| against mean |velocity|
+constexpr float kLeastContact = 0.25F;   ///< share of the clip with a foot on the ground
+constexpr float kLeastSpeed = 0.1F;      ///< heights a second
+
+/// A few vertices of level 0 as a mesh of their own, so that looking at many poses stays cheap.
+Mesh excerpt(const Mesh& mesh, const std::vector<std::size_t>& vertices)
+{
+    const auto influences = static_cast<std::size_t>(mesh.influencesPerVertex);
+    Mesh out;
+    out.influencesPerVertex = mesh.influencesPerVertex;
+    for (const std::size_t v : vertices) {
+        out.positions.push_back(mesh.positions[v]);
+        for (std::size_t i = 0; i < influences; ++i) {
+            out.bones.push_back(mesh.bones[v * influences + i]);
+            out.weights.push_back(mesh.weights[v * influences + i]);
+        }
+    }
+    return out;
+}
+
+std::vector<glm::vec3> pointsAt(const Template& asset, const Mesh& mesh, int clip, float seconds,
+                                Pose& pose)
+{
+    evaluatePose(asset, clip, seconds, pose);
+    std::vector<glm::vec3> points(mesh.positions.size());
+    skin(mesh, pose.bones, points, {});
+    return points;
+}
+
+Mesh evenExcerpt(const Mesh& mesh)
+{
+    std::vector<std::size_t> vertices;
+    const std::size_t step = std::max<std::size_t>(1, mesh.positions.size() / kMaxSamples);
+    for (std::size_t v = 0; v < mesh.positions.size(); v += step) {
+        vertices.push_back(v);
+    }
+    return excerpt(mesh, vertices);
+}
+
+/// The vertices that are lowest in the default pose.
+Mesh lowExcerpt(const Template& asset)
+{
+    const Mesh& mesh = asset.levels.front();
+    Pose pose;
+    const std::vector<glm::vec3> points = pointsAt(asset, mesh, asset.defaultClip, 0.0F, pose);
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::size_t kept =
+        std::min(order.size(), std::max<std::size_t>(kMaxSamples, order.size() / 16));
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
+                      [&](std::size_t a, std::size_t b) {
+                          return points[a].y < points[b].y || (points[a].y == points[b].y && a < b);
+                      });
+    order.resize(kept);
+    return excerpt(mesh, order);
+}
+
+glm::vec3 horizontal(const glm::vec3& v)
+{
+    return {v.x, 0.0F, v.z};
+}
+
+/// The shift of the body over the clip, zero where it is small or the body also changes its shape.
+glm::vec3 netShift(const Template& asset, const Mesh& sample, int clip, Pose& pose)
+{
+    const float seconds = asset.clips[static_cast<std::size_t>(clip)].seconds;
+    const std::vector<glm::vec3> begin = pointsAt(asset, sample, clip, 0.0F, pose);
+    const std::vector<glm::vec3> end = pointsAt(asset, sample, clip, seconds, pose);
+    glm::vec3 mean(0.0F);
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+        mean += horizontal(end[i] - begin[i]) / static_cast<float>(begin.size());
+    }
+    float change = 0.0F;
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+        const glm::vec3 rest = end[i] - begin[i] - mean;
+        change += glm::dot(rest, rest) / static_cast<float>(begin.size());
+    }
+    const float length = glm::length(mean);
+    const bool isShift = length > kLeastShift * asset.height && std::isfinite(length) &&
+                         std::sqrt(change) < kMostChange * length;
+    return isShift ? mean : glm::vec3(0.0F);
+}
+
+/// The lowest node that all bones hang on; -1 if there is none.
+int commonAncestor(const Template& asset)
+{
+    std::vector<std::size_t> below(asset.nodes.size(), 0);
+    for (const Bone& bone : asset.bones) {
+        for (int node = bone.node; node >= 0;
+             node = asset.nodes[static_cast<std::size_t>(node)].parent) {
+            ++below[static_cast<std::size_t>(node)];
+        }
+    }
+    int common = -1;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        if (below[i] == asset.bones.size()) {
+            common = static_cast<int>(i); // children come after their parents
+        }
+    }
+    return common;
+}
+
+/// The shift of the node that carries the whole body, where one does: the mean over vertices also
+/// has the last bit of the stride in it.
+glm::vec3 nodeShift(const Template& asset, int clip, int node, const glm::vec3& mean, Pose& pose)
+{
+    const auto moved = [&](std::size_t i, const std::vector<glm::mat4>& begin) {
+        return horizontal(glm::vec3(pose.nodeWorld[i][3] - begin[i][3]));
+    };
+    evaluatePose(asset, clip, 0.0F, pose);
+    const std::vector<glm::mat4> begin = pose.nodeWorld;
+    evaluatePose(asset, clip, asset.clips[static_cast<std::size_t>(clip)].seconds, pose);
+    for (std::size_t i = static_cast<std::size_t>(node); i < asset.nodes.size(); ++i) {
+        if (glm::length(moved(i, begin) - mean) < kMostChange * glm::length(mean)) {
+            return moved(i, begin);
+        }
+    }
+    return mean;
+}
+
+bool findRootMotion(Template& asset, const Mesh& sample, int clip, int root, bool remove,
+                    Pose& pose)
+{
+    Clip& target = asset.clips[static_cast<std::size_t>(clip)];
+    if (root < 0 || target.seconds <= 0.0F) {
+        return false;
+    }
+    const glm::vec3 mean = netShift(asset, sample, clip, pose);
+    if (mean == glm::vec3(0.0F)) {
+        return false;
+    }
+    const glm::vec3 shift = nodeShift(asset, clip, root, mean, pose);
+    target.speed = glm::length(shift) / target.seconds;
+    if (remove) {
+        target.rootMotion = shift;
+        target.rootMotionNode = root;
+    }
+    return true;
+}
+
+glm::vec3 footVelocityOf(const Template& asset, const Mesh& feet, int clip, Pose& pose)
+{
+    const float seconds = asset.clips[static_cast<std::size_t>(clip)].seconds;
+    const int moments = std::clamp(static_cast<int>(seconds * kKeyframeRate), 8, kMaxMoments);
+    const float step = seconds / static_cast<float>(moments);
+    std::vector<std::vector<glm::vec3>> points;
+    float ground = std::numeric_limits<float>::infinity();
+    for (int i = 0; i <= moments; ++i) {
+        points.push_back(pointsAt(asset, feet, clip, step * static_cast<float>(i), pose));
+        for (const glm::vec3& point : points.back()) {
+            ground = std::min(ground, point.y);
+        }
+    }
+    const float band = ground + kContactBand * asset.height;
+    glm::vec3 sum(0.0F);
+    float lengths = 0.0F;
+    int touching = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        glm::vec3 mean(0.0F);
+        float count = 0.0F;
+        for (std::size_t v = 0; v < points[i].size(); ++v) {
+            if (points[i][v].y < band && points[i + 1][v].y < band) {
+                mean += horizontal(points[i + 1][v] - points[i][v]);
+                count += 1.0F;
+            }
+        }
+        if (count > 0.0F) {
+            const glm::vec3 velocity = mean / (count * step);
+            sum += velocity;
+            lengths += glm::length(velocity);
+            ++touching;
+        }
+    }
+    const bool isSteady =
+        static_cast<float>(touching) > kLeastContact * static_cast<float>(moments) &&
+        glm::length(sum) > kLeastSteadiness * lengths;
+    const glm::vec3 velocity = touching > 0 ? sum / static_cast<float>(touching) : glm::vec3(0.0F);
+    return isSteady && glm::length(velocity) > kLeastSpeed * asset.height ? velocity
+                                                                          : glm::vec3(0.0F);
+}
+
+bool canMove(const Template& asset, const Clip& clip)
+{
+    return clip.seconds > 0.1F && !clip.seatHeight && !asset.bones.empty() && asset.height > 0.0F;
+}
+
+} // namespace
+
+glm::vec3 footVelocity(const Template& asset, int clip)
+{
+    if (!canMove(asset, asset.clips[static_cast<std::size_t>(clip)])) {
+        return glm::vec3(0.0F);
+    }
+    Pose pose;
+    return footVelocityOf(asset, lowExcerpt(asset), clip, pose);
+}
+
+void findGroundSpeeds(Template& asset, bool removeRootMotion)
+{
+    if (asset.levels.empty() || asset.levels.front().positions.empty()) {
+        return;
+    }
+    const Mesh sample = evenExcerpt(asset.levels.front());
+    const Mesh feet = lowExcerpt(asset);
+    const int root = commonAncestor(asset);
+    Pose pose;
+    for (std::size_t i = 0; i < asset.clips.size(); ++i) {
+        Clip& clip = asset.clips[i];
+        const int index = static_cast<int>(i);
+        if (!findRootMotion(asset, sample, index, root, removeRootMotion, pose) &&
+            !clip.hasSpeedExtra && canMove(asset, clip)) {
+            clip.speed = glm::length(footVelocityOf(asset, feet, index, pose));
+        }
+    }
+}
+
+} // namespace crowd::model::gltf

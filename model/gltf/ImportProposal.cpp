@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/ImportProposal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "model/bake/Pose.h"
+#include "model/gltf/GroundSpeed.h"
+
+namespace crowd::model {
+
+namespace {
+
+constexpr float kSmallest = 0.1F; ///< metres: no proposal for what lies between
+constexpr float kLargest = 12.0F;
+constexpr float kTypical = 1.5F;
+constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
+
+float largest(const glm::vec3& size)
+{
+    return std::max({size.x, size.y, size.z});
+}
+
+/// Units that files are made in by mistake: centimetres, millimetres, inches, decimetres.
+float proposeScale(float extent)
+{
+    if (extent <= 0.0F || (extent >= kSmallest && extent <= kLargest)) {
+        return 1.0F;
+    }
+    constexpr std::array kUnits{0.01F, 0.001F, 0.0254F, 0.1F, 10.0F, 100.0F, 1000.0F};
+    const auto misfit = [&](float unit) { return std::abs(std::log(extent * unit / kTypical)); };
+    return *std::min_element(kUnits.begin(), kUnits.end(),
+                             [&](float a, float b) { return misfit(a) < misfit(b); });
+}
+
+/// Upright along Z: thin and centred in Y, standing on Z = 0.
+bool standsAlongZ(const Bounds& bounds)
+{
+    const glm::vec3 size = bounds.size();
+    const bool standsOnZ = std::abs(bounds.low.z) < 0.05F * size.z;
+    const bool standsOnY = std::abs(bounds.low.y) < 0.05F * size.y;
+    const bool isCentred = std::abs(bounds.center().y) < 0.2F * size.y;
+    return standsOnZ && !standsOnY && isCentred && size.z > 1.5F * size.y;
+}
+
+struct SideName
+{
+    std::string base;
+    bool isLeft = false;
+};
+
+/// "Arm.L", "arm_r", "LeftArm", "mixamorig:RightFoot": the name without its side.
+bool splitSide(const std::string& name, SideName& out)
+{
+    std::string lower = name;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    for (const bool isLeft : {true, false}) {
+        const std::string word = isLeft ? "left" : "right";
+        if (const std::size_t at = lower.find(word); at != std::string::npos) {
+            out = {lower.substr(0, at) + "*" + lower.substr(at + word.size()), isLeft};
+            return true;
+        }
+        for (const char separator : {'.', '_', '-', ' '}) {
+            const std::string mark{separator, isLeft ? 'l' : 'r'};
+            const std::size_t at = lower.rfind(mark);
+            const std::size_t end = at + 2;
+            if (at != std::string::npos && at > 0 &&
+                (end == lower.size() || lower[end] < 'a' || lower[end] > 'z')) {
+                out = {lower.substr(0, at) + "*" + lower.substr(end), isLeft};
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// From the right side to the left, summed over pairs of nodes; zero where there are none.
+glm::vec3 towardsLeft(const Template& asset)
+{
+    Pose pose;
+    evaluatePose(asset, asset.defaultClip, 0.0F, pose);
+    struct Pair
+    {
+        int left = -1;
+        int right = -1;
+    };
+    std::map<std::string, Pair> pairs;
+    for (std::size_t i = 0; i < asset.nodes.size(); ++i) {
+        SideName side;
+        if (splitSide(asset.nodes[i].name, side)) {
+            (side.isLeft ? pairs[side.base].left : pairs[side.base].right) = static_cast<int>(i);
+        }
+    }
+    glm::vec3 sum(0.0F);
+    for (const auto& [base, pair] : pairs) {
+        if (pair.left >= 0 && pair.right >= 0) {
+            sum += glm::vec3(pose.nodeWorld[static_cast<std::size_t>(pair.left)][3] -
+                             pose.nodeWorld[static_cast<std::size_t>(pair.right)][3]);
+        }
+    }
+    return sum;
+}
+
+/// The way it goes in the first clip that goes forwards, zero where there is none.
+glm::vec3 walkingWay(const Template& asset)
+{
+    for (std::size_t i = 0; i < asset.clips.size(); ++i) {
+        std::string name = asset.clips[i].name;
+        std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+            return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        });
+        const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+        const bool isForwards = (has("walk") || has("run") || has("trot") || has("gallop")) &&
+                                !has("back") && !has("left") && !has("right") && !has("strafe");
+        if (isForwards && asset.clips[i].rootMotionNode >= 0) {
+            return asset.clips[i].rootMotion;
+        }
+        if (isForwards) {
+            const glm::vec3 ground = gltf::footVelocity(asset, static_cast<int>(i));
+            if (ground != glm::vec3(0.0F)) {
+                return -ground;
+            }
+        }
+    }
+    return glm::vec3(0.0F);
+}
+
+/// Quarter turns about Y that bring the way it faces to +Z.
+float turnToFront(const Template& asset, const glm::quat& upright)
+{
+    const glm::vec3 left = upright * towardsLeft(asset);
+    glm::vec3 front = glm::cross(glm::vec3(left.x, 0.0F, left.z), glm::vec3(0.0F, 1.0F, 0.0F));
+    if (glm::length(front) < 0.02F * largest(asset.bounds.size())) {
+        front = upright * walkingWay(asset);
+    }
+    if (front.x == 0.0F && front.z == 0.0F) {
+        return 0.0F;
+    }
+    const float heading = std::atan2(front.x, front.z);
+    const float quarters = std::round(heading / kQuarter);
+    return quarters == 0.0F ? 0.0F : -quarters * kQuarter;
+}
+
+Bounds turned(const Bounds& bounds, const ImportSettings& settings)
+{
+    Bounds out;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 at((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
+                           (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                           (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
+        out.add(settings.rotation * (at * settings.scale));
+    }
+    return out;
+}
+
+/// What floats a little may be meant to; what sinks is lifted.
+float proposeLift(const Bounds& bounds)
+{
+    const float height = bounds.size().y;
+    const bool sinks = bounds.low.y < -0.03F * height;
+    const bool isFarAbove = bounds.low.y > height;
+    return sinks || isFarAbove ? -bounds.low.y : 0.0F;
+}
+
+std::string number(float value)
+{
+    std::string text = std::to_string(std::round(value * 1000.0F) / 1000.0F);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+}
+
+} // namespace
+
+ImportProposal proposeImport(const Template& asset)
+{
+    ImportProposal proposal;
+    ImportSettings& settings = proposal.settings;
+    if (asset.bounds.isEmpty()) {
+        return proposal;
+    }
+    const glm::vec3 size = asset.bounds.size();
+    settings.scale = proposeScale(largest(size));
+    if (settings.scale != 1.0F) {
+        proposal.reasons.push_back("It is " + number(largest(size)) +
+                                   " m large as it is; import it at scale " +
+                                   number(settings.scale) + ".");
+    }
+    if (standsAlongZ(asset.bounds)) {
+        settings.rotation = glm::angleAxis(-kQuarter, glm::vec3(1.0F, 0.0F, 0.0F));
+        proposal.reasons.push_back("It seems to lie on its back: Z was up where it was made.");
+    }
+    if (const float turn = turnToFront(asset, settings.rotation); turn != 0.0F) {
+        settings.rotation = glm::angleAxis(turn, glm::vec3(0.0F, 1.0F, 0.0F)) * settings.rotation;
+        proposal.reasons.push_back("It seems to face another way than +Z; turn it by " +
+                                   number(glm::degrees(turn)) + " degrees.");
+    }
+    const Bounds stood = turned(asset.bounds, settings);
+    settings.groundOffset = proposeLift(stood);
+    if (settings.groundOffset != 0.0F) {
+        proposal.reasons.push_back("Its lowest point is " + number(stood.low.y) +
+                                   " m from the ground; offset it by " +
+                                   number(settings.groundOffset) + " m.");
+    }
+    proposal.height = stood.size().y;
+    return proposal;
+}
+
+} // namespace crowd::model
