@@ -27,12 +27,14 @@ enum class StrokeReason : std::uint8_t {
     NothingUnderBrush, ///< the sky
     TooNearToOthers,
     AreaTooFar,
+    TooFewInArea,
     AlreadyThisColour,
     NoSuchSlot,
     AlreadyThisHeading,
     AlreadyThisAnimation,
     NoSuchClip,
-    NothingChosen ///< a brush that is set to change nothing
+    NothingChosen, ///< a brush that is set to change nothing
+    NoDirection    ///< facing along a stroke that did not go anywhere
 };
 
 /// The reason as a sentence for the status bar; empty for None and Cancelled.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/BrushSettings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace crowd::model {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+} // namespace
+
+double DistributionCurve::sample(double u) const
+{
+    double total = 0.0;
+    for (const float weight : weights) {
+        total += std::max(0.0F, weight);
+    }
+    if (!(total > 0.0)) {
+        return u;
+    }
+    double left = u * total;
+    for (std::size_t bin = 0; bin < weights.size(); ++bin) {
+        const double weight = std::max(0.0F, weights[bin]);
+        if (left < weight) {
+            return (static_cast<double>(bin) + left / weight) / static_cast<double>(weights.size());
+        }
+        left -= weight;
+    }
+    return 1.0;
+}
+
+MainNumber BrushSettings::mainNumber() const
+{
+    switch (kind) {
+    case BrushKind::Create:
+        if (selection == BrushSelection::Spray) {
+            break;
+        }
+        return create.seats.isOn
+                   ? MainNumber{MainQuantity::SeatPercent, create.seatPercent, 0.0, 100.0, 5.0, 0}
+                   : MainNumber{MainQuantity::Density, create.density, 0.05, 6.0, 0.25, 2};
+    case BrushKind::Colour:
+        return {MainQuantity::Strength, colour.strength * 100.0, 0.0, 100.0, 5.0, 0};
+    case BrushKind::Orientation:
+        return {MainQuantity::Heading,
+                orientation.heading.headingRadians * kDegrees,
+                -180.0,
+                180.0,
+                5.0,
+                0};
+    case BrushKind::Animation:
+        return {MainQuantity::Speed, animation.speed.low, 0.0, 4.0, 0.1, 1};
+    case BrushKind::Delete:
+        break;
+    }
+    return {MainQuantity::Rate, ratePerSecond, 1.0, 500.0, 5.0, 0};
+}
+
+BrushSettings BrushSettings::withMainNumber(double value) const
+{
+    BrushSettings changed = *this;
+    const MainNumber number = mainNumber();
+    const auto kept = static_cast<float>(std::clamp(value, number.low, number.high));
+    switch (number.quantity) {
+    case MainQuantity::Density:
+        changed.create.density = kept;
+        break;
+    case MainQuantity::SeatPercent:
+        changed.create.seatPercent = kept;
+        break;
+    case MainQuantity::Rate:
+        changed.ratePerSecond = kept;
+        break;
+    case MainQuantity::Strength:
+        changed.colour.strength = kept / 100.0F;
+        break;
+    case MainQuantity::Heading:
+        // Turning on past the back comes out at the other side.
+        changed.orientation.heading.headingRadians =
+            static_cast<float>(std::remainder(value, 360.0) / kDegrees);
+        break;
+    case MainQuantity::Speed:
+        changed.animation.speed.high =
+            std::max(kept, kept + animation.speed.high - animation.speed.low);
+        changed.animation.speed.low = kept;
+        changed.animation.setsSpeed = true;
+        break;
+    }
+    return changed;
+}
+
+BrushSettings BrushSettings::resized(float deltaPixels) const
+{
+    BrushSettings changed = *this;
+    changed.radiusPixels =
+        std::clamp(radiusPixels + deltaPixels, kMinRadiusPixels, kMaxRadiusPixels);
+    return changed;
+}
+
+} // namespace crowd::model

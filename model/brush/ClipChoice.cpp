@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/ClipChoice.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace crowd::model {
+
+namespace {
+
+std::optional<std::uint16_t> columnOfName(const TemplateEntry& entry, const std::string& name)
+{
+    const auto found = std::ranges::find(entry.clipNames, name);
+    if (found == entry.clipNames.end()) {
+        return std::nullopt;
+    }
+    return static_cast<std::uint16_t>(found - entry.clipNames.begin());
+}
+
+} // namespace
+
+std::optional<std::uint16_t> chosenClip(const TemplateEntry& entry,
+                                        std::span<const ClipWeight> wanted, double u)
+{
+    struct Offer
+    {
+        std::uint16_t column;
+        double weight;
+    };
+    std::vector<Offer> offers;
+    double total = 0.0;
+    for (const ClipWeight& clip : wanted) {
+        const auto column = columnOfName(entry, clip.clip);
+        if (column && clip.weight > 0.0F) {
+            offers.push_back({*column, clip.weight});
+            total += clip.weight;
+        }
+    }
+    double left = u * total;
+    for (const Offer& offer : offers) {
+        if (left < offer.weight) {
+            return offer.column;
+        }
+        left -= offer.weight;
+    }
+    return offers.empty() ? std::nullopt : std::optional(offers.back().column);
+}
+
+std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip)
+{
+    if (!entry.asset || assetClip < 0 ||
+        static_cast<std::size_t>(assetClip) >= entry.asset->clips.size()) {
+        return std::nullopt;
+    }
+    return columnOfName(entry, entry.asset->clips[static_cast<std::size_t>(assetClip)].name);
+}
+
+std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated)
+{
+    if (!entry.asset) {
+        return 0;
+    }
+    const auto seated = isSeated ? clipColumnOf(entry, entry.asset->seatedClip) : std::nullopt;
+    return seated ? *seated : clipColumnOf(entry, entry.asset->defaultClip).value_or(0);
+}
+
+} // namespace crowd::model

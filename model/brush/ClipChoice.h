@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "model/brush/BrushSettings.h"
+#include "model/scene/Scene.h"
+
+namespace crowd::model {
+
+/// One of the wanted clips that the template has, as a value of the clip column: the one at the
+/// share u (0..1) of their weights. Nothing when it has none of them.
+[[nodiscard]] std::optional<std::uint16_t> chosenClip(const TemplateEntry& entry,
+                                                      std::span<const ClipWeight> wanted, double u);
+
+/// Value of the clip column for a clip of the asset; nothing when the entry does not list its name.
+[[nodiscard]] std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip);
+
+/// How somebody new stands (or sits, on a seat) when no clip is wanted.
+[[nodiscard]] std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated);
+
+} // namespace crowd::model

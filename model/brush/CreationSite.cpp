@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/CreationSite.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "model/base/Parallel.h"
+#include "model/base/Random.h"
+#include "model/brush/Operator.h"
+
+namespace crowd::model {
+
+namespace {
+
+constexpr float kSteepestCosine = 0.64278764F; ///< 50°
+constexpr float kReachMetres = 300.0F;         ///< areas are filled so far from the eye
+constexpr std::size_t kMostCells = 250000;
+constexpr int kProbes = 24;  ///< rays each way that find out what an area covers
+constexpr int kAttempts = 4; ///< places tried in a cell
+constexpr std::size_t kCellsPerChunk = 128;
+constexpr float kAboveSurface = 0.05F;
+
+bool isSteep(const SurfaceHit& surface)
+{
+    return surface.normal.y < kSteepestCosine;
+}
+
+} // namespace
+
+CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
+                           const BrushSettings& settings, std::uint64_t seed)
+    : m_context(context), m_settings(settings), m_seed(seed),
+      m_seats(scene, context.view, context.stage, settings.create.seats, settings.through),
+      m_usesSeats(settings.create.seats.isOn && m_seats.hasSeats()),
+      m_neighbours(scene.population.column(columns::position), settings.create.minimalDistance),
+      m_present(m_neighbours.size())
+{
+}
+
+void CreationSite::take(const Spot& spot)
+{
+    m_neighbours.add(spot.position);
+    ++m_given;
+    if (spot.seat != kNoSeat) {
+        m_seats.take(spot.seat);
+        m_takenSeats.push_back(spot.seat);
+    }
+}
+
+void CreationSite::reset()
+{
+    for (const SeatId seat : m_takenSeats) {
+        m_seats.release(seat);
+    }
+    m_takenSeats.clear();
+    m_tried.clear();
+    m_neighbours.truncate(m_present);
+    m_given = 0;
+    m_reason = StrokeReason::None;
+}
+
+std::optional<Spot> CreationSite::at(glm::dvec2 pixel, const std::optional<ScreenArea>& area)
+{
+    auto spot = m_usesSeats ? onSeat(pixel, area) : onSurface(pixel);
+    if (spot) {
+        spot->key = hashKeys(m_seed, m_given);
+        take(*spot);
+    }
+    return spot;
+}
+
+std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<ScreenArea>& area)
+{
+    const auto seat = m_seats.nearestFree(pixel, area);
+    if (!seat) {
+        m_reason = StrokeReason::NoFreeSeat;
+        return std::nullopt;
+    }
+    return Spot{seat->seat.position, seat->id, seat->seat.headingRadians, 0};
+}
+
+std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)
+{
+    const auto surface = m_context.stage.hit(m_context.view.rayThrough(glm::vec2(pixel)));
+    if (!surface) {
+        m_reason = StrokeReason::NothingUnderBrush;
+    } else if (isSteep(*surface)) {
+        m_reason = StrokeReason::TooSteep;
+    } else if (!m_neighbours.isFree(surface->point)) {
+        m_reason = StrokeReason::TooNearToOthers;
+    } else {
+        return Spot{surface->point, kNoSeat, 0.0F, 0};
+    }
+    return std::nullopt;
+}
+
+std::vector<Spot> CreationSite::fill(const ScreenArea& area, bool isWhole)
+{
+    std::vector<Spot> spots = m_usesSeats ? fillSeats(area, isWhole) : fillSurface(area);
+    return spots;
+}
+
+std::vector<Spot> CreationSite::fillSeats(const ScreenArea& area, bool isWhole)
+{
+    const double share = std::clamp(m_settings.create.seatPercent / 100.0, 0.0, 1.0);
+    std::vector<Spot> spots;
+    for (const WorldSeat& seat : m_seats.freeIn(area)) {
+        const bool isFirst = m_tried.insert(seat.id).second;
+        const std::uint64_t key = hashKeys(m_seed, seat.id);
+        if (isWhole || (isFirst && randomUnit(key, DrawPurpose::SeatShare) < share)) {
+            spots.push_back({seat.seat.position, seat.id, seat.seat.headingRadians, key});
+        }
+    }
+    if (spots.empty()) {
+        m_reason = StrokeReason::NoFreeSeat;
+    }
+    if (isWhole) {
+        // The first so many in an order of their own: growing the area keeps most of them.
+        const auto kept =
+            static_cast<std::size_t>(std::floor(share * static_cast<double>(spots.size()) + 0.5));
+        std::ranges::sort(spots, [](const Spot& a, const Spot& b) {
+            return a.key != b.key ? a.key < b.key : a.seat < b.seat;
+        });
+        spots.resize(kept);
+        std::ranges::sort(spots, {}, &Spot::seat);
+    }
+    for (const Spot& spot : spots) {
+        take(spot);
+    }
+    return spots;
+}
+
+std::uint64_t CreationSite::keyOf(Cell cell) const
+{
+    return hashKeys(m_seed, cell.x, cell.z);
+}
+
+std::vector<CreationSite::Cell> CreationSite::cellsUnder(const ScreenArea& area)
+{
+    const View& view = m_context.view;
+    const float step = 1.0F / std::sqrt(std::max(m_settings.create.density, 0.001F));
+    const float reach = view.camera().projection == Projection::Perspective
+                            ? kReachMetres
+                            : std::numeric_limits<float>::infinity();
+    Bounds covered;
+    const glm::dvec2 low = glm::max(area.low(), glm::dvec2(0.0));
+    const glm::dvec2 high = glm::min(area.high(), glm::dvec2(view.size()));
+    for (int y = 0; y <= kProbes; ++y) {
+        for (int x = 0; x <= kProbes; ++x) {
+            const glm::dvec2 pixel = low + (high - low) * (glm::dvec2(x, y) / double{kProbes});
+            if (const auto surface =
+                    m_context.stage.hit(view.rayThrough(glm::vec2(pixel)), reach)) {
+                covered.add(surface->point);
+            }
+        }
+    }
+    if (covered.isEmpty()) {
+        m_reason = StrokeReason::NothingUnderBrush;
+        return {};
+    }
+    const auto cellOf = [step](float metres) {
+        return static_cast<int>(std::floor(metres / step));
+    };
+    const int x0 = cellOf(covered.low.x) - 1;
+    const int x1 = cellOf(covered.high.x) + 1;
+    const int z0 = cellOf(covered.low.z) - 1;
+    const int z1 = cellOf(covered.high.z) + 1;
+    if (static_cast<double>(x1 - x0 + 1) * (z1 - z0 + 1) > static_cast<double>(kMostCells)) {
+        m_reason = StrokeReason::AreaTooFar;
+        return {};
+    }
+    std::vector<Cell> cells;
+    for (int z = z0; z <= z1; ++z) {
+        for (int x = x0; x <= x1; ++x) {
+            if (!m_tried.contains(keyOf({x, z}))) {
+                cells.push_back({x, z});
+            }
+        }
+    }
+    return cells;
+}
+
+std::optional<glm::vec3> CreationSite::candidate(const ScreenArea& area, Cell cell, int attempt,
+                                                 bool& wasSteep) const
+{
+    const float step = 1.0F / std::sqrt(std::max(m_settings.create.density, 0.001F));
+    const std::uint64_t key = keyOf(cell);
+    const auto tried = static_cast<std::uint64_t>(attempt);
+    const auto place = [&](int index, DrawPurpose purpose) {
+        return static_cast<float>((index + randomUnit(key, purpose, tried)) * step);
+    };
+    const Bounds& stage = m_context.stage.bounds();
+    const float top = stage.isEmpty() ? 1.0F : std::max(stage.high.y, 0.0F) + 1.0F;
+    const glm::vec3 from(place(cell.x, DrawPurpose::CellX), top, place(cell.z, DrawPurpose::CellZ));
+    for (const SurfaceHit& surface : m_context.stage.below(from)) {
+        const auto pixel = m_context.view.project(surface.point);
+        if (!pixel || !area.contains({pixel->x, pixel->y})) {
+            continue;
+        }
+        const Ray ray = m_context.view.rayThrough(glm::vec2(*pixel));
+        const glm::vec3 above = surface.point + glm::vec3(0.0F, kAboveSurface, 0.0F);
+        if (!m_settings.through && m_context.stage.isBlocked(ray.origin, above)) {
+            continue;
+        }
+        if (!isSteep(surface)) {
+            return surface.point;
+        }
+        wasSteep = true;
+    }
+    return std::nullopt;
+}
+
+std::vector<Spot> CreationSite::fillSurface(const ScreenArea& area)
+{
+    m_reason = StrokeReason::None;
+    std::vector<Cell> open = cellsUnder(area);
+    std::vector<Spot> spots;
+    bool hasSteep = false;
+    bool hasCrowded = false;
+    for (int attempt = 0; attempt < kAttempts && !open.empty(); ++attempt) {
+        std::vector<std::optional<glm::vec3>> places(open.size());
+        std::vector<char> steep(open.size(), 0);
+        parallelFor(open.size(), kCellsPerChunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                bool wasSteep = false;
+                places[i] = candidate(area, open[i], attempt, wasSteep);
+                steep[i] = wasSteep ? 1 : 0;
+            }
+        });
+        std::vector<Cell> crowded;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            hasSteep = hasSteep || steep[i] != 0;
+            if (places[i] && m_neighbours.isFree(*places[i])) {
+                spots.push_back({*places[i], kNoSeat, 0.0F, keyOf(open[i])});
+                m_tried.insert(keyOf(open[i]));
+                take(spots.back());
+            } else if (places[i]) {
+                crowded.push_back(open[i]);
+                hasCrowded = true;
+            }
+        }
+        // Only those whose first place lies inside go on: the area's edge keeps its density.
+        open = std::move(crowded);
+    }
+    if (spots.empty() && m_reason == StrokeReason::None) {
+        m_reason = hasCrowded ? StrokeReason::TooNearToOthers
+                              : (hasSteep ? StrokeReason::TooSteep : StrokeReason::TooFewInArea);
+    }
+    return spots;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/StrokeWork.h"
+
+namespace crowd::model {
+
+std::vector<Spot> spotsOfDab(CreationSite& site, const BrushSettings& settings, std::uint64_t seed,
+                             const Dab& dab)
+{
+    const ScreenArea circle = ScreenArea::circle(dab.pixels(), dabRadius(settings, dab));
+    std::vector<Spot> spots;
+    const auto keep = [&spots](const std::optional<Spot>& spot) {
+        if (spot) {
+            spots.push_back(*spot);
+        }
+    };
+    switch (settings.selection) {
+    case BrushSelection::Point:
+    case BrushSelection::Rectangle:
+        keep(site.at(dab.pixels(), std::nullopt));
+        break;
+    case BrushSelection::Spray:
+        for (int k = 0; k < dab.points; ++k) {
+            keep(site.at(sprayPoint(settings, seed, dab, k), circle));
+        }
+        break;
+    case BrushSelection::AllInCircle:
+        spots = site.fill(circle, false);
+        break;
+    }
+    return spots;
+}
+
+CreationWork::CreationWork(StrokeGround& ground)
+    : m_ground(ground), m_site(ground.edit->scene(), ground.context, ground.settings, ground.seed)
+{
+}
+
+void CreationWork::create(std::span<const Spot> spots, std::optional<float> strokeHeading)
+{
+    NewPeople people = peopleFor(m_ground.edit->scene(), m_ground.context.view, m_ground.settings,
+                                 spots, strokeHeading);
+    m_reason = people.reason != StrokeReason::None ? people.reason : m_site.reason();
+    if (!people.rows.ids.empty()) {
+        m_created += static_cast<int>(people.rows.ids.size());
+        (void)m_ground.edit->addIndividuals(std::move(people.rows));
+    }
+}
+
+void CreationWork::apply(std::span<const StrokeDab> dabs)
+{
+    for (const StrokeDab& dab : dabs) {
+        create(spotsOfDab(m_site, m_ground.settings, m_ground.seed, dab.dab), dab.heading);
+    }
+}
+
+void CreationWork::reevaluate(const StrokeLine& line, double /*shownSeconds*/)
+{
+    m_ground.edit->rollback();
+    m_site.reset();
+    m_created = 0;
+    create(m_site.fill(ScreenArea::rectangle(line.from, line.to), true),
+           headingOfLine(m_ground.context.view, m_ground.context.stage, line));
+}
+
+} // namespace crowd::model

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/brush/BrushSettings.h"
+#include "model/brush/Operator.h"
+#include "model/brush/Stroke.h"
+#include "model/document/SceneEdit.h"
+
+/// The third step of a brush: writing values of the selected individuals through the open edit.
+namespace crowd::model {
+
+/// What a change may depend on besides the individual.
+struct ChangeRequest
+{
+    SceneEdit& edit;
+    const BrushSettings& settings;
+    const View& view;
+    std::uint64_t seed = 0; ///< of the stroke; with the dab mixed in where dabs build up
+    StrokeLine line;        ///< press to current: gradients
+    std::optional<float> strokeHeading;
+    std::span<const IndividualId> ids; ///< ascending, all present
+};
+
+struct ChangeResult
+{
+    std::vector<IndividualId> changed; ///< ascending: those with a value that is another one now
+    StrokeReason reason = StrokeReason::None; ///< why nobody changed
+};
+
+/// Of the settings' kind: colour, orientation or animation.
+[[nodiscard]] ChangeResult changeProperties(const ChangeRequest& request);
+
+} // namespace crowd::model

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/StrokeWork.h"
+
+#include <algorithm>
+
+#include "model/base/Random.h"
+#include "model/brush/PropertyChange.h"
+
+namespace crowd::model {
+
+SelectionWork::SelectionWork(StrokeGround& ground)
+    : m_ground(ground), m_picker(ground.context.keyframes, ground.context.stage),
+      m_frame(ground.document.frame(0.0)), m_isTouched(m_frame->population.size(), 0),
+      m_isChanged(m_frame->population.size(), 0)
+{
+}
+
+void SelectionWork::showTime(double seconds)
+{
+    if (m_frame->seconds != seconds) {
+        CrowdFrame at = *m_frame;
+        at.seconds = seconds;
+        m_frame = std::make_shared<const CrowdFrame>(std::move(at));
+    }
+    m_picker.update(m_frame, m_ground.seats, m_ground.context.view);
+}
+
+std::vector<IndividualId> SelectionWork::selected(const Dab& dab) const
+{
+    const BrushSettings& settings = m_ground.settings;
+    const AreaMode mode = settings.through ? AreaMode::Through : AreaMode::Visible;
+    if (settings.selection == BrushSelection::AllInCircle) {
+        return m_picker.individualsInArea(
+            ScreenArea::circle(dab.pixels(), dabRadius(settings, dab)), mode);
+    }
+    std::vector<IndividualId> ids;
+    const bool isSpray = settings.selection == BrushSelection::Spray;
+    for (int k = 0; k < (isSpray ? dab.points : 1); ++k) {
+        const glm::dvec2 point =
+            isSpray ? sprayPoint(settings, m_ground.seed, dab, k) : dab.pixels();
+        if (settings.through) {
+            for (const IndividualHit& hit : m_picker.individualsThrough(point)) {
+                ids.push_back(hit.id);
+            }
+        } else if (const auto hit = m_picker.individualAt(point)) {
+            ids.push_back(hit->id);
+        }
+    }
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+    return ids;
+}
+
+std::vector<IndividualId> SelectionWork::untouched(std::vector<IndividualId> ids)
+{
+    const Population& people = m_frame->population;
+    std::erase_if(ids, [&](IndividualId id) {
+        char& isTouched = m_isTouched[people.rowOf(id)];
+        const bool wasTouched = isTouched != 0;
+        isTouched = 1;
+        return wasTouched && !m_ground.settings.buildUp;
+    });
+    return ids;
+}
+
+void SelectionWork::count(std::span<const IndividualId> changed)
+{
+    for (const IndividualId id : changed) {
+        char& isChanged = m_isChanged[m_frame->population.rowOf(id)];
+        m_affected += isChanged == 0 ? 1 : 0;
+        isChanged = 1;
+    }
+}
+
+void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& line,
+                           std::uint64_t seed, std::optional<float> heading)
+{
+    const ChangeResult result = changeProperties(
+        {*m_ground.edit, m_ground.settings, m_ground.context.view, seed, line, heading, ids});
+    count(result.changed);
+    m_reason = result.reason;
+}
+
+void SelectionWork::remove(std::vector<IndividualId> ids)
+{
+    std::ranges::sort(ids);
+    m_ground.edit->removeIndividuals(ids);
+    count(ids);
+}
+
+void SelectionWork::apply(std::span<const StrokeDab> dabs)
+{
+    const BrushSettings& settings = m_ground.settings;
+    std::vector<IndividualId> gone;
+    for (const StrokeDab& dab : dabs) {
+        showTime(dab.dab.shownSeconds);
+        const std::vector<IndividualId> ids = untouched(selected(dab.dab));
+        if (ids.empty()) {
+            continue;
+        }
+        if (settings.kind == BrushKind::Delete) {
+            m_picker.exclude(ids);
+            gone.insert(gone.end(), ids.begin(), ids.end());
+        } else if (settings.isReevaluated()) {
+            std::vector<IndividualId> all;
+            std::ranges::set_union(m_touched, ids, std::back_inserter(all));
+            m_touched = std::move(all);
+        } else {
+            const std::uint64_t seed =
+                settings.buildUp ? hashKeys(m_ground.seed, dab.dab.index) : m_ground.seed;
+            change(ids, {dab.dab.pixels(), dab.dab.pixels()}, seed, dab.heading);
+        }
+    }
+    remove(std::move(gone));
+}
+
+void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
+{
+    const BrushSettings& settings = m_ground.settings;
+    m_ground.edit->rollback();
+    std::ranges::fill(m_isChanged, 0);
+    m_affected = 0;
+    m_reason = StrokeReason::NobodyUnderBrush;
+    if (settings.selection == BrushSelection::Rectangle) {
+        showTime(shownSeconds);
+        m_touched =
+            m_picker.individualsInArea(ScreenArea::rectangle(line.from, line.to),
+                                       settings.through ? AreaMode::Through : AreaMode::Visible);
+    }
+    if (m_touched.empty()) {
+        return;
+    }
+    if (settings.kind == BrushKind::Delete) {
+        remove(m_touched);
+    } else {
+        change(m_touched, line, m_ground.seed,
+               headingOfLine(m_ground.context.view, m_ground.context.stage, line));
+    }
+}
+
+} // namespace crowd::model

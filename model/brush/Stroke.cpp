@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/Stroke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "model/base/Random.h"
+#include "model/brush/StrokeText.h"
+#include "model/brush/StrokeWork.h"
+
+namespace crowd::model {
+
+namespace {
+
+/// Spacing of dabs: a share of the circle, so that it leaves no gaps; points are tried often
+/// enough not to step over anybody.
+constexpr double kCircleSpacing = 0.25;
+constexpr double kPointSpacing = 3.0;
+/// The way is measured over at least so many pixels before it has a direction.
+constexpr double kDirectionPixels = 8.0;
+
+Sampler samplerFor(const BrushSettings& settings)
+{
+    if (settings.selection == BrushSelection::Spray) {
+        return Sampler::spray(settings.ratePerSecond, settings.pressureRate);
+    }
+    return Sampler::alongWay(settings.selection == BrushSelection::AllInCircle
+                                 ? std::max(1.0, settings.radiusPixels * kCircleSpacing)
+                                 : kPointSpacing);
+}
+
+bool needsDirection(const BrushSettings& settings)
+{
+    return settings.kind == BrushKind::Orientation && !settings.isReevaluated() &&
+           settings.orientation.heading.mode == HeadingMode::AlongStroke;
+}
+
+} // namespace
+
+double dabRadius(const BrushSettings& settings, const Dab& dab)
+{
+    return settings.pressureSize ? settings.radiusPixels * static_cast<double>(dab.pressure)
+                                 : settings.radiusPixels;
+}
+
+glm::dvec2 sprayPoint(const BrushSettings& settings, std::uint64_t seed, const Dab& dab, int k)
+{
+    const std::uint64_t key = hashKeys(seed, dab.index, k);
+    const double angle = 2.0 * std::numbers::pi * randomUnit(key, DrawPurpose::PointAngle);
+    const double radius =
+        dabRadius(settings, dab) * std::sqrt(randomUnit(key, DrawPurpose::PointRadius));
+    return dab.pixels() + glm::dvec2(std::cos(angle), std::sin(angle)) * radius;
+}
+
+struct Stroke::Private
+{
+    Private(StrokeGround strokeGround, const PointerInput& press);
+
+    StrokeGround ground;
+    Sampler sampler;
+    std::unique_ptr<StrokeWork> work;
+    RecordedStroke recording;
+    // The direction of the way, measured from dab to dab.
+    glm::dvec2 trail{0.0};
+    std::optional<float> heading;
+    std::vector<StrokeDab> waiting; ///< dabs that came before there was a direction
+    bool isOver = false;
+
+    void add(const PointerInput& input);
+    void follow(const Dab& dab, double atLeastPixels);
+    void applyDabs(std::span<const Dab> dabs);
+    void applyWaiting();
+    [[nodiscard]] StrokeLine line() const
+    {
+        return {recording.inputs.front().pixels(), recording.inputs.back().pixels()};
+    }
+};
+
+Stroke::Private::Private(StrokeGround strokeGround, const PointerInput& press)
+    : ground(std::move(strokeGround)), sampler(samplerFor(ground.settings)), trail(press.pixels())
+{
+    recording.settings = ground.settings;
+    recording.seed = ground.seed;
+    recording.camera = ground.context.view.camera();
+    recording.viewSize = ground.context.view.size();
+    ground.seats = ground.document.scene().worldSeats();
+    ground.edit = ground.document.beginEdit();
+    if (ground.settings.kind == BrushKind::Create) {
+        work = std::make_unique<CreationWork>(ground);
+    } else {
+        work = std::make_unique<SelectionWork>(ground);
+    }
+    add(press);
+}
+
+void Stroke::Private::follow(const Dab& dab, double atLeastPixels)
+{
+    if (glm::distance(trail, dab.pixels()) < atLeastPixels || trail == dab.pixels()) {
+        return;
+    }
+    const auto found =
+        headingOfLine(ground.context.view, ground.context.stage, {trail, dab.pixels()});
+    if (found) {
+        heading = found;
+    }
+    trail = dab.pixels();
+}
+
+void Stroke::Private::applyDabs(std::span<const Dab> dabs)
+{
+    std::vector<StrokeDab> ready;
+    for (const Dab& dab : dabs) {
+        follow(dab, kDirectionPixels);
+        if (needsDirection(ground.settings) && !heading) {
+            waiting.push_back({dab, std::nullopt});
+            continue;
+        }
+        for (StrokeDab& early : waiting) {
+            ready.push_back({early.dab, heading});
+        }
+        waiting.clear();
+        ready.push_back({dab, heading});
+    }
+    work->apply(ready);
+}
+
+void Stroke::Private::applyWaiting()
+{
+    if (waiting.empty()) {
+        return;
+    }
+    follow(waiting.back().dab, 0.0);
+    for (StrokeDab& dab : waiting) {
+        dab.heading = heading;
+    }
+    work->apply(waiting);
+    waiting.clear();
+}
+
+void Stroke::Private::add(const PointerInput& input)
+{
+    recording.inputs.push_back(input);
+    const std::vector<Dab> dabs = sampler.add(input);
+    if (ground.settings.selection != BrushSelection::Rectangle) {
+        applyDabs(dabs);
+    }
+    if (ground.settings.isReevaluated()) {
+        work->reevaluate(line(), input.shownSeconds);
+    }
+}
+
+Stroke::Stroke(std::unique_ptr<Private> data) : m_private(std::move(data)) {}
+Stroke::~Stroke() = default;
+
+std::unique_ptr<Stroke> Stroke::begin(SceneDocument& document, const BrushContext& context,
+                                      const BrushSettings& settings, std::uint64_t seed,
+                                      const PointerInput& press)
+{
+    return std::unique_ptr<Stroke>(new Stroke(std::make_unique<Private>(
+        StrokeGround{document, context, settings, seed, nullptr, {}}, press)));
+}
+
+void Stroke::move(const PointerInput& input)
+{
+    if (!m_private->isOver) {
+        m_private->add(input);
+    }
+}
+
+StrokeOutcome Stroke::finish()
+{
+    Private& d = *m_private;
+    StrokeOutcome outcome;
+    if (d.isOver) {
+        outcome.reason = StrokeReason::Cancelled;
+        return outcome;
+    }
+    d.applyWaiting();
+    d.isOver = true;
+    outcome.affected = affected();
+    outcome.isCommitted =
+        d.ground.edit->commit(strokeText(d.ground.settings.kind, outcome.affected));
+    d.ground.edit.reset();
+    outcome.reason = outcome.isCommitted ? StrokeReason::None : d.work->reason();
+    outcome.message = reasonText(outcome.reason);
+    return outcome;
+}
+
+void Stroke::cancel()
+{
+    m_private->isOver = true;
+    m_private->ground.edit.reset();
+}
+
+int Stroke::affected() const
+{
+    return m_private->work->affected();
+}
+
+StrokeReason Stroke::reason() const
+{
+    return affected() > 0 ? StrokeReason::None : m_private->work->reason();
+}
+
+const BrushSettings& Stroke::settings() const
+{
+    return m_private->ground.settings;
+}
+
+const PointerInput& Stroke::press() const
+{
+    return m_private->recording.inputs.front();
+}
+
+const PointerInput& Stroke::current() const
+{
+    return m_private->recording.inputs.back();
+}
+
+const RecordedStroke& Stroke::recording() const
+{
+    return m_private->recording;
+}
+
+StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const StageRays& stage,
+                     const RecordedStroke& recording)
+{
+    if (recording.inputs.empty()) {
+        return {};
+    }
+    const BrushContext context{View(recording.camera, recording.viewSize), keyframes, stage};
+    const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
+                                      recording.inputs.front());
+    for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
+        stroke->move(recording.inputs[i]);
+    }
+    return stroke->finish();
+}
+
+IndividualRows previewGhosts(const SceneDocument& document, const BrushContext& context,
+                             const BrushSettings& settings, std::uint64_t seed,
+                             const PointerInput& at)
+{
+    if (settings.kind != BrushKind::Create) {
+        return IndividualRows::withDefaults({});
+    }
+    CreationSite site(document.scene(), context, settings, seed);
+    Sampler sampler = samplerFor(settings);
+    IndividualRows rows =
+        peopleFor(document.scene(), context.view, settings,
+                  spotsOfDab(site, settings, seed, sampler.add(at).front()), std::nullopt)
+            .rows;
+    std::iota(rows.ids.begin(), rows.ids.end(), IndividualId{1});
+    return rows;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/StrokeText.h"
+
+#include <QtCore/QCoreApplication>
+
+#include "model/brush/Stroke.h"
+
+namespace crowd::model {
+
+namespace {
+
+/// Home of the texts for translators.
+struct Brushes
+{
+    Q_DECLARE_TR_FUNCTIONS(Brushes)
+};
+
+} // namespace
+
+QString strokeText(BrushKind kind, int affected)
+{
+    switch (kind) {
+    case BrushKind::Create:
+        return Brushes::tr("Create %n individual(s)", nullptr, affected);
+    case BrushKind::Delete:
+        return Brushes::tr("Delete %n individual(s)", nullptr, affected);
+    case BrushKind::Colour:
+        return Brushes::tr("Colour %n individual(s)", nullptr, affected);
+    case BrushKind::Orientation:
+        return Brushes::tr("Turn %n individual(s)", nullptr, affected);
+    case BrushKind::Animation:
+        return Brushes::tr("Animate %n individual(s)", nullptr, affected);
+    }
+    return {};
+}
+
+QString moveText(int affected)
+{
+    return Brushes::tr("Move %n individual(s)", nullptr, affected);
+}
+
+QString reasonText(StrokeReason reason)
+{
+    switch (reason) {
+    case StrokeReason::None:
+    case StrokeReason::Cancelled:
+        return {};
+    case StrokeReason::NobodyUnderBrush:
+        return Brushes::tr("Nobody under the brush");
+    case StrokeReason::NoFreeSeat:
+        return Brushes::tr("No free seat under the brush");
+    case StrokeReason::NoTemplateChosen:
+        return Brushes::tr("Choose a template to create first");
+    case StrokeReason::TemplateNotLoaded:
+        return Brushes::tr("The chosen template is not loaded");
+    case StrokeReason::TooSteep:
+        return Brushes::tr("Too steep to stand on");
+    case StrokeReason::NothingUnderBrush:
+        return Brushes::tr("Nothing to stand on under the brush");
+    case StrokeReason::TooNearToOthers:
+        return Brushes::tr("Others are nearer than the minimal distance");
+    case StrokeReason::AreaTooFar:
+        return Brushes::tr("The area is too large for this density: zoom in or lower the density");
+    case StrokeReason::TooFewInArea:
+        return Brushes::tr("The area is too small for anybody at this density");
+    case StrokeReason::AlreadyThisColour:
+        return Brushes::tr("All of them already have this colour");
+    case StrokeReason::NoSuchSlot:
+        return Brushes::tr("None of them has the chosen slot");
+    case StrokeReason::AlreadyThisHeading:
+        return Brushes::tr("All of them already face this way");
+    case StrokeReason::AlreadyThisAnimation:
+        return Brushes::tr("All of them already move like this");
+    case StrokeReason::NoSuchClip:
+        return Brushes::tr("None of them has a chosen clip");
+    case StrokeReason::NothingChosen:
+        return Brushes::tr("The brush is set to change nothing");
+    case StrokeReason::NoDirection:
+        return Brushes::tr("Drag to show the direction");
+    }
+    return {};
+}
+
+} // namespace crowd::model
