@@ -52,10 +52,13 @@ int standingRank(const Clip& clip)
     if (containsAny(name, {"idle"})) {
         return isOtherwise ? 4 : 1;
     }
-    if (containsAny(name, {"stand", "breath", "wait", "relax", "survey", "hover"})) {
-        return isOtherwise ? 5 : 2;
+    if (containsAny(name, {"stand", "breath", "wait", "relax", "survey"})) {
+        return isOtherwise ? 4 : 2;
     }
-    return clip.seconds > 0.0F ? 5 : 8;
+    if (containsAny(name, {"walk", "fly", "swim", "hover", "move"})) {
+        return 5;
+    }
+    return clip.seconds > 0.0F ? 6 : 8;
 }
 
 } // namespace

@@ -89,14 +89,19 @@ private:
         return addMorph("POSITION", m_data.positions);
     }
 
-    std::vector<glm::vec3> readVectors(int index, const std::string& name)
+    void repair(std::vector<float>& values, const std::string& name)
     {
-        FloatArray array = readFloats(m_model, index);
-        if (const std::size_t bad = replaceNonFinite(array.values); bad > 0) {
+        if (const std::size_t bad = replaceNonFinite(values); bad > 0) {
             m_data.warnings.push_back(m_request.place + ".attributes." + name + " has " +
                                       std::to_string(bad) +
                                       " values that are no numbers; they are read as 0.");
         }
+    }
+
+    std::vector<glm::vec3> readVectors(int index, const std::string& name)
+    {
+        FloatArray array = readFloats(m_model, index);
+        repair(array.values, name);
         std::vector<glm::vec3> vectors(array.count);
         for (std::size_t i = 0; i < array.count; ++i) {
             const float* v = array.at(i);
@@ -164,7 +169,7 @@ private:
             return false;
         }
         FloatArray array = readFloats(m_model, index);
-        replaceNonFinite(array.values);
+        repair(array.values, name);
         for (std::size_t i = 0; i < m_vertices; ++i) {
             m_data.uv[i] = {array.at(i)[0], array.at(i)[1]};
         }
@@ -182,7 +187,7 @@ private:
         if (array.components != 3 && array.components != 4) {
             return fail(".attributes.COLOR_0 has the wrong type of accessor");
         }
-        replaceNonFinite(array.values);
+        repair(array.values, "COLOR_0");
         for (std::size_t i = 0; i < m_vertices; ++i) {
             for (std::size_t c = 0; c < array.components; ++c) {
                 const float value = std::clamp(array.at(i)[c], 0.0F, 1.0F);
@@ -225,7 +230,7 @@ private:
         }
         const std::vector<std::uint32_t> joints = readWholes(m_model, jointsIndex);
         FloatArray weights = readFloats(m_model, weightsIndex);
-        replaceNonFinite(weights.values);
+        repair(weights.values, "WEIGHTS_" + number);
         const auto stride = static_cast<std::size_t>(m_data.influences);
         for (std::size_t i = 0; i < m_vertices; ++i) {
             const std::size_t to = i * stride + static_cast<std::size_t>(set) * 4;

@@ -14,13 +14,16 @@ namespace crowd::model::gltf {
 
 namespace {
 
-constexpr std::size_t kMaxSamples = 512; ///< vertices looked at
-constexpr int kMaxMoments = 48;          ///< poses looked at for foot contact
+constexpr std::size_t kMaxSamples = 512;   ///< vertices looked at
+constexpr float kMomentsPerSecond = 48.0F; ///< poses looked at for foot contact
+constexpr int kLeastMoments = 16;
+constexpr int kMaxMoments = 96;
 constexpr float kLeastShift = 0.05F;     ///< of the height: less is no root motion
 constexpr float kMostChange = 0.35F;     ///< change of shape against the shift
-constexpr float kContactBand = 0.02F;    ///< of the height above the lowest point
-constexpr float kLeastSteadiness = 0.8F; ///< |mean velocity| against mean |velocity|
-constexpr float kLeastContact = 0.25F;   ///< share of the clip with a foot on the ground
+constexpr float kMostOpen = 0.05F;       ///< of the height, between first and last pose
+constexpr float kContactBand = 0.015F;   ///< of the height above the lowest point
+constexpr float kLeastSteadiness = 0.5F; ///< |mean velocity| against mean |velocity|
+constexpr float kLeastContact = 0.2F;    ///< share of the clip with a foot on the ground
 constexpr float kLeastSpeed = 0.1F;      ///< heights a second
 
 /// A few vertices of level 0 as a mesh of their own, so that looking at many poses stays cheap.
@@ -159,45 +162,99 @@ bool findRootMotion(Template& asset, const Mesh& sample, int clip, int root, boo
     return true;
 }
 
-glm::vec3 footVelocityOf(const Template& asset, const Mesh& feet, int clip, Pose& pose)
+/// Whether the body ends in the pose it began with, as loops do.
+bool isClosed(const Template& asset, const Mesh& feet, int clip, Pose& pose)
 {
     const float seconds = asset.clips[static_cast<std::size_t>(clip)].seconds;
-    const int moments = std::clamp(static_cast<int>(seconds * kKeyframeRate), 8, kMaxMoments);
-    const float step = seconds / static_cast<float>(moments);
-    std::vector<std::vector<glm::vec3>> points;
-    float ground = std::numeric_limits<float>::infinity();
-    for (int i = 0; i <= moments; ++i) {
-        points.push_back(pointsAt(asset, feet, clip, step * static_cast<float>(i), pose));
-        for (const glm::vec3& point : points.back()) {
-            ground = std::min(ground, point.y);
-        }
+    const std::vector<glm::vec3> begin = pointsAt(asset, feet, clip, 0.0F, pose);
+    const std::vector<glm::vec3> end = pointsAt(asset, feet, clip, seconds, pose);
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+        sum += glm::dot(end[i] - begin[i], end[i] - begin[i]);
     }
-    const float band = ground + kContactBand * asset.height;
-    glm::vec3 sum(0.0F);
-    float lengths = 0.0F;
-    int touching = 0;
+    return std::sqrt(sum / static_cast<float>(begin.size())) < kMostOpen * asset.height;
+}
+
+/// Height of the ground: the lowest point at most moments, with some that sink in and, in a run,
+/// many in the air.
+float groundOf(const std::vector<std::vector<glm::vec3>>& points)
+{
+    std::vector<float> lowest;
+    for (const std::vector<glm::vec3>& at : points) {
+        lowest.push_back(std::min_element(at.begin(), at.end(), [](const auto& a, const auto& b) {
+                             return a.y < b.y;
+                         })->y);
+    }
+    const auto quarter = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 4);
+    std::nth_element(lowest.begin(), quarter, lowest.end());
+    return *quarter;
+}
+
+/// Velocities of the points that stay in the band above the ground between two moments.
+struct Contacts
+{
+    std::vector<glm::vec3> velocities;
+    int moments = 0; ///< with at least one
+};
+
+Contacts findContacts(const std::vector<std::vector<glm::vec3>>& points, float band, float step)
+{
+    Contacts contacts;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        glm::vec3 mean(0.0F);
-        float count = 0.0F;
+        const std::size_t before = contacts.velocities.size();
         for (std::size_t v = 0; v < points[i].size(); ++v) {
             if (points[i][v].y < band && points[i + 1][v].y < band) {
-                mean += horizontal(points[i + 1][v] - points[i][v]);
-                count += 1.0F;
+                contacts.velocities.push_back(horizontal(points[i + 1][v] - points[i][v]) / step);
             }
         }
-        if (count > 0.0F) {
-            const glm::vec3 velocity = mean / (count * step);
-            sum += velocity;
-            lengths += glm::length(velocity);
-            ++touching;
-        }
+        contacts.moments += contacts.velocities.size() > before ? 1 : 0;
     }
-    const bool isSteady =
-        static_cast<float>(touching) > kLeastContact * static_cast<float>(moments) &&
-        glm::length(sum) > kLeastSteadiness * lengths;
-    const glm::vec3 velocity = touching > 0 ? sum / static_cast<float>(touching) : glm::vec3(0.0F);
-    return isSteady && glm::length(velocity) > kLeastSpeed * asset.height ? velocity
-                                                                          : glm::vec3(0.0F);
+    return contacts;
+}
+
+/// The median along the mean direction; zero where the velocities do not agree.
+glm::vec3 commonVelocity(const std::vector<glm::vec3>& velocities)
+{
+    glm::vec3 sum(0.0F);
+    float lengths = 0.0F;
+    for (const glm::vec3& velocity : velocities) {
+        sum += velocity;
+        lengths += glm::length(velocity);
+    }
+    if (lengths <= 0.0F || glm::length(sum) < kLeastSteadiness * lengths) {
+        return glm::vec3(0.0F);
+    }
+    const glm::vec3 way = glm::normalize(sum);
+    std::vector<float> along;
+    along.reserve(velocities.size());
+    for (const glm::vec3& velocity : velocities) {
+        along.push_back(glm::dot(velocity, way));
+    }
+    const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+    std::nth_element(along.begin(), middle, along.end());
+    return way * *middle;
+}
+
+glm::vec3 footVelocityOf(const Template& asset, const Mesh& feet, int clip, Pose& pose)
+{
+    if (!isClosed(asset, feet, clip, pose)) {
+        return glm::vec3(0.0F);
+    }
+    const float seconds = asset.clips[static_cast<std::size_t>(clip)].seconds;
+    const int moments =
+        std::clamp(static_cast<int>(seconds * kMomentsPerSecond), kLeastMoments, kMaxMoments);
+    const float step = seconds / static_cast<float>(moments);
+    std::vector<std::vector<glm::vec3>> points;
+    for (int i = 0; i <= moments; ++i) {
+        points.push_back(pointsAt(asset, feet, clip, step * static_cast<float>(i), pose));
+    }
+    const float band = groundOf(points) + kContactBand * asset.height;
+    const Contacts contacts = findContacts(points, band, step);
+    const glm::vec3 velocity = commonVelocity(contacts.velocities);
+    const bool isWalk =
+        static_cast<float>(contacts.moments) > kLeastContact * static_cast<float>(moments) &&
+        glm::length(velocity) > kLeastSpeed * asset.height;
+    return isWalk ? velocity : glm::vec3(0.0F);
 }
 
 bool canMove(const Template& asset, const Clip& clip)
