@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QLocale>
 
 #include "model/base/Random.h"
 #include "widgets/tools/BrushDrags.h"
@@ -127,27 +126,6 @@ BrushSettings steppedMainNumber(const BrushSettings& settings, int steps)
 {
     const model::MainNumber number = settings.mainNumber();
     return settings.withMainNumber(number.value + number.step * steps);
-}
-
-QString mainNumberText(const BrushSettings& settings)
-{
-    const model::MainNumber number = settings.mainNumber();
-    const QString value = QLocale().toString(number.value, 'f', number.decimals);
-    switch (number.quantity) {
-    case model::MainQuantity::Density:
-        return Text::tr("Density: %1 people per m²").arg(value);
-    case model::MainQuantity::SeatPercent:
-        return Text::tr("Seats filled: %1 %").arg(value);
-    case model::MainQuantity::Rate:
-        return Text::tr("Rate: %1 a second").arg(value);
-    case model::MainQuantity::Strength:
-        return Text::tr("Strength: %1 %").arg(value);
-    case model::MainQuantity::Heading:
-        return Text::tr("Direction: %1°").arg(value);
-    case model::MainQuantity::Speed:
-        return Text::tr("Speed: × %1").arg(value);
-    }
-    return value;
 }
 
 } // namespace crowd::widgets

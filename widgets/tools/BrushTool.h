@@ -38,7 +38,5 @@ private:
 /// The main number by steps.
 [[nodiscard]] model::BrushSettings steppedMainNumber(const model::BrushSettings& settings,
                                                      int steps);
-/// The main number in words: "Density: 1.5 people per m²".
-[[nodiscard]] QString mainNumberText(const model::BrushSettings& settings);
 
 } // namespace crowd::widgets

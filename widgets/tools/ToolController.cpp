@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/tools/FlySession.h"
 #include "widgets/tools/SelectTool.h"
@@ -95,11 +96,16 @@ DragSessionPtr ToolController::sessionFor(const ToolInput& input)
 void ToolController::press(const ToolInput& event)
 {
     const ToolInput input = monotonic(event);
-    if (m_session) {
-        if (m_session->isHandsFree()) {
-            finish();
-        }
+    if (m_session && m_session->isHandsFree()) {
+        finish();
         return;
+    }
+    if (m_session && input.button != m_sessionButton) {
+        return; // the first button has the drag
+    }
+    if (m_session) {
+        m_session->release(input); // a release that never came
+        finish();
     }
     m_session = sessionFor(input);
     m_sessionButton = m_session ? input.button : Qt::NoButton;

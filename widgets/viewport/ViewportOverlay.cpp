@@ -6,6 +6,8 @@
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
+#include "widgets/viewport/ToolIcons.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -58,9 +60,7 @@ void ViewportOverlay::setPicture(const ToolPicture& picture)
     m_picture = picture;
     if (m_symbolOf != picture.symbol) {
         m_symbolOf = picture.symbol;
-        m_symbolIcon = m_symbolOf ? QIcon(QStringLiteral(":/icons/%1.svg")
-                                              .arg(QLatin1String(toolInfo(*m_symbolOf).stableId)))
-                                  : QIcon();
+        m_symbolIcon = m_symbolOf ? toolIcon(*m_symbolOf) : QIcon();
     }
     update();
 }

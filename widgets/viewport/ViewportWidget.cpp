@@ -8,6 +8,7 @@
 #include <QtGui/QOpenGLContext>
 
 #include "render/Renderer.h"
+#include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportOverlay.h"
 
 namespace crowd::widgets {
@@ -75,11 +76,17 @@ void ViewportWidget::connectState()
     connect(&m_state, &EditorState::longWorkChanged, this, &ViewportWidget::refreshText);
     connect(&m_tools, &ToolController::scenePreviewChanged, this, redraw);
     connect(&m_tools, &ToolController::pictureChanged, this, &ViewportWidget::refreshOverlay);
-    connect(&m_tools, &ToolController::paletteRequested, this, [this](const QPointF& position) {
-        Q_EMIT paletteRequested(mapToGlobal(position.toPoint()));
-    });
+    connect(&m_tools, &ToolController::paletteRequested, this, &ViewportWidget::showPopup);
     connect(&m_clock, &FrameClock::beat, this, &ViewportWidget::beat);
     connect(this, &QOpenGLWidget::frameSwapped, this, &ViewportWidget::finishFrame);
+}
+
+void ViewportWidget::showPopup(const QPointF& position)
+{
+    if (m_popup == nullptr) {
+        m_popup = new BrushPopup(m_state, this);
+    }
+    m_popup->popUp(mapToGlobal(position.toPoint()));
 }
 
 void ViewportWidget::initializeGL()

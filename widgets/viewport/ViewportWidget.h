@@ -23,6 +23,7 @@ class Renderer;
 
 namespace crowd::widgets {
 
+class BrushPopup;
 class ViewportOverlay;
 
 /// The picture. Draws the scene when something changed or plays, turns events into tool input and
@@ -49,8 +50,6 @@ public:
 Q_SIGNALS:
     /// At most four times a second, and once when the picture comes to rest.
     void statisticsChanged(const crowd::widgets::FrameStatistics& statistics);
-    /// The right button asks for the brush palette here.
-    void paletteRequested(const QPoint& globalPosition);
     void problemChanged(const QString& problem);
 
 protected:
@@ -76,6 +75,7 @@ private:
     void releaseContext();
     void beat(double elapsedSeconds);
     void finishFrame();
+    void showPopup(const QPointF& position);
     void refreshClock();
     void refreshOverlay();
     void refreshText();
@@ -89,7 +89,8 @@ private:
     EditorState& m_state;
     std::unique_ptr<render::Renderer> m_renderer;
     ToolController m_tools;
-    ViewportOverlay* m_overlay; ///< child widget
+    ViewportOverlay* m_overlay;    ///< child widget
+    BrushPopup* m_popup = nullptr; ///< child widget, made when first asked for
     FrameClock m_clock;
     FrameTimes m_frameTimes;
     FrameTimes m_frameIntervals;

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+
+#include <QtGui/QImage>
+#include <QtGui/QPointingDevice>
+#include <QtGui/QTabletEvent>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QVBoxLayout>
+
+#include "tests/widgets/SmallTheatre.h"
+#include "widgets/viewport/BrushPopup.h"
+#include "widgets/viewport/ViewportWidget.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+
+namespace {
+
+constexpr QPoint kCenter(160, 120);
+
+/// A window with the picture and a line edit, over the small theatre; the clock stands.
+class Studio
+{
+public:
+    Studio() : state(document)
+    {
+        state.transport().setPlaying(false);
+        document.replaceScene(testing::smallTheatre(), {});
+        edit = new QLineEdit(&window);
+        view = new ViewportWidget(state, &window);
+        view->setFixedSize(320, 240);
+        layout = new QVBoxLayout(&window);
+        layout->addWidget(edit);
+        layout->addWidget(view);
+        window.show();
+        window.activateWindow();
+    }
+    [[nodiscard]] bool isReady()
+    {
+        return QTest::qWaitForWindowActive(&window) &&
+               QTest::qWaitFor([this] { return view->drawnFrames() > 0; });
+    }
+    /// Until nothing wants to be drawn any more.
+    void settle()
+    {
+        for (int still = 0, tries = 0; still < 2 && tries < 100; ++tries) {
+            const int before = view->drawnFrames();
+            QTest::qWait(60);
+            still = view->drawnFrames() == before ? still + 1 : 0;
+        }
+    }
+    [[nodiscard]] QImage picture()
+    {
+        QEvent leave(QEvent::Leave); // no brush in the picture
+        QApplication::sendEvent(view, &leave);
+        settle();
+        return view->grabFramebuffer();
+    }
+    [[nodiscard]] std::size_t people() const { return document.scene().population.size(); }
+    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers modifiers = {})
+    {
+        send(QEvent::MouseButtonPress, from, button, button, modifiers);
+        for (int step = 1; step <= 12; ++step) {
+            send(QEvent::MouseMove, from + (to - from) * step / 12, Qt::NoButton, button,
+                 modifiers);
+        }
+        send(QEvent::MouseButtonRelease, to, button, Qt::NoButton, modifiers);
+    }
+    /// With time stamps of its own: a steady hand, however slow the machine.
+    void send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons,
+              Qt::KeyboardModifiers modifiers = {})
+    {
+        if (type == QEvent::MouseButtonPress) {
+            view->setFocus(Qt::MouseFocusReason);
+        }
+        QMouseEvent event(type, at, view->mapToGlobal(at), button, buttons, modifiers);
+        event.setTimestamp(m_milliseconds += 25);
+        QApplication::sendEvent(view, &event);
+    }
+
+    model::SceneDocument document;
+    EditorState state;
+    QWidget window;
+    QLineEdit* edit;
+    ViewportWidget* view;
+    QVBoxLayout* layout;
+
+private:
+    quint64 m_milliseconds = 1;
+};
+
+bool isOneColour(const QImage& image)
+{
+    const QRgb first = image.pixel(0, 0);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            if (image.pixel(x, y) != first) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+class TestViewportWindow : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsTheScene();
+    void drawsNothingWhileNothingChanges();
+    void drawsWhilePlayingAndStops();
+    void paintsAndTakesBack();
+    void quickClicksAllPaint();
+    void paintsAtOnceAfterTypingElsewhere();
+    void penPressureReachesTheBrush();
+    void survivesANewContext();
+    void rightButtonOpensThePaletteAndItChoosesTools();
+    void escapeWhileTheButtonIsDownTakesBack();
+    void statisticsAreTold();
+};
+
+void TestViewportWindow::drawsTheScene()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    QCOMPARE(studio.view->problem(), QString());
+    const QImage picture = studio.picture();
+    QCOMPARE(picture.size(), studio.view->size() * studio.view->devicePixelRatio());
+    QVERIFY(!isOneColour(picture));
+}
+
+void TestViewportWindow::drawsNothingWhileNothingChanges()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.state.setTool(ToolId::Select);
+    studio.settle();
+    const int before = studio.view->drawnFrames();
+    // The cursor over empty ground moves only what lies over the picture.
+    for (int x = 20; x < 300; x += 20) {
+        QTest::mouseMove(studio.view, {x, 200});
+        QTest::qWait(10);
+    }
+    QTest::qWait(100);
+    QCOMPARE(studio.view->drawnFrames(), before);
+    testing::addPeople(studio.document, 1);
+    QTRY_VERIFY(studio.view->drawnFrames() > before);
+}
+
+void TestViewportWindow::drawsWhilePlayingAndStops()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    testing::addPeople(studio.document, 2);
+    studio.settle();
+    const int before = studio.view->drawnFrames();
+    studio.view->setFocus();
+    QTest::keyClick(studio.view, Qt::Key_Space);
+    QVERIFY(studio.state.transport().isPlaying());
+    QTRY_VERIFY(studio.view->drawnFrames() > before + 5);
+    QVERIFY(studio.state.transport().seconds() > 0.0);
+    QTest::keyClick(studio.view, Qt::Key_Space);
+    studio.settle();
+    const int after = studio.view->drawnFrames();
+    QTest::qWait(100);
+    QCOMPARE(studio.view->drawnFrames(), after);
+}
+
+void TestViewportWindow::paintsAndTakesBack()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    const QImage empty = studio.picture();
+    studio.drag({60, 120}, {260, 120});
+    QVERIFY(studio.people() > 3);
+    QCOMPARE(studio.document.undoStack().count(), 1);
+    const QImage painted = studio.picture();
+    QVERIFY(painted != empty);
+    studio.document.undoStack().undo();
+    QVERIFY(studio.picture() == empty);
+    studio.document.undoStack().redo();
+    QVERIFY(studio.picture() == painted);
+}
+
+void TestViewportWindow::quickClicksAllPaint()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Create);
+    brush.selection = model::BrushSelection::Point;
+    studio.state.setBrush(brush);
+    QTest::mouseClick(studio.view, Qt::LeftButton, {}, {100, 120});
+    QTest::mouseDClick(studio.view, Qt::LeftButton, {}, {220, 120});
+    QTest::mouseRelease(studio.view, Qt::LeftButton, {}, {220, 120});
+    QVERIFY(studio.people() >= 2);
+    QVERIFY(!studio.document.isEditOpen());
+}
+
+void TestViewportWindow::paintsAtOnceAfterTypingElsewhere()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.edit->setFocus();
+    QTest::keyClicks(studio.edit, QStringLiteral("vxb ["));
+    QCOMPARE(studio.edit->text(), QStringLiteral("vxb ["));
+    QCOMPARE(studio.state.tool(), ToolId::BrushCreate);
+    QVERIFY(!studio.state.transport().isPlaying());
+    QTest::mouseClick(studio.view, Qt::LeftButton, {}, kCenter);
+    QVERIFY(studio.people() > 0);
+    QVERIFY(studio.view->hasFocus());
+    QTest::keyClick(studio.view, Qt::Key_X);
+    QCOMPARE(studio.state.tool(), ToolId::BrushDelete);
+    QCOMPARE(studio.edit->text(), QStringLiteral("vxb ["));
+}
+
+void TestViewportWindow::penPressureReachesTheBrush()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Create);
+    brush.pressureSize = true;
+    studio.state.setBrush(brush);
+    const QPointingDevice pen(
+        QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus,
+        QPointingDevice::PointerType::Pen,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 2);
+    const auto send = [&](QEvent::Type type, qreal pressure, Qt::MouseButton button,
+                          Qt::MouseButtons buttons) {
+        QTabletEvent event(type, &pen, QPointF(kCenter), studio.view->mapToGlobal(QPointF(kCenter)),
+                           pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F, Qt::NoModifier, button, buttons);
+        QApplication::sendEvent(studio.view, &event);
+    };
+    send(QEvent::TabletPress, 0.5, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(studio.view->tools().isDragging());
+    QVERIFY(studio.view->tools().picture().circle.has_value());
+    QCOMPARE(studio.view->tools().picture().circle->radius, brush.radiusPixels * 0.5);
+    send(QEvent::TabletRelease, 0.0, Qt::LeftButton, Qt::NoButton);
+    QVERIFY(!studio.view->tools().isDragging());
+}
+
+void TestViewportWindow::survivesANewContext()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    studio.drag({60, 120}, {260, 120});
+    const QImage before = studio.picture();
+    // A window of its own and back again, as a dock does.
+    QWidget other;
+    auto* otherLayout = new QVBoxLayout(&other);
+    otherLayout->addWidget(studio.view);
+    other.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&other));
+    studio.settle();
+    QCOMPARE(studio.view->problem(), QString());
+    QVERIFY(!isOneColour(studio.view->grabFramebuffer()));
+    studio.layout->addWidget(studio.view);
+    QVERIFY(QTest::qWaitForWindowExposed(&studio.window));
+    QVERIFY(studio.picture() == before);
+}
+
+void TestViewportWindow::rightButtonOpensThePaletteAndItChoosesTools()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    QTest::mouseClick(studio.view, Qt::RightButton, {}, kCenter);
+    auto* popup = studio.view->findChild<BrushPopup*>();
+    QVERIFY(popup != nullptr);
+    QTRY_VERIFY(popup->isVisible());
+    auto* button = popup->findChild<QWidget*>(QStringLiteral("brush-colour"));
+    QVERIFY(button != nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(studio.state.tool(), ToolId::BrushColour);
+    QTRY_VERIFY(!popup->isVisible());
+    QCOMPARE(studio.people(), std::size_t{0});
+}
+
+void TestViewportWindow::escapeWhileTheButtonIsDownTakesBack()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    const QImage empty = studio.picture();
+    QTest::mousePress(studio.view, Qt::LeftButton, {}, kCenter);
+    QTRY_VERIFY(studio.people() > 4); // the resting button sprays
+    QTest::keyClick(studio.view, Qt::Key_Escape);
+    QCOMPARE(studio.people(), std::size_t{0});
+    QTest::mouseRelease(studio.view, Qt::LeftButton, {}, kCenter);
+    QCOMPARE(studio.document.undoStack().count(), 0);
+    QVERIFY(studio.picture() == empty);
+}
+
+void TestViewportWindow::statisticsAreTold()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    QSignalSpy told(studio.view, &ViewportWidget::statisticsChanged);
+    testing::addPeople(studio.document, 5);
+    QTRY_VERIFY(told.count() > 0);
+    studio.settle();
+    QCOMPARE(studio.view->statistics().render.individuals, 5);
+    QVERIFY(studio.view->statistics().frameMs > 0.0);
+}
+
+int main(int argc, char** argv)
+{
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    TestViewportWindow test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_ViewportWindow.moc"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/BrushTexts.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
+
+namespace crowd::widgets {
+
+using model::BrushSelection;
+using model::MainQuantity;
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BrushTexts)
+};
+
+} // namespace
+
+QString toolName(ToolId id)
+{
+    return QCoreApplication::translate("Tools", toolInfo(id).name);
+}
+
+QString selectionName(BrushSelection selection)
+{
+    switch (selection) {
+    case BrushSelection::Point:
+        return Text::tr("Point");
+    case BrushSelection::Spray:
+        return Text::tr("Spray");
+    case BrushSelection::AllInCircle:
+        return Text::tr("All in the circle");
+    case BrushSelection::Rectangle:
+        return Text::tr("Rectangle");
+    }
+    return {};
+}
+
+QString mainQuantityName(MainQuantity quantity)
+{
+    switch (quantity) {
+    case MainQuantity::Density:
+        return Text::tr("People per m²");
+    case MainQuantity::SeatPercent:
+        return Text::tr("Seats filled, %");
+    case MainQuantity::Rate:
+        return Text::tr("Rate, a second");
+    case MainQuantity::Strength:
+        return Text::tr("Strength, %");
+    case MainQuantity::Heading:
+        return Text::tr("Direction, °");
+    case MainQuantity::Speed:
+        return Text::tr("Speed");
+    }
+    return {};
+}
+
+QString mainNumberText(const model::BrushSettings& settings)
+{
+    const model::MainNumber number = settings.mainNumber();
+    const QString value = QLocale().toString(number.value, 'f', number.decimals);
+    switch (number.quantity) {
+    case MainQuantity::Density:
+        return Text::tr("Density: %1 people per m²").arg(value);
+    case MainQuantity::SeatPercent:
+        return Text::tr("Seats filled: %1 %").arg(value);
+    case MainQuantity::Rate:
+        return Text::tr("Rate: %1 a second").arg(value);
+    case MainQuantity::Strength:
+        return Text::tr("Strength: %1 %").arg(value);
+    case MainQuantity::Heading:
+        return Text::tr("Direction: %1°").arg(value);
+    case MainQuantity::Speed:
+        return Text::tr("Speed: × %1").arg(value);
+    }
+    return value;
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/BrushPopup.h"
+
+#include <cmath>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QSignalBlocker>
+#include <QtGui/QIcon>
+#include <QtGui/QScreen>
+#include <QtWidgets/QButtonGroup>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QSlider>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
+
+#include "widgets/state/BrushTexts.h"
+#include "widgets/viewport/ToolIcons.h"
+
+namespace crowd::widgets {
+
+using model::BrushSettings;
+
+namespace {
+
+// The slider is logarithmic: as easy to set 8 pixels as 300.
+constexpr int kSliderSteps = 200;
+
+int sliderOf(float radius)
+{
+    const double share = std::log(static_cast<double>(radius) / model::kMinRadiusPixels) /
+                         std::log(model::kMaxRadiusPixels / model::kMinRadiusPixels);
+    return qRound(share * kSliderSteps);
+}
+
+float radiusOf(int slider)
+{
+    const double share = static_cast<double>(slider) / kSliderSteps;
+    return static_cast<float>(std::round(
+        model::kMinRadiusPixels *
+        std::pow(static_cast<double>(model::kMaxRadiusPixels / model::kMinRadiusPixels), share)));
+}
+
+} // namespace
+
+BrushPopup::BrushPopup(EditorState& state, QWidget* parent)
+    : QFrame(parent, Qt::Popup), m_state(state)
+{
+    setObjectName(QStringLiteral("brushPopup"));
+    setFrameShape(QFrame::StyledPanel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    layout->addWidget(makeTools());
+    layout->addWidget(makeSettings());
+    connect(&state, &EditorState::brushChanged, this, &BrushPopup::refresh);
+    connect(&state, &EditorState::toolChanged, this, &BrushPopup::refresh);
+    refresh();
+}
+
+QWidget* BrushPopup::makeTools()
+{
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    m_tools = new QButtonGroup(box);
+    for (const ToolInfo& info : toolTable()) {
+        auto* button = new QToolButton(box);
+        const QString id = QLatin1String(info.stableId);
+        const QString name = toolName(info.id);
+        button->setObjectName(id);
+        button->setIcon(toolIcon(info.id));
+        button->setIconSize({28, 28});
+        button->setText(name);
+        button->setToolButtonStyle(button->icon().isNull() ? Qt::ToolButtonTextOnly
+                                                           : Qt::ToolButtonIconOnly);
+        button->setToolTip(tr("%1 (%2)").arg(name, QLatin1String(info.shortcut)));
+        button->setCheckable(true);
+        button->setAutoRaise(true);
+        m_tools->addButton(button, static_cast<int>(info.id));
+        row->addWidget(button);
+    }
+    connect(m_tools, &QButtonGroup::idClicked, this, [this](int id) {
+        close();
+        m_state.setTool(static_cast<ToolId>(id));
+    });
+    return box;
+}
+
+QWidget* BrushPopup::makeSettings()
+{
+    m_settings = new QWidget(this);
+    auto* grid = new QGridLayout(m_settings);
+    grid->setContentsMargins(0, 0, 0, 0);
+    m_selection = new QComboBox(m_settings);
+    for (int kind = 0; kind <= static_cast<int>(model::BrushSelection::Rectangle); ++kind) {
+        m_selection->addItem(selectionName(static_cast<model::BrushSelection>(kind)));
+    }
+    m_size = new QSlider(Qt::Horizontal, m_settings);
+    m_size->setRange(0, kSliderSteps);
+    m_sizeText = new QLabel(m_settings);
+    m_sizeText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 px").arg(1000)));
+    m_numberText = new QLabel(m_settings);
+    m_number = new QDoubleSpinBox(m_settings);
+    grid->addWidget(new QLabel(tr("Area"), m_settings), 0, 0);
+    grid->addWidget(m_selection, 0, 1, 1, 2);
+    grid->addWidget(new QLabel(tr("Size"), m_settings), 1, 0);
+    grid->addWidget(m_size, 1, 1);
+    grid->addWidget(m_sizeText, 1, 2);
+    grid->addWidget(m_numberText, 2, 0);
+    grid->addWidget(m_number, 2, 1, 1, 2);
+    connect(m_selection, &QComboBox::currentIndexChanged, this, [this](int index) {
+        change([index](BrushSettings settings) {
+            settings.selection = static_cast<model::BrushSelection>(index);
+            return settings;
+        });
+    });
+    connect(m_size, &QSlider::valueChanged, this, [this](int value) {
+        change([value](const BrushSettings& settings) {
+            return settings.resized(radiusOf(value) - settings.radiusPixels);
+        });
+    });
+    connect(m_number, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        change([value](const BrushSettings& settings) { return settings.withMainNumber(value); });
+    });
+    return m_settings;
+}
+
+void BrushPopup::change(const std::function<BrushSettings(const BrushSettings&)>& how)
+{
+    const BrushSettings* brush = m_state.activeBrush();
+    if (!m_isRefreshing && brush != nullptr) {
+        m_state.setBrush(how(*brush));
+    }
+}
+
+void BrushPopup::refresh()
+{
+    m_isRefreshing = true;
+    m_tools->button(static_cast<int>(m_state.tool()))->setChecked(true);
+    const BrushSettings* brush = m_state.activeBrush();
+    m_settings->setVisible(brush != nullptr);
+    if (brush != nullptr) {
+        m_selection->setCurrentIndex(static_cast<int>(brush->selection));
+        if (radiusOf(m_size->value()) != brush->radiusPixels) {
+            m_size->setValue(sliderOf(brush->radiusPixels));
+        }
+        m_size->setEnabled(brush->hasCircle());
+        m_sizeText->setText(tr("%1 px").arg(qRound(brush->radiusPixels)));
+        const model::MainNumber number = brush->mainNumber();
+        m_numberText->setText(mainQuantityName(number.quantity));
+        m_number->setDecimals(number.decimals);
+        m_number->setRange(number.low, number.high);
+        m_number->setSingleStep(number.step);
+        m_number->setValue(number.value);
+    }
+    m_isRefreshing = false;
+}
+
+void BrushPopup::popUp(const QPoint& globalPosition)
+{
+    refresh();
+    adjustSize();
+    QRect place({}, size());
+    place.moveCenter(globalPosition + QPoint(0, height() / 2 - 24));
+    const QRect area = parentWidget()->screen()->availableGeometry();
+    place.moveLeft(
+        std::clamp(place.left(), area.left(), std::max(area.left(), area.right() - place.width())));
+    place.moveTop(
+        std::clamp(place.top(), area.top(), std::max(area.top(), area.bottom() - place.height())));
+    move(place.topLeft());
+    show();
+}
+
+} // namespace crowd::widgets

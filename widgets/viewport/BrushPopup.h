@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <QtWidgets/QFrame>
+
+#include "widgets/state/EditorState.h"
+
+class QButtonGroup;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+
+namespace crowd::widgets {
+
+/// The brush palette at the cursor: choose a tool, its area, its size and its main number without
+/// leaving the picture. Choosing a tool closes it; so do a click elsewhere and Escape.
+class BrushPopup : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit BrushPopup(EditorState& state, QWidget* parent);
+
+    /// With its middle under the pointer, kept on the screen.
+    void popUp(const QPoint& globalPosition);
+
+private:
+    QWidget* makeTools();
+    QWidget* makeSettings();
+    void refresh();
+    void change(const std::function<model::BrushSettings(const model::BrushSettings&)>& how);
+
+    EditorState& m_state;
+    // Children of this widget.
+    QButtonGroup* m_tools = nullptr;
+    QWidget* m_settings = nullptr;
+    QComboBox* m_selection = nullptr;
+    QSlider* m_size = nullptr;
+    QLabel* m_sizeText = nullptr;
+    QLabel* m_numberText = nullptr;
+    QDoubleSpinBox* m_number = nullptr;
+    bool m_isRefreshing = false;
+};
+
+} // namespace crowd::widgets
