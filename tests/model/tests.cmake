@@ -1,3 +1,4 @@
+crowd_add_test(ROOM model NAME tst_Bake LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushSampler LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_GltfAssets LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_PickScene LINK crowd_model)
