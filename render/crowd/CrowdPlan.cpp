@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <utility>
 
-#include "model/bake/KeyframeTime.h"
 #include "model/base/Parallel.h"
 
 namespace crowd::render {
@@ -28,7 +27,6 @@ struct Eye
     glm::vec3 forward;
     float pixelsPerMetre; ///< at one metre, or anywhere when orthographic
     bool isPerspective;
-    float depthStep; ///< distance steps per doubling, or per metre when orthographic
 };
 
 Eye eyeOf(const View& view, float pixelRatio)
@@ -65,56 +63,115 @@ std::uint32_t distanceStep(const Eye& eye, float depth)
     return std::min<std::uint32_t>(step, CrowdPlan::kDistanceSteps - 1);
 }
 
-struct Sphere
+/// A clip name of a template entry with all that does not differ between individuals computed.
+struct ReadyClip
 {
-    glm::vec3 center;
-    float radius;
+    explicit ReadyClip(const PlanClip& clip)
+        : firstKeyframe(clip.firstKeyframe),
+          boxes(clip.box | static_cast<std::uint32_t>(clip.box) << 16U),
+          isComplete(clip.isComplete), loops(clip.clip->loop), seconds(clip.clip->seconds),
+          last(clip.clip->keyframeCount() - 1)
+    {
+        const Bounds& box = clip.bounds;
+        const glm::vec3 size = box.size() * kBoundsMargin;
+        middle = (box.low.y + box.high.y) * 0.5F;
+        halfHeight = size.y * 0.5F;
+        const float reach = std::max({-box.low.x, box.high.x, -box.low.z, box.high.z});
+        side = reach * kBoundsMargin * 1.4142136F;
+        if (last > 0) {
+            perSecond = 1.0 / static_cast<double>(seconds);
+            lastBegin = static_cast<float>(last - 1) / static_cast<float>(kKeyframeRate);
+            perLastWidth = 1.0F / (seconds - lastBegin);
+        }
+    }
+
+    std::uint32_t firstKeyframe;
+    std::uint32_t boxes;
+    bool isComplete;
+    bool loops;
+    float seconds;
+    int last;     ///< keyframe, 0 for a pose
+    float middle; ///< metres, of the bounds' height
+    float halfHeight;
+    float side;             ///< largest distance from the axis
+    double perSecond = 0.0; ///< clips
+    float lastBegin = 0.0F; ///< seconds, of the last interval
+    float perLastWidth = 0.0F;
 };
 
-/// Around everything the clip reaches, for any heading.
-Sphere sphereAround(const Bounds& box, const glm::vec3& foot, float lift, float height, float girth)
+/// The same places as shownPhase and keyframePlace give, with the divisions done before.
+void place(const ReadyClip& clip, float phase, float speed, double seconds, Instance& instance)
 {
-    const float middle = (box.low.y + box.high.y) * 0.5F;
-    const float halfHeight = (box.high.y - box.low.y) * 0.5F * height;
-    const float side = std::max({-box.low.x, box.high.x, -box.low.z, box.high.z}) * girth;
-    return {foot + glm::vec3(0.0F, lift + middle * height, 0.0F),
-            std::sqrt(halfHeight * halfHeight + 2.0F * side * side) * kBoundsMargin};
-}
-
-Instance instanceOf(const PlanClip& clip, float phase, float speed, double seconds, bool& isMissing)
-{
-    Instance instance;
-    instance.boxes = clip.box | static_cast<std::uint32_t>(clip.box) << 16U;
+    instance.boxes = clip.boxes;
     instance.keyframeA = clip.firstKeyframe;
     instance.keyframeB = clip.firstKeyframe;
-    if (!clip.isComplete) {
-        isMissing = true;
-        return instance;
+    instance.blend = 0.0F;
+    if (!clip.isComplete || clip.last == 0) {
+        return;
     }
-    const KeyframePlace place =
-        keyframePlace(*clip.clip, shownPhase(*clip.clip, phase, speed, seconds));
-    instance.keyframeA += static_cast<std::uint32_t>(place.first);
-    instance.keyframeB += static_cast<std::uint32_t>(place.second);
-    instance.blend = place.blend;
-    return instance;
+    const double clips =
+        static_cast<double>(phase) + seconds * static_cast<double>(speed) * clip.perSecond;
+    double share = clips - static_cast<double>(static_cast<std::int64_t>(clips));
+    share += share < 0.0 ? 1.0 : 0.0;
+    if (!clip.loops) {
+        share = std::clamp(clips, 0.0, 1.0);
+    }
+    const float at = static_cast<float>(share) * clip.seconds;
+    const float keyframe = at * static_cast<float>(kKeyframeRate);
+    const int first = std::min(static_cast<int>(keyframe), clip.last - 1);
+    const float blend = first == clip.last - 1 ? (at - clip.lastBegin) * clip.perLastWidth
+                                               : keyframe - static_cast<float>(first);
+    instance.keyframeA += static_cast<std::uint32_t>(first);
+    instance.keyframeB = instance.keyframeA + 1;
+    instance.blend = std::clamp(blend, 0.0F, 1.0F);
 }
 
 /// Columns of a frame, looked up once.
 struct Rows
 {
-    explicit Rows(const CrowdFrame& frame)
+    Rows(const CrowdFrame& frame, std::span<const PlanTemplate> assets)
         : templates(frame.population.column(columns::templateId)),
           positions(frame.population.column(columns::position)),
           heights(frame.population.column(columns::height)),
           girths(frame.population.column(columns::girth)),
           clips(frame.population.column(columns::clip)),
           phases(frame.population.column(columns::phase)),
-          speeds(frame.population.column(columns::playbackSpeed)),
-          entryOfId(std::size_t{1} << 16U, -1)
+          speeds(frame.population.column(columns::playbackSpeed)), entries(frame.templates->size())
     {
-        for (std::size_t i = 0; i < frame.templates->size(); ++i) {
-            entryOfId[(*frame.templates)[i].id] = static_cast<std::int32_t>(i);
+        TemplateId highest = 0;
+        for (const TemplateEntry& entry : *frame.templates) {
+            highest = std::max(highest, entry.id);
         }
+        entryOfId.assign(std::size_t{highest} + 1, nullptr);
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (assets[i].isDrawable) {
+                fill(entries[i], assets[i], static_cast<std::uint32_t>(i));
+                entryOfId[(*frame.templates)[i].id] = &entries[i];
+            }
+        }
+    }
+
+    struct Entry
+    {
+        std::vector<ReadyClip> clips; ///< as TemplateEntry::clipNames
+        float height = 0.0F;
+        int levels = 1;
+        std::uint32_t index = 0;
+    };
+
+    static void fill(Entry& entry, const PlanTemplate& asset, std::uint32_t index)
+    {
+        for (const std::uint16_t clip : asset.clipOfName) {
+            entry.clips.emplace_back(asset.clips[clip]);
+        }
+        entry.height = asset.height;
+        entry.levels = asset.levels;
+        entry.index = index;
+    }
+
+    [[nodiscard]] const Entry* entryOf(TemplateId id) const
+    {
+        return id < entryOfId.size() ? entryOfId[id] : nullptr;
     }
 
     std::span<const TemplateId> templates;
@@ -124,22 +181,16 @@ struct Rows
     std::span<const std::uint16_t> clips;
     std::span<const float> phases;
     std::span<const float> speeds;
-    std::vector<std::int32_t> entryOfId;
+    std::vector<Entry> entries;
+    std::vector<const Entry*> entryOfId; ///< null: nothing to draw
 };
 
-/// Stable counting sort of `from` by key(item) < keys into `to`.
-template<class Key>
-void countingSort(const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to,
-                  std::vector<std::uint32_t>& counts, std::size_t keys, const Key& key)
+/// Counts become the place of each key's first item.
+void toStarts(std::vector<std::uint32_t>& counts)
 {
-    counts.assign(keys + 1, 0);
-    for (const std::uint32_t item : from) {
-        ++counts[key(item) + 1];
-    }
-    std::partial_sum(counts.begin(), counts.end(), counts.begin());
-    to.resize(from.size());
-    for (const std::uint32_t item : from) {
-        to[counts[key(item)]++] = item;
+    std::uint32_t sum = 0;
+    for (std::uint32_t& count : counts) {
+        sum += std::exchange(count, sum);
     }
 }
 
@@ -210,91 +261,112 @@ void CrowdPlan::mark(const Request& request)
 
 void CrowdPlan::look(const Request& request)
 {
-    const Rows rows(request.frame);
+    const Rows rows(request.frame, request.templates);
     const Eye eye = eyeOf(request.view, request.pixelRatio);
     const std::size_t count = request.frame.population.size();
-    const std::size_t entries = request.templates.size();
-    m_seenByChunk.resize((count + kChunk - 1) / kChunk);
-    std::vector<std::uint8_t> missing(m_seenByChunk.size(), 0);
-    const auto lookAt = [&](std::size_t row, std::vector<Seen>& seen, bool& isMissing) {
-        const std::int32_t entry = rows.entryOfId[rows.templates[row]];
-        if (entry < 0 || !request.templates[static_cast<std::size_t>(entry)].isDrawable) {
+    const auto entries = static_cast<std::uint32_t>(request.templates.size());
+    const double seconds = request.frame.seconds;
+    const auto lookAt = [&](std::size_t row, Seen& seen) {
+        const Rows::Entry* entry = rows.entryOf(rows.templates[row]);
+        if (entry == nullptr) {
             return;
         }
-        const PlanTemplate& asset = request.templates[static_cast<std::size_t>(entry)];
-        const std::size_t name =
-            std::min<std::size_t>(rows.clips[row], asset.clipOfName.size() - 1);
-        const PlanClip& clip = asset.clips[asset.clipOfName[name]];
-        const Sphere sphere = sphereAround(clip.bounds, rows.positions[row], request.lifts[row],
-                                           rows.heights[row], rows.girths[row]);
-        if (!isInside(eye, sphere.center, sphere.radius)) {
+        const ReadyClip& clip =
+            entry->clips[std::min<std::size_t>(rows.clips[row], entry->clips.size() - 1)];
+        const float height = rows.heights[row];
+        glm::vec3 center = rows.positions[row];
+        center.y += request.lifts[row] + clip.middle * height;
+        if (!isInside(eye, center, clip.halfHeight * height + clip.side * rows.girths[row])) {
             m_levels[row] = kNoLevel;
             return;
         }
-        const float depth = glm::dot(sphere.center - eye.position, eye.forward);
+        const float depth = glm::dot(center - eye.position, eye.forward);
         const float scale =
             eye.isPerspective ? eye.pixelsPerMetre / std::max(depth, 0.1F) : eye.pixelsPerMetre;
         const int last = m_levels[row] == kNoLevel ? -1 : m_levels[row];
-        const int level = levelFor(asset.height * rows.heights[row] * scale, last, asset.levels,
-                                   request.thresholds);
+        const int level =
+            levelFor(entry->height * height * scale, last, entry->levels, request.thresholds);
         m_levels[row] = static_cast<std::uint8_t>(level);
-        Seen item;
-        item.instance =
-            instanceOf(clip, rows.phases[row], rows.speeds[row], request.frame.seconds, isMissing);
-        item.instance.rowAndFlags =
+        Instance& instance = seen.instances[seen.count];
+        instance.rowAndFlags =
             static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(m_flags[row]) << 24U;
-        item.group = (static_cast<std::uint32_t>(level) * static_cast<std::uint32_t>(entries) +
-                      static_cast<std::uint32_t>(entry)) *
-                         kDistanceSteps +
-                     distanceStep(eye, depth);
-        seen.push_back(item);
+        place(clip, rows.phases[row], rows.speeds[row], seconds, instance);
+        seen.groups[seen.count] =
+            (static_cast<std::uint32_t>(level) * entries + entry->index) * kDistanceSteps +
+            distanceStep(eye, depth);
+        seen.isMissing = seen.isMissing || !clip.isComplete;
+        ++seen.count;
     };
+    m_seen.resize((count + kChunk - 1) / kChunk);
     parallelFor(count, kChunk, [&](std::size_t begin, std::size_t end) {
-        std::vector<Seen>& seen = m_seenByChunk[begin / kChunk];
-        seen.clear();
-        bool isMissing = false;
+        Seen& seen = m_seen[begin / kChunk];
+        seen.instances.resize(kChunk);
+        seen.groups.resize(kChunk);
+        seen.count = 0;
+        seen.isMissing = false;
         for (std::size_t row = begin; row < end; ++row) {
-            lookAt(row, seen, isMissing);
+            lookAt(row, seen);
         }
-        missing[begin / kChunk] = isMissing ? 1 : 0;
     });
-    m_areKeyframesMissing = std::ranges::find(missing, 1) != missing.end();
+    m_areKeyframesMissing = std::ranges::any_of(m_seen, &Seen::isMissing);
 }
 
+/// Two stable counting sorts: by keyframe, then by what decides more.
 void CrowdPlan::sortSeen(std::size_t entries)
 {
-    m_seen.clear();
-    std::uint32_t keyframes = 0;
-    for (const std::vector<Seen>& chunk : m_seenByChunk) {
-        m_seen.insert(m_seen.end(), chunk.begin(), chunk.end());
-    }
+    std::size_t count = 0;
     for (const Seen& seen : m_seen) {
-        keyframes = std::max(keyframes, seen.instance.keyframeA + 1);
+        count += seen.count;
     }
-    m_order.resize(m_seen.size());
-    std::iota(m_order.begin(), m_order.end(), 0U);
-    countingSort(m_order, m_orderByKeyframe, m_counts, keyframes,
-                 [this](std::uint32_t i) { return m_seen[i].instance.keyframeA; });
-    const std::size_t groups = entries * kMaxLevels * kDistanceSteps;
-    countingSort(m_orderByKeyframe, m_order, m_counts, groups,
-                 [this](std::uint32_t i) { return m_seen[i].group; });
-    m_instances.resize(m_seen.size());
+    m_unsorted.resize(count);
+    m_groups.resize(count);
+    count = 0;
+    for (const Seen& seen : m_seen) {
+        std::copy_n(seen.instances.begin(), seen.count,
+                    m_unsorted.begin() + static_cast<std::ptrdiff_t>(count));
+        std::copy_n(seen.groups.begin(), seen.count,
+                    m_groups.begin() + static_cast<std::ptrdiff_t>(count));
+        count += seen.count;
+    }
+    m_counts.clear();
+    for (const Instance& instance : m_unsorted) {
+        if (instance.keyframeA >= m_counts.size()) {
+            m_counts.resize(instance.keyframeA + 1, 0);
+        }
+        ++m_counts[instance.keyframeA];
+    }
+    toStarts(m_counts);
+    m_byKeyframe.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        m_byKeyframe[m_counts[m_unsorted[i].keyframeA]++] = i;
+    }
+    m_counts.assign(entries * kMaxLevels * kDistanceSteps, 0);
+    for (const std::uint32_t group : m_groups) {
+        ++m_counts[group];
+    }
+    toStarts(m_counts);
+    m_instances.resize(count);
+    for (const std::uint32_t i : m_byKeyframe) {
+        m_instances[m_counts[m_groups[i]]++] = m_unsorted[i];
+    }
+    makeRuns(entries);
+}
+
+/// After sorting, m_counts holds the end of each group.
+void CrowdPlan::makeRuns(std::size_t entries)
+{
     m_runs.clear();
     m_byLevel = {};
-    std::uint32_t lastRun = 0xFFFFFFFFU;
-    for (std::size_t i = 0; i < m_order.size(); ++i) {
-        const Seen& seen = m_seen[m_order[i]];
-        m_instances[i] = seen.instance;
-        const std::uint32_t run = seen.group / kDistanceSteps;
-        if (run != lastRun) {
+    std::size_t first = 0;
+    for (std::size_t run = 0; run < entries * kMaxLevels; ++run) {
+        const std::size_t end = m_counts[(run + 1) * kDistanceSteps - 1];
+        if (end > first) {
+            const std::size_t level = run / entries;
             m_runs.push_back(
-                {static_cast<int>(run % entries), static_cast<int>(run / entries), i, 0});
-            lastRun = run;
+                {static_cast<int>(run % entries), static_cast<int>(level), first, end - first});
+            m_byLevel[level] += static_cast<int>(end - first);
         }
-        ++m_runs.back().count;
-    }
-    for (const InstanceRun& run : m_runs) {
-        m_byLevel[static_cast<std::size_t>(run.level)] += static_cast<int>(run.count);
+        first = end;
     }
 }
 

@@ -91,26 +91,29 @@ public:
     static constexpr int kDistanceSteps = 32;
 
 private:
-    /// A visible row, before sorting.
+    /// The visible rows of a chunk, before sorting. Filled from the front; kept between frames.
     struct Seen
     {
-        Instance instance;
-        std::uint32_t group = 0; ///< (level × entries + entry) × kDistanceSteps + step
+        std::vector<Instance> instances;
+        std::vector<std::uint32_t> groups; ///< (level × entries + entry) × kDistanceSteps + step
+        std::size_t count = 0;
+        bool isMissing = false; ///< somebody's clip is not complete
     };
 
     void keepLevels(const model::Population& population);
     void look(const Request& request);
     void mark(const Request& request);
     void sortSeen(std::size_t entries);
+    void makeRuns(std::size_t entries);
     void collectHighlighted();
 
     model::Population m_lastPopulation; ///< shares columns: says which row was whose
     std::vector<std::uint8_t> m_levels; ///< per row; kNoLevel: not seen last time
     std::vector<std::uint8_t> m_flags;  ///< per row, highest byte of Instance::rowAndFlags
-    std::vector<std::vector<Seen>> m_seenByChunk;
-    std::vector<Seen> m_seen;
-    std::vector<std::uint32_t> m_order;
-    std::vector<std::uint32_t> m_orderByKeyframe;
+    std::vector<Seen> m_seen;           ///< per chunk
+    std::vector<Instance> m_unsorted;
+    std::vector<std::uint32_t> m_groups;     ///< of m_unsorted
+    std::vector<std::uint32_t> m_byKeyframe; ///< indices into m_unsorted
     std::vector<std::uint32_t> m_counts;
     std::vector<Instance> m_instances;
     std::vector<InstanceRun> m_runs;

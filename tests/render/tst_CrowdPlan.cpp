@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QtTest>
+
+#include <ctime>
+
+#include "TestScene.h"
+#include "model/base/Random.h"
+#include "render/crowd/CrowdPlan.h"
+#include "render/crowd/StaticRecords.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// Who is drawn how, and what is uploaded: all of it without GL.
+class TestCrowdPlan : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void levelFollowsHeight_data();
+    void levelFollowsHeight();
+    void levelIsKeptNearAThreshold();
+    void whoIsBesideTheViewIsCulled();
+    void orderIsByLevelTemplateDistanceAndKeyframe();
+    void planIsTheSameForAnyOrderOfChunks();
+    void levelsFollowTheIndividualWhenRowsMove();
+    void highlightedAreListed();
+    void standInsAreReported();
+    void recordsOfChangedBlocksOnly();
+    void olderPopulationIsNoticed();
+    void hundredThousandArePlannedInMilliseconds();
+
+private:
+    [[nodiscard]] render::CrowdPlan plan(const model::Population& population,
+                                         const model::View& view, double seconds = 0.0);
+    void make(render::CrowdPlan& plan, const model::Population& population, const model::View& view,
+              double seconds = 0.0, std::span<const model::IndividualId> selected = {});
+
+    model::TemplatePtr m_man = makeBoxMan(4);
+    std::vector<render::PlanTemplate> m_templates;
+    std::vector<model::TemplateEntry> m_entries;
+    std::vector<float> m_lifts;
+};
+
+void TestCrowdPlan::make(render::CrowdPlan& plan, const model::Population& population,
+                         const model::View& view, double seconds,
+                         std::span<const model::IndividualId> selected)
+{
+    m_entries = {entryFor(m_man, 1), entryFor(m_man, 2)};
+    m_templates.assign(2, {});
+    for (render::PlanTemplate& asset : m_templates) {
+        asset.isDrawable = true;
+        asset.height = m_man->height;
+        asset.levels = 4;
+        std::uint32_t first = 0;
+        for (std::size_t clip = 0; clip < m_man->clips.size(); ++clip) {
+            asset.clips.push_back({&m_man->clips[clip], first, true,
+                                   static_cast<std::uint16_t>(clip), m_man->bounds});
+            asset.clipOfName.push_back(static_cast<std::uint16_t>(clip));
+            first += static_cast<std::uint32_t>(m_man->clips[clip].keyframeCount());
+        }
+    }
+    m_lifts.assign(population.size(), 0.0F);
+    const model::CrowdFramePtr frame = frameOf(population, m_entries, seconds);
+    plan.make({*frame, m_templates, m_lifts, view, 1.0F, {}, selected, 0});
+}
+
+render::CrowdPlan TestCrowdPlan::plan(const model::Population& population, const model::View& view,
+                                      double seconds)
+{
+    render::CrowdPlan made;
+    make(made, population, view, seconds);
+    return made;
+}
+
+void TestCrowdPlan::levelFollowsHeight_data()
+{
+    QTest::addColumn<float>("pixels");
+    QTest::addColumn<int>("last");
+    QTest::addColumn<int>("level");
+    QTest::newRow("tall") << 200.0F << -1 << 0;
+    QTest::newRow("just above the first threshold") << 60.5F << -1 << 0;
+    QTest::newRow("just below it") << 59.5F << -1 << 1;
+    QTest::newRow("small") << 20.0F << -1 << 2;
+    QTest::newRow("tiny") << 5.0F << -1 << 3;
+    QTest::newRow("fine one stays a little below") << 56.0F << 0 << 0;
+    QTest::newRow("fine one goes further below") << 53.0F << 0 << 1;
+    QTest::newRow("coarse one stays a little above") << 64.0F << 1 << 1;
+    QTest::newRow("coarse one goes further above") << 67.0F << 1 << 0;
+    QTest::newRow("from the finest to the coarsest") << 5.0F << 0 << 3;
+    QTest::newRow("from the coarsest to the finest") << 200.0F << 3 << 0;
+}
+
+void TestCrowdPlan::levelFollowsHeight()
+{
+    QFETCH(float, pixels);
+    QFETCH(int, last);
+    QFETCH(int, level);
+    QCOMPARE(render::levelFor(pixels, last, 4, {}), level);
+    QVERIFY(render::levelFor(pixels, last, 1, {}) == 0);
+}
+
+void TestCrowdPlan::levelIsKeptNearAThreshold()
+{
+    // 1.8 m at 852 pixels per metre and metre: 60 pixels at 25.5 m.
+    const model::Population people = makeRow(1);
+    render::CrowdPlan plan;
+    const auto levelAt = [&](float distance) {
+        make(plan, people, frontView({1280.0F, 720.0F}, distance));
+        return plan.runs().front().level;
+    };
+    QCOMPARE(levelAt(24.0F), 0);
+    QCOMPARE(levelAt(26.5F), 0);
+    QCOMPARE(levelAt(29.0F), 1);
+    QCOMPARE(levelAt(24.5F), 1);
+    QCOMPARE(levelAt(22.0F), 0);
+}
+
+void TestCrowdPlan::whoIsBesideTheViewIsCulled()
+{
+    const model::Population people = makeRow(1000);
+    const render::CrowdPlan made = plan(people, frontView({640.0F, 640.0F}, 10.0F));
+    // The view is 8.5 m wide at the row, half of it to the right, where everybody stands.
+    QVERIFY(made.instances().size() >= 5);
+    QVERIFY(made.instances().size() <= 7);
+    for (const render::Instance& instance : made.instances()) {
+        QVERIFY((instance.rowAndFlags & render::Instance::kRowMask) < 7);
+    }
+    const model::View away(model::Camera::lookingAt({0, 1, 10}, {0, 1, 20}), {640, 640});
+    QVERIFY(plan(people, away).instances().empty());
+}
+
+/// People at random over a field, of two templates and all clips.
+model::Population makeField(std::size_t count)
+{
+    model::Population people = makeRow(count);
+    const std::vector<model::IndividualId> ids(people.ids().begin(), people.ids().end());
+    std::vector<glm::vec3> positions;
+    std::vector<model::TemplateId> templates;
+    std::vector<std::uint16_t> clips;
+    std::vector<float> phases;
+    for (const model::IndividualId id : ids) {
+        positions.emplace_back(model::unitFloat(model::hashKeys(id, 0)) * 60.0F - 30.0F, 0.0F,
+                               -model::unitFloat(model::hashKeys(id, 1)) * 120.0F);
+        templates.push_back(static_cast<model::TemplateId>(1 + id % 2));
+        clips.push_back(static_cast<std::uint16_t>(id % 3));
+        phases.push_back(model::unitFloat(model::hashKeys(id, 2)));
+    }
+    people.setValues(model::columns::position, ids, std::span<const glm::vec3>(positions));
+    people.setValues(model::columns::templateId, ids,
+                     std::span<const model::TemplateId>(templates));
+    people.setValues(model::columns::clip, ids, std::span<const std::uint16_t>(clips));
+    people.setValues(model::columns::phase, ids, std::span<const float>(phases));
+    return people;
+}
+
+void TestCrowdPlan::orderIsByLevelTemplateDistanceAndKeyframe()
+{
+    const model::Population people = makeField(5000);
+    const model::View view = frontView({1280.0F, 720.0F}, 8.0F);
+    const render::CrowdPlan made = plan(people, view);
+    QVERIFY(made.runs().size() == 8);
+    std::size_t expected = 0;
+    std::pair<int, int> last{-1, -1};
+    const auto positions = people.column(model::columns::position);
+    int nearerAfterFarther = 0;
+    for (const render::InstanceRun& run : made.runs()) {
+        QCOMPARE(run.first, expected);
+        expected += run.count;
+        QVERIFY(std::pair(run.level, run.entry) > last);
+        last = {run.level, run.entry};
+        float farthest = 0.0F;
+        for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+            const std::size_t row = made.instances()[i].rowAndFlags & render::Instance::kRowMask;
+            QCOMPARE(static_cast<int>(people.column(model::columns::templateId)[row]),
+                     run.entry + 1);
+            const float depth = 8.0F - positions[row].z;
+            // A step is a quarter of an octave.
+            nearerAfterFarther += depth < farthest * 0.78F ? 1 : 0;
+            farthest = std::max(farthest, depth);
+        }
+    }
+    QCOMPARE(expected, made.instances().size());
+    QCOMPARE(nearerAfterFarther, 0);
+}
+
+void TestCrowdPlan::planIsTheSameForAnyOrderOfChunks()
+{
+    const model::Population people = makeField(20000);
+    const model::View view = frontView({1280.0F, 720.0F}, 8.0F);
+    const render::CrowdPlan first = plan(people, view, 1.25);
+    for (int again = 0; again < 5; ++again) {
+        const render::CrowdPlan second = plan(people, view, 1.25);
+        QCOMPARE(first.instances().size(), second.instances().size());
+        QVERIFY(std::memcmp(first.instances().data(), second.instances().data(),
+                            first.instances().size_bytes()) == 0);
+    }
+}
+
+void TestCrowdPlan::levelsFollowTheIndividualWhenRowsMove()
+{
+    model::Population people = makeRow(3);
+    render::CrowdPlan made;
+    make(made, people, frontView({1280.0F, 720.0F}, 24.0F));
+    QCOMPARE(made.byLevel()[0], 3);
+    const std::array<model::IndividualId, 1> first{1};
+    (void)people.remove(first);
+    make(made, people, frontView({1280.0F, 720.0F}, 26.5F));
+    QCOMPARE(made.byLevel()[0], 2); // a new individual here would be at level 1
+}
+
+void TestCrowdPlan::highlightedAreListed()
+{
+    const std::array<model::IndividualId, 2> selected{2, 3};
+    render::CrowdPlan made;
+    make(made, makeRow(4), frontView({640.0F, 640.0F}, 12.0F), 0.0, selected);
+    QCOMPARE(made.highlighted().size(), std::size_t{2});
+    QCOMPARE(made.highlighted()[0].rowAndFlags, render::Instance::kSelected | 1U);
+    QCOMPARE(made.highlightedRuns().size(), std::size_t{1});
+    make(made, makeRow(4), frontView({640.0F, 640.0F}, 12.0F));
+    QVERIFY(made.highlighted().empty());
+}
+
+void TestCrowdPlan::standInsAreReported()
+{
+    render::CrowdPlan made;
+    const model::Population people = makeRow(2);
+    make(made, people, frontView());
+    QVERIFY(!made.areKeyframesMissing());
+    m_templates[0].clips[0].isComplete = false;
+    const model::CrowdFramePtr frame = frameOf(people, m_entries);
+    made.make({*frame, m_templates, m_lifts, frontView(), 1.0F, {}, {}, 0});
+    QVERIFY(made.areKeyframesMissing());
+}
+
+void TestCrowdPlan::recordsOfChangedBlocksOnly()
+{
+    model::Population people = makeRow(1000);
+    const std::vector<model::TemplateEntry> entries{entryFor(m_man)};
+    std::vector<render::RecordTemplate> templates(1);
+    for (const model::Clip& clip : m_man->clips) {
+        templates[0].clipOfName.push_back(&clip);
+    }
+    render::StaticRecords records;
+    const auto update = [&] {
+        const model::CrowdFramePtr frame = frameOf(people, entries);
+        records.update({*frame, templates, {}, 1, 1});
+        return std::vector<std::uint32_t>(records.changedBlocks().begin(),
+                                          records.changedBlocks().end());
+    };
+    QCOMPARE(update().size(), std::size_t{4});
+    QVERIFY(update().empty());
+    const std::array<model::IndividualId, 2> changed{300, 1000};
+    const model::Tint red{255, 0, 0, 255};
+    people.setValues(model::columns::tint(3), changed, std::span(&red, 1));
+    QCOMPARE(update(), (std::vector<std::uint32_t>{1, 3}));
+    QVERIFY(records.appearances()[299].tints[3] == red);
+    QVERIFY(records.appearances()[999].tints[3] == red);
+    QVERIFY(records.appearances()[998].tints[3] != red);
+}
+
+void TestCrowdPlan::olderPopulationIsNoticed()
+{
+    const model::Population before = makeRow(600);
+    model::Population after = before;
+    const std::array<model::IndividualId, 1> moved{1};
+    const glm::vec3 place(5.0F, 0.0F, 5.0F);
+    after.setValues(model::columns::position, moved, std::span(&place, 1));
+    const std::vector<model::TemplateEntry> entries{entryFor(m_man)};
+    std::vector<render::RecordTemplate> templates(1);
+    templates[0].clipOfName.push_back(&m_man->clips[0]);
+    render::StaticRecords records;
+    records.update({*frameOf(after, entries), templates, {}, 1, 1});
+    QVERIFY(records.placements()[0].position == place);
+    records.update({*frameOf(before, entries), templates, {}, 1, 1});
+    QCOMPARE(records.changedBlocks().size(), std::size_t{1});
+    QVERIFY(records.placements()[0].position == glm::vec3(0.0F));
+}
+
+void TestCrowdPlan::hundredThousandArePlannedInMilliseconds()
+{
+    const model::Population people = makeField(100000);
+    const model::View view = frontView({1280.0F, 720.0F}, 60.0F);
+    render::CrowdPlan made;
+    double best = 1e9;
+    for (int i = 0; i < 20; ++i) {
+        make(made, people, view, i * 0.03);
+        const model::CrowdFramePtr frame = frameOf(people, m_entries, i * 0.03);
+        const std::clock_t start = std::clock(); // of all threads: other work may run beside
+        made.make({*frame, m_templates, m_lifts, view, 1.0F, {}, {}, 0});
+        const auto spent = static_cast<double>(std::clock() - start);
+        best = std::min(best, spent * 1000.0 / CLOCKS_PER_SEC);
+    }
+    qInfo("%.2f ms for %zu visible", best, made.instances().size());
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    QVERIFY2(best < 15.0, qPrintable(QString::number(best))); // on the slowest of machines
+#endif
+}
+
+QTEST_GUILESS_MAIN(TestCrowdPlan)
+#include "tst_CrowdPlan.moc"
