@@ -15,6 +15,9 @@ constexpr double kTicksPerSecond = 60.0;
 constexpr double kValueGrid = 4096.0;
 constexpr double kTieBias = 1.0 / 1024.0;
 
+/// So much may be missing from a whole point for rounding.
+constexpr double kPointTolerance = 1.0e-9;
+
 double onValueGrid(double value)
 {
     return std::floor(value * kValueGrid + 0.5 + kTieBias) / kValueGrid;
@@ -119,7 +122,7 @@ void Sampler::addTicks(const PointerInput& input, std::vector<Dab>& dabs)
         const glm::dvec2 from = m_last.pixels();
         Dab dab = dabAt(from + (input.pixels() - from) * std::clamp(share, 0.0, 1.0), input, share);
         m_points += m_rate * (m_isRateByPressure ? dab.pressure : 1.0) / kTicksPerSecond;
-        const double whole = std::floor(m_points);
+        const double whole = std::floor(m_points + kPointTolerance);
         m_points -= whole;
         dab.points = static_cast<int>(whole);
         dabs.push_back(dab);

@@ -1,5 +1,7 @@
 crowd_add_test(ROOM model NAME tst_Bake LINK crowd_model)
+crowd_add_test(ROOM model NAME tst_BrushCreate LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushSampler LINK crowd_model)
+crowd_add_test(ROOM model NAME tst_BrushStroke LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_GltfAssets LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_PickScene LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_Population LINK crowd_model)

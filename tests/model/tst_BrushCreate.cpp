@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <set>
+
+#include <QtTest/QTest>
+
+#include "model/brush/MoveDrag.h"
+#include "model/brush/Stroke.h"
+#include "tests/model/BrushScene.h"
+
+using namespace crowd::test;
+
+namespace {
+
+using Ids = std::vector<IndividualId>;
+
+const std::vector<glm::dvec2> kEverything{{1.0, 1.0}, {1279.0, 767.0}};
+
+/// A plate from (-2, 0) to (2, rise) over 4 m in X.
+StageEntry ramp(float rise)
+{
+    return stageOf({plate({glm::vec3(-2, 0, -2), glm::vec3(-2, 0, 2), glm::vec3(2, rise, 2),
+                           glm::vec3(2, rise, -2)})});
+}
+
+float nearestPair(const Population& people)
+{
+    float nearest = 1.0e9F;
+    const auto positions = people.column(columns::position);
+    for (std::size_t a = 0; a < positions.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            nearest = std::min(nearest, glm::distance(positions[a], positions[b]));
+        }
+    }
+    return nearest;
+}
+
+BrushSettings creator(BrushSelection selection)
+{
+    return brush(BrushKind::Create, selection);
+}
+
+std::set<SeatId> seatsOf(const Population& people)
+{
+    const auto seats = people.column(columns::seat);
+    return {seats.begin(), seats.end()};
+}
+
+} // namespace
+
+class tst_BrushCreate : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void createsOnTheGround();
+    void landsOnTheStage();
+    void refusesSteepSlopes();
+    void keepsTheMinimalDistance();
+    void looksThroughPeople();
+    void variesWithinTheRanges();
+    void mixesTemplatesByWeight();
+    void takesSeatsOnceAndSitsThemDown();
+    void keepsToRanksAndWedges();
+    void fillsAShareOfTheSeats();
+    void spraysIntoTheCircle();
+    void doesNotSeatBehindTheStage();
+    void fillsByDensity();
+    void ghostIsWhatAPressCreates();
+    void saysWhyNobodyCame();
+    void dragsOnTheGround();
+    void dragsToAFreeSeat();
+    void aDragCanBeCancelled();
+};
+
+void tst_BrushCreate::createsOnTheGround()
+{
+    BrushScene scene;
+    const View view = fromAbove();
+    const auto outcome =
+        scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, {1, 0, 2})});
+    QCOMPARE(outcome.affected, 1);
+    QVERIFY(glm::distance(scene.people().column(columns::position)[0], {1, 0, 2}) < 0.01F);
+    QCOMPARE(scene.people().column(columns::templateId)[0], TemplateId{1});
+    QCOMPARE(scene.people().column(columns::clip)[0], std::uint16_t{0});
+    QCOMPARE(scene.people().column(columns::seat)[0], kNoSeat);
+}
+
+void tst_BrushCreate::landsOnTheStage()
+{
+    BrushScene scene({ramp(2.0F)});
+    const View view = fromAbove();
+    scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, {1, 1.5F, 0.5F})});
+    QVERIFY(glm::distance(scene.people().column(columns::position)[0], {1, 1.5F, 0.5F}) < 0.01F);
+}
+
+void tst_BrushCreate::refusesSteepSlopes()
+{
+    // 4 m in 4 m is 45°; 5 m is 51.3°.
+    BrushScene gentle({ramp(4.0F)});
+    BrushScene steep({ramp(5.0F)});
+    const View view = fromAbove();
+    const std::vector<glm::dvec2> middle{pixelOf(view, {0, 0, 0})};
+    QVERIFY(gentle.paint(view, creator(BrushSelection::Point), middle).isCommitted);
+    const auto refused = steep.paint(view, creator(BrushSelection::Point), middle);
+    QVERIFY(!refused.isCommitted);
+    QCOMPARE(refused.reason, StrokeReason::TooSteep);
+    BrushSettings filling = creator(BrushSelection::Rectangle);
+    filling.create.density = 4.0F;
+    QCOMPARE(
+        steep.paint(view, filling, {pixelOf(view, {-1, 0, -1}), pixelOf(view, {1, 0, 1})}).reason,
+        StrokeReason::TooSteep);
+}
+
+void tst_BrushCreate::keepsTheMinimalDistance()
+{
+    BrushScene scene;
+    scene.addPeople({{0, 0, 0}});
+    BrushSettings settings = creator(BrushSelection::Spray);
+    settings.ratePerSecond = 400.0F;
+    settings.radiusPixels = 120.0F;
+    settings.create.minimalDistance = 0.5F;
+    const glm::dvec2 at = pixelOf(fromAbove(), {0, 0, 0});
+    QVERIFY(scene.paint(fromAbove(), settings, std::vector<glm::dvec2>(60, at)).affected > 15);
+    QVERIFY(nearestPair(scene.people()) >= 0.4999F);
+    settings.selection = BrushSelection::Rectangle;
+    settings.create.density = 5.0F;
+    QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
+    QVERIFY(nearestPair(scene.people()) >= 0.4999F);
+}
+
+void tst_BrushCreate::looksThroughPeople()
+{
+    BrushScene scene;
+    scene.addPeople({{0, 0, 2}});
+    // The pixel lies on the man's chest; behind it is the ground.
+    const View low(Camera::lookingAt({0.0F, 3.0F, 10.0F}, {0.0F, 0.5F, 0.0F}), {1280.0F, 768.0F});
+    const glm::dvec2 pixel = pixelOf(low, {0, 0.9F, 2.15F});
+    QVERIFY(scene.paint(low, creator(BrushSelection::Point), {pixel}).isCommitted);
+    QCOMPARE(scene.people().column(columns::position)[1].y, 0.0F);
+    QVERIFY(scene.people().column(columns::position)[1].z < 1.0F);
+}
+
+void tst_BrushCreate::variesWithinTheRanges()
+{
+    BrushScene scene;
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    settings.create.height = {0.8F, 1.2F};
+    settings.create.girth = {0.9F, 1.0F};
+    settings.create.phase = {0.25F, 0.75F};
+    settings.create.palette = {{10, 20, 30}, {40, 50, 60}};
+    settings.create.paletteStrength = 1.0F;
+    const int created = scene.paint(fromAbove(), settings, kEverything).affected;
+    QVERIFY(created > 100);
+    const Population& people = scene.people();
+    std::set<float> heights;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        const float height = people.column(columns::height)[row];
+        heights.insert(height);
+        QVERIFY(height >= 0.8F && height <= 1.2F);
+        QVERIFY(people.column(columns::girth)[row] >= 0.9F);
+        QVERIFY(people.column(columns::girth)[row] <= 1.0F);
+        QVERIFY(people.column(columns::phase)[row] >= 0.25F);
+        QVERIFY(people.column(columns::phase)[row] <= 0.75F);
+        QCOMPARE(people.column(columns::tint(0))[row], Tint{});
+        const Tint top = people.column(columns::tint(1))[row];
+        QVERIFY(top == (Tint{10, 20, 30, 255}) || top == (Tint{40, 50, 60, 255}));
+    }
+    QVERIFY(static_cast<int>(heights.size()) > created - 5);
+}
+
+void tst_BrushCreate::mixesTemplatesByWeight()
+{
+    BrushScene scene;
+    const auto edit = scene.document.beginEdit();
+    edit->addTemplate(boxManEntry(2, boxMan()));
+    edit->commit(QStringLiteral("Add"));
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    settings.create.mix = {{1, 1.0F}, {2, 3.0F}};
+    settings.create.density = 2.0F;
+    settings.create.minimalDistance = 0.1F;
+    const int created = scene.paint(fromAbove(), settings, kEverything).affected;
+    const auto templates = scene.people().column(columns::templateId);
+    const double share =
+        static_cast<double>(std::ranges::count(templates, TemplateId{2})) / created;
+    QVERIFY2(share > 0.68 && share < 0.82, qPrintable(QString::number(share)));
+}
+
+void tst_BrushCreate::takesSeatsOnceAndSitsThemDown()
+{
+    BrushScene scene({stageOf({}, seatRows(4, 8))});
+    const auto first = scene.paint(fromAbove(), creator(BrushSelection::Rectangle), kEverything);
+    QCOMPARE(first.affected, 32);
+    QCOMPARE(seatsOf(scene.people()).size(), std::size_t{32});
+    const std::vector<WorldSeat> seats = scene.document.scene().worldSeats();
+    for (std::size_t row = 0; row < seats.size(); ++row) {
+        QCOMPARE(scene.people().column(columns::seat)[row], seats[row].id);
+        QCOMPARE(scene.people().column(columns::position)[row], seats[row].seat.position);
+        QCOMPARE(scene.people().column(columns::heading)[row], 0.25F);
+        QCOMPARE(scene.people().column(columns::clip)[row], std::uint16_t{1});
+    }
+    const auto again = scene.paint(fromAbove(), creator(BrushSelection::Rectangle), kEverything);
+    QVERIFY(!again.isCommitted);
+    QCOMPARE(again.reason, StrokeReason::NoFreeSeat);
+    BrushSettings removing = brush(BrushKind::Delete, BrushSelection::Point);
+    const View view = fromAbove();
+    scene.paint(view, removing, {pixelOf(view, seats[5].seat.position)});
+    QCOMPARE(scene.people().size(), std::size_t{31});
+    scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, seats[5].seat.position)});
+    QCOMPARE(seatsOf(scene.people()).size(), std::size_t{32});
+}
+
+void tst_BrushCreate::keepsToRanksAndWedges()
+{
+    BrushScene scene({stageOf({}, seatRows(4, 8))});
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    settings.create.seats.ranks = {1, 3};
+    settings.create.seats.wedges = {1};
+    QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 8);
+    for (const WorldSeat& seat : scene.document.scene().worldSeats()) {
+        const bool isMeant = seat.seat.rank % 2 == 1 && seat.seat.wedge == 1;
+        QCOMPARE(seatsOf(scene.people()).contains(seat.id), isMeant);
+    }
+}
+
+void tst_BrushCreate::fillsAShareOfTheSeats()
+{
+    BrushScene scene({stageOf({}, seatRows(5, 8))});
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    settings.create.seatPercent = 35.0F;
+    QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 14);
+}
+
+void tst_BrushCreate::spraysIntoTheCircle()
+{
+    BrushScene scene({stageOf({}, seatRows(5, 9))});
+    BrushSettings settings = creator(BrushSelection::Spray);
+    settings.radiusPixels = 100.0F;
+    settings.ratePerSecond = 60.0F;
+    const View view = fromAbove();
+    const glm::dvec2 at = pixelOf(view, {0, 0, -2});
+    scene.paint(view, settings, std::vector<glm::dvec2>(40, at));
+    // 100 pixels are 1.56 m: the nine seats around the middle.
+    std::size_t inside = 0;
+    for (const WorldSeat& seat : scene.document.scene().worldSeats()) {
+        const bool isInside = glm::distance(pixelOf(view, seat.seat.position), at) <= 100.0;
+        inside += isInside ? 1 : 0;
+        QCOMPARE(seatsOf(scene.people()).contains(seat.id), isInside);
+    }
+    QCOMPARE(scene.people().size(), inside);
+    QCOMPARE(inside, std::size_t{9});
+}
+
+void tst_BrushCreate::doesNotSeatBehindTheStage()
+{
+    // A roof over the left half of the seats.
+    const StageEntry roofed = stageOf({plate({glm::vec3(-9, 5, -9), glm::vec3(-9, 5, 9),
+                                              glm::vec3(0, 5, 9), glm::vec3(0, 5, -9)})},
+                                      seatRows(4, 8));
+    BrushScene scene({roofed});
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 16);
+    settings.through = true;
+    QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 16);
+}
+
+void tst_BrushCreate::fillsByDensity()
+{
+    BrushScene scene;
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    settings.create.density = 2.0F;
+    settings.create.minimalDistance = 0.3F;
+    const View view = fromAbove();
+    const int created =
+        scene.paint(view, settings, {pixelOf(view, {-6, 0, -4}), pixelOf(view, {6, 0, 4})})
+            .affected;
+    QVERIFY2(std::abs(created - 2 * 12 * 8) <= 12, qPrintable(QString::number(created)));
+    for (const glm::vec3& position : scene.people().column(columns::position)) {
+        QVERIFY(std::abs(position.x) <= 6.01F && std::abs(position.z) <= 4.01F);
+    }
+}
+
+void tst_BrushCreate::ghostIsWhatAPressCreates()
+{
+    for (const bool hasSeats : {false, true}) {
+        std::vector<StageEntry> stages;
+        if (hasSeats) {
+            stages.push_back(stageOf({}, seatRows(4, 8)));
+        }
+        BrushScene scene(stages);
+        const View view = fromAbove();
+        for (const BrushSelection selection :
+             {BrushSelection::Point, BrushSelection::Spray, BrushSelection::AllInCircle}) {
+            BrushSettings settings = creator(selection);
+            settings.radiusPixels = 100.0F;
+            settings.create.palette = {{1, 2, 3}, {4, 5, 6}};
+            const PointerInput press = PointerInput::at(pixelOf(view, {0.4F, 0.0F, -1.2F}), 3.0);
+            IndividualRows ghosts =
+                previewGhosts(scene.document, scene.context(view), settings, 99, press);
+            QVERIFY(!ghosts.ids.empty());
+            const auto stroke =
+                Stroke::begin(scene.document, scene.context(view), settings, 99, press);
+            IndividualRows created = scene.people().rows(scene.people().ids());
+            created.ids = ghosts.ids;
+            QVERIFY(created.bytes == ghosts.bytes);
+            stroke->cancel();
+        }
+    }
+}
+
+void tst_BrushCreate::saysWhyNobodyCame()
+{
+    BrushScene scene;
+    scene.addPeople({{0, 0, 0}});
+    const View view = fromAbove();
+    const std::vector<glm::dvec2> middle{pixelOf(view, {0, 0, 0})};
+    BrushSettings settings = creator(BrushSelection::Point);
+    QCOMPARE(scene.paint(view, settings, middle).reason, StrokeReason::TooNearToOthers);
+    settings.create.mix = {};
+    QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::NoTemplateChosen);
+    settings.create.mix = {{1, 1.0F}};
+    scene.document.setTemplateAsset(1, nullptr, "gone");
+    QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::TemplateNotLoaded);
+    const View sky(Camera::lookingAt({0, 2, 0}, {0, 5, 5}), {1280.0F, 768.0F});
+    QCOMPARE(scene.paint(sky, settings, {{640.0, 100.0}}).reason, StrokeReason::NothingUnderBrush);
+    QCOMPARE(scene.document.undoStack().count(), 1);
+}
+
+void tst_BrushCreate::dragsOnTheGround()
+{
+    BrushScene scene;
+    const Ids ids = scene.addPeople({{0, 0, 0}, {1, 0, 0}, {4, 0, 0}});
+    const Population before = scene.people();
+    const View view = fromAbove();
+    const auto drag =
+        MoveDrag::begin(scene.document, scene.context(view), std::array{ids[0], ids[1]}, false,
+                        PointerInput::at(pixelOf(view, {0, 0, 0}), 0.0));
+    drag->move(PointerInput::at(pixelOf(view, {9, 0, 9}), 0.1));
+    drag->move(PointerInput::at(pixelOf(view, {0, 0, 3}), 0.2));
+    QVERIFY(drag->finish().isCommitted);
+    const auto positions = scene.people().column(columns::position);
+    QVERIFY(glm::distance(positions[0], {0, 0, 3}) < 0.01F);
+    QVERIFY(glm::distance(positions[1], {1, 0, 3}) < 0.01F);
+    QCOMPARE(positions[2], (glm::vec3{4, 0, 0}));
+    scene.document.undoStack().undo();
+    QVERIFY(scene.people() == before);
+}
+
+void tst_BrushCreate::dragsToAFreeSeat()
+{
+    BrushScene scene({stageOf({}, seatRows(2, 8))});
+    const View view = fromAbove();
+    const std::vector<WorldSeat> seats = scene.document.scene().worldSeats();
+    scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, seats[2].seat.position)});
+    const Ids ids(scene.people().ids().begin(), scene.people().ids().end());
+    QCOMPARE(scene.people().column(columns::seat)[0], seats[2].id);
+    const auto dragTo = [&](const glm::vec3& to, bool ontoSeats) {
+        const glm::vec3 from = scene.people().column(columns::position)[0];
+        const auto drag = MoveDrag::begin(scene.document, scene.context(view), ids, ontoSeats,
+                                          PointerInput::at(pixelOf(view, from), 0.0));
+        drag->move(PointerInput::at(pixelOf(view, to), 0.1));
+        return drag->finish().isCommitted;
+    };
+    QVERIFY(dragTo(seats[5].seat.position + glm::vec3(0.2F, 0.0F, 0.1F), true));
+    QCOMPARE(scene.people().column(columns::seat)[0], seats[5].id);
+    QCOMPARE(scene.people().column(columns::position)[0], seats[5].seat.position);
+    QVERIFY(dragTo({0.0F, 0.0F, 4.0F}, true));
+    QCOMPARE(scene.people().column(columns::seat)[0], kNoSeat);
+    QCOMPARE(scene.people().column(columns::clip)[0], std::uint16_t{0});
+    QVERIFY(dragTo(seats[0].seat.position, true));
+    QCOMPARE(scene.people().column(columns::clip)[0], std::uint16_t{1});
+}
+
+void tst_BrushCreate::aDragCanBeCancelled()
+{
+    BrushScene scene;
+    const Ids ids = scene.addPeople({{0, 0, 0}});
+    const Population before = scene.people();
+    const View view = fromAbove();
+    const auto drag = MoveDrag::begin(scene.document, scene.context(view), ids, false,
+                                      PointerInput::at(pixelOf(view, {0, 0, 0}), 0.0));
+    drag->move(PointerInput::at(pixelOf(view, {2, 0, 2}), 0.1));
+    QVERIFY(!(scene.people() == before));
+    drag->cancel();
+    QVERIFY(scene.people() == before);
+    QVERIFY(!drag->finish().isCommitted);
+    QCOMPARE(scene.document.undoStack().count(), 1);
+}
+
+QTEST_GUILESS_MAIN(tst_BrushCreate)
+#include "tst_BrushCreate.moc"
