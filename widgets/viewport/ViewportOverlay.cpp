@@ -142,9 +142,11 @@ void ViewportOverlay::paintLabel(QPainter& painter) const
     if (m_picture.label.isEmpty()) {
         return;
     }
-    const QPointF at = m_picture.symbolAt + QPointF(0.0, -24.0);
-    drawPlate(painter, rect(), at.y() < 20.0 ? m_picture.symbolAt + QPointF(0.0, 54.0) : at,
-              m_picture.label);
+    // Clear of the brush's outline; below it where there is no room above.
+    const double away = (m_picture.circle ? m_picture.circle->radius : 6.0) + 20.0;
+    const QPointF above = m_picture.symbolAt - QPointF(0.0, away);
+    const QPointF below = m_picture.symbolAt + QPointF(0.0, away + kSymbolSize);
+    drawPlate(painter, rect(), above.y() < 20.0 ? below : above, m_picture.label);
 }
 
 void ViewportOverlay::paintTexts(QPainter& painter) const

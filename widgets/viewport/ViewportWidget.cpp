@@ -16,6 +16,10 @@ namespace crowd::widgets {
 namespace {
 
 constexpr qint64 kPublishMs = 250;
+// Pictures slower than this are drawn without smoothing while something moves; they are smooth
+// again when they rest, or when even smooth ones would be quick.
+constexpr double kSlowMs = 45.0;
+constexpr double kQuickMs = 10.0;
 
 QSurfaceFormat surfaceFormat()
 {
@@ -127,6 +131,7 @@ render::RenderInput ViewportWidget::renderInput()
     input.lighting = m_state.scene().lighting;
     input.lighting.showGroundGrid &= options.showGroundGrid;
     input.look = options.look;
+    input.samples = m_isCoarse ? 0 : input.samples;
     input.showShadows = options.showShadows;
     input.selected = m_state.selection().ids();
     input.hovered = m_tools.picture().hovered;
@@ -144,6 +149,7 @@ void ViewportWidget::paintGL()
         return;
     }
     m_sinceDraw.start();
+    chooseQuality();
     const render::RenderInput input = renderInput();
     const model::Result<void> result = m_renderer->draw(input, defaultFramebufferObject());
     setProblem(result ? QString() : QString::fromStdString(result.error().message));
@@ -151,6 +157,16 @@ void ViewportWidget::paintGL()
     m_statistics.render = m_renderer->statistics();
     m_isFrameOpen = true;
     ++m_drawnFrames;
+}
+
+void ViewportWidget::chooseQuality()
+{
+    if (!m_clock.isRunning()) {
+        m_isCoarse = false;
+        return;
+    }
+    const double frameMs = m_frameTimes.median();
+    m_isCoarse = m_isCoarse ? frameMs > kQuickMs : frameMs > kSlowMs;
 }
 
 void ViewportWidget::finishFrame()
@@ -199,6 +215,9 @@ void ViewportWidget::refreshClock()
     m_clock.setRunning(isVisible() && (m_state.isAnimating() || m_tools.needsTick()));
     if (wasRunning && !m_clock.isRunning()) {
         publishStatistics(true);
+        if (m_isCoarse) {
+            update(); // once more, smooth
+        }
     }
 }
 

@@ -80,6 +80,7 @@ private:
     void refreshOverlay();
     void refreshText();
     void publishStatistics(bool isAtRest);
+    void chooseQuality();
     void setProblem(const QString& problem);
     void keepPointerInside(const ToolInput& input);
     [[nodiscard]] render::RenderInput renderInput();
@@ -102,6 +103,7 @@ private:
     ToolInput m_lastInput;
     double m_shownSeconds = 0.0; ///< transport time of the picture on screen
     bool m_isFrameOpen = false;  ///< drawn, not swapped yet
+    bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
     int m_drawnFrames = 0;
     int m_bakedBefore = 0; ///< clips finished when the present baking began
     QString m_problem;
