@@ -9,10 +9,11 @@ namespace crowd::model::gltf {
 
 namespace {
 
-/// Offset of the first bracket nested too deep; npos when none is.
-std::size_t tooDeepAt(std::string_view text)
+/// What is too much about the text, empty if nothing is: found before anything is built from it.
+std::string excess(std::string_view text)
 {
     int depth = 0;
+    std::size_t values = 0;
     bool inString = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -26,13 +27,16 @@ std::size_t tooDeepAt(std::string_view text)
             inString = true;
         } else if (c == '{' || c == '[') {
             if (++depth > kMaxJsonDepth) {
-                return i;
+                return "the JSON is nested more than " + std::to_string(kMaxJsonDepth) +
+                       " levels deep at byte " + std::to_string(i);
             }
         } else if (c == '}' || c == ']') {
             --depth;
+        } else if (c == ',' && ++values > kMaxJsonValues) {
+            return "the JSON has more than " + std::to_string(kMaxJsonValues) + " values";
         }
     }
-    return std::string_view::npos;
+    return {};
 }
 
 /// "… parse error at line 3, column 7: …" without nlohmann's error number in front.
@@ -47,9 +51,8 @@ std::string parseMessage(const char* what)
 
 Result<Json> parseJson(std::string_view text)
 {
-    if (const std::size_t at = tooDeepAt(text); at != std::string_view::npos) {
-        return Error{"the JSON is nested more than " + std::to_string(kMaxJsonDepth) +
-                     " levels deep at byte " + std::to_string(at)};
+    if (std::string problem = excess(text); !problem.empty()) {
+        return Error{std::move(problem)};
     }
     try {
         Json root = Json::parse(text.begin(), text.end());

@@ -15,7 +15,8 @@ namespace crowd::model::gltf {
 
 using Json = nlohmann::json;
 
-/// Parses UTF-8 text, nested at most kMaxJsonDepth deep. The root is an object.
+/// Parses UTF-8 text, nested at most kMaxJsonDepth deep and with at most kMaxJsonValues values. The
+/// root is an object.
 Result<Json> parseJson(std::string_view text);
 
 /// Member `key` of an object; null where there is none or `object` is none.

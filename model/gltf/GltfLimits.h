@@ -12,6 +12,7 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30U;
 /// All buffers of a file together, decompressed ones included.
 inline constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30U;
 inline constexpr int kMaxJsonDepth = 64;
+inline constexpr std::size_t kMaxJsonValues = std::size_t{1} << 24U;
 inline constexpr std::uint64_t kMaxAccessorElements = std::uint64_t{1} << 25U;
 /// Emitted vertices and triangle corners, after nodes that share a mesh are expanded.
 inline constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << 24U;
