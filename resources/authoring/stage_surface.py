@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Collects the faces of a stage: boxes, swept arcs, turned shapes. Metres, Z up."""
+import math
+
+import numpy as np
+
+MATERIALS = {  # 0..255 sRGB; weathered limestone and earth
+    "stone": (206, 192, 164), "stone_dark": (176, 161, 134), "marble": (222, 216, 202),
+    "roof": (168, 104, 78), "earth": (178, 160, 126), "leaf": (70, 94, 62),
+    "trunk": (98, 78, 60), "sand": (196, 180, 146)}
+ROUNDED = ("leaf", "trunk")
+
+
+def polar(radius, angle, z):
+    """Angle 0 is the middle of the audience (+Y), growing towards +X."""
+    return (radius * math.sin(angle), radius * math.cos(angle), z)
+
+
+class StageSurface:
+    def __init__(self, seed):
+        self.vertices, self.faces, self.materials, self.tones = [], [], [], []
+        self._random = np.random.default_rng(seed)
+
+    def point(self, x, y, z):
+        self.vertices.append((x, y, z))
+        return len(self.vertices) - 1
+
+    def points(self, places):
+        return [self.point(*place) for place in places]
+
+    def tone(self, spread=.05):
+        """Brightness of one block of stone."""
+        return round(1 - spread + 2 * spread * float(self._random.random()), 3)
+
+    def face(self, ids, material, tone=None):
+        self.faces.append(tuple(ids))
+        self.materials.append(list(MATERIALS).index(material))
+        self.tones.append(self.tone() if tone is None else tone)
+
+    def arc(self, profile, start, end, segments, materials):
+        """Sweeps (radius, z) points, listed from the inside outwards and up, around the centre."""
+        steps = [start + (end - start) * i / segments for i in range(segments + 1)]
+        rows = [self.points(polar(r, a, z) for a in steps) for r, z in profile]
+        for k, material in enumerate(materials):
+            for i in range(segments):
+                self.face((rows[k][i + 1], rows[k][i], rows[k + 1][i], rows[k + 1][i + 1]),
+                          material)
+
+    def box(self, low, high, material, bottom=False):
+        (x0, y0, z0), (x1, y1, z1) = low, high
+        p = self.points((x, y, z) for z in (z0, z1)
+                        for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+        sides = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6, 7)]
+        tone = self.tone()
+        for side in sides + ([(3, 2, 1, 0)] if bottom else []):
+            self.face([p[i] for i in side], material, tone)
+
+    def turned(self, x, y, profile, sides, material):
+        """A lathe shape around a vertical axis from (radius, z) points, bottom first."""
+        turns = [2 * math.pi * i / sides for i in range(sides)]
+        rows = [self.points((x + r * math.cos(a), y + r * math.sin(a), z) for a in turns)
+                for r, z in profile]
+        tone = self.tone()
+        for below, above in zip(rows[:-1], rows[1:]):
+            for i in range(sides):
+                j = (i + 1) % sides
+                self.face((below[i], below[j], above[j], above[i]), material, tone)
+
+    def disc(self, radius, z, sides, material):
+        centre = self.point(0, 0, z)
+        ring = self.points(polar(radius, 2 * math.pi * i / sides, z) for i in range(sides))
+        for i in range(sides):
+            self.face((centre, ring[(i + 1) % sides], ring[i]), material, 1.0)
+
+    def prism(self, outline, other, sides_material, cap_material, flip):
+        """Two equal outlines joined by quads, both ends closed by fans."""
+        a, b = self.points(outline), self.points(other)
+        turn = (lambda ids: ids) if not flip else (lambda ids: tuple(reversed(ids)))
+        for k in range(1, len(a) - 1):
+            self.face(turn((a[0], a[k + 1], a[k])), cap_material, 1.0)
+            self.face(turn((b[0], b[k], b[k + 1])), cap_material, 1.0)
+        for k in range(len(a) - 1):
+            self.face(turn((a[k], a[k + 1], b[k + 1], b[k])), sides_material)
+
+    def triangle_count(self):
+        return sum(len(face) - 2 for face in self.faces)

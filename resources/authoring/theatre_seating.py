@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""The audience's side of the theatre: ranks of stone steps in wedges, and where people sit.
+
+A rank at front edge radius R, with its feet level f: the riser stands at R, the seat slab lies
+at f + SEAT_HEIGHT from R - NOSE to R + SLAB, and behind it the tread for the feet of the next
+rank, DIP lower. A seated person's foot point (the seat's position) is FOOT_IN_FRONT of the edge;
+the seated clips put the pelvis .40 m behind the foot point, so .20 m behind the edge."""
+import math
+
+from stage_surface import polar
+
+HALF_ANGLE = math.radians(100)
+WEDGES, LOWER_RANKS, UPPER_RANKS = 8, 6, 5
+RANKS = LOWER_RANKS + UPPER_RANKS
+FIRST_RADIUS, DEPTH, WALK = 8.2, .86, 1.7
+SEAT_HEIGHT, DIP, NOSE, SLAB = .44, .05, .04, .44
+RISE = SEAT_HEIGHT - DIP
+FLOOR = .10
+FOOT_IN_FRONT, SEAT_WIDTH, AISLE = .20, .57, .9
+SEGMENTS = 5
+
+
+def edge_radius(rank):
+    return FIRST_RADIUS + DEPTH * rank + (WALK if rank >= LOWER_RANKS else 0)
+
+
+def feet_level(rank):
+    return FLOOR + RISE * rank
+
+
+TOP_LEVEL = feet_level(RANKS)
+OUTER_RADIUS = edge_radius(RANKS - 1) + DEPTH + 1.6
+
+
+def wedge_angles(wedge):
+    width = 2 * HALF_ANGLE / WEDGES
+    return -HALF_ANGLE + width * wedge, -HALF_ANGLE + width * (wedge + 1)
+
+
+def add_seating(surface):
+    """Adds ranks and stairs; returns the seats in glTF's frame."""
+    seats = []
+    for wedge in range(WEDGES):
+        for rank in range(RANKS):
+            start, end = wedge_angles(wedge)
+            aisle = AISLE / 2 / edge_radius(rank)
+            _add_rank(surface, rank, start + aisle, end - aisle)
+            seats += _seats_of(rank, wedge, start + aisle, end - aisle)
+    for wedge in range(WEDGES + 1):
+        for rank in range(RANKS):
+            _add_stairs(surface, rank, -HALF_ANGLE + 2 * HALF_ANGLE * wedge / WEDGES)
+    return seats
+
+
+def _add_rank(surface, rank, start, end):
+    radius, feet = edge_radius(rank), feet_level(rank)
+    seat = feet + SEAT_HEIGHT
+    back = edge_radius(rank + 1) if rank + 1 < RANKS else radius + DEPTH
+    profile = [(radius, feet), (radius - NOSE, seat - .07), (radius - NOSE, seat),
+               (radius + SLAB, seat), (radius + SLAB, seat - DIP), (back, seat - DIP)]
+    surface.arc(profile, start, end, SEGMENTS,
+                ["stone_dark", "stone", "stone", "stone_dark", "stone_dark"])
+    for angle, is_start in ((start, True), (end, False)):
+        ids = surface.points(polar(r, angle, z) for r, z in (
+            (radius, feet), (radius - NOSE, seat), (radius + SLAB, seat),
+            (radius + SLAB, feet)))
+        surface.face(ids if is_start else ids[::-1], "stone_dark")
+
+
+def _seats_of(rank, wedge, start, end):
+    radius = edge_radius(rank)
+    count = int((end - start) * radius / SEAT_WIDTH)
+    seats = []
+    for i in range(count):
+        angle = start + (end - start) * (i + .5) / count
+        x, y, z = polar(radius - FOOT_IN_FRONT, angle, feet_level(rank))
+        seats.append({"position": [round(x, 4), round(z, 4), round(-y, 4)],
+                      "headingRadians": round(-angle, 5), "height": SEAT_HEIGHT,
+                      "rank": rank, "wedge": wedge})
+    return seats
+
+
+def _add_stairs(surface, rank, angle):
+    """Two steps a rank in the aisle."""
+    sine, cosine = math.sin(angle), math.cos(angle)
+    half = AISLE / 2 + .02
+    for step in range(2):
+        inner = edge_radius(rank) + step * DEPTH / 2
+        outer = inner + DEPTH / 2
+        if rank == LOWER_RANKS - 1 and step == 1:
+            outer += WALK
+        z = feet_level(rank) + (step + 1) * RISE / 2
+        corners = ((inner, -half, z - RISE / 2), (inner, half, z - RISE / 2), (inner, half, z),
+                   (inner, -half, z), (outer, half, z), (outer, -half, z))
+        ids = surface.points((sine * r + cosine * s, cosine * r - sine * s, h)
+                             for r, s, h in corners)
+        surface.face((ids[1], ids[0], ids[3], ids[2]), "stone_dark")
+        surface.face((ids[2], ids[3], ids[5], ids[4]), "stone")
