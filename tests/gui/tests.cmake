@@ -1,1 +1,2 @@
-crowd_add_test(ROOM gui NAME tst_ViewportWindow LINK crowd_widgets)
+crowd_add_test(ROOM gui NAME tst_PaintAudience LINK crowd_widgets)
+    crowd_add_test(ROOM gui NAME tst_ViewportWindow LINK crowd_widgets)

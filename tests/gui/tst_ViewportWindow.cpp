@@ -12,88 +12,17 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QVBoxLayout>
 
-#include "tests/widgets/SmallTheatre.h"
+#include "tests/gui/Studio.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportWidget.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
+using crowd::testing::Studio;
 
 namespace {
 
 constexpr QPoint kCenter(160, 120);
-
-/// A window with the picture and a line edit, over the small theatre; the clock stands.
-class Studio
-{
-public:
-    Studio() : state(document)
-    {
-        state.transport().setPlaying(false);
-        document.replaceScene(testing::smallTheatre(), {});
-        edit = new QLineEdit(&window);
-        view = new ViewportWidget(state, &window);
-        view->setFixedSize(320, 240);
-        layout = new QVBoxLayout(&window);
-        layout->addWidget(edit);
-        layout->addWidget(view);
-        window.show();
-        window.activateWindow();
-    }
-    [[nodiscard]] bool isReady()
-    {
-        return QTest::qWaitForWindowActive(&window) &&
-               QTest::qWaitFor([this] { return view->drawnFrames() > 0; });
-    }
-    /// Until nothing wants to be drawn any more.
-    void settle()
-    {
-        for (int still = 0, tries = 0; still < 2 && tries < 100; ++tries) {
-            const int before = view->drawnFrames();
-            QTest::qWait(60);
-            still = view->drawnFrames() == before ? still + 1 : 0;
-        }
-    }
-    [[nodiscard]] QImage picture()
-    {
-        QEvent leave(QEvent::Leave); // no brush in the picture
-        QApplication::sendEvent(view, &leave);
-        settle();
-        return view->grabFramebuffer();
-    }
-    [[nodiscard]] std::size_t people() const { return document.scene().population.size(); }
-    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
-              Qt::KeyboardModifiers modifiers = {})
-    {
-        send(QEvent::MouseButtonPress, from, button, button, modifiers);
-        for (int step = 1; step <= 12; ++step) {
-            send(QEvent::MouseMove, from + (to - from) * step / 12, Qt::NoButton, button,
-                 modifiers);
-        }
-        send(QEvent::MouseButtonRelease, to, button, Qt::NoButton, modifiers);
-    }
-    /// With time stamps of its own: a steady hand, however slow the machine.
-    void send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons,
-              Qt::KeyboardModifiers modifiers = {})
-    {
-        if (type == QEvent::MouseButtonPress) {
-            view->setFocus(Qt::MouseFocusReason);
-        }
-        QMouseEvent event(type, at, view->mapToGlobal(at), button, buttons, modifiers);
-        event.setTimestamp(m_milliseconds += 25);
-        QApplication::sendEvent(view, &event);
-    }
-
-    model::SceneDocument document;
-    EditorState state;
-    QWidget window;
-    QLineEdit* edit;
-    ViewportWidget* view;
-    QVBoxLayout* layout;
-
-private:
-    quint64 m_milliseconds = 1;
-};
 
 bool isOneColour(const QImage& image)
 {
