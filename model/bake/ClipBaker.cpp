@@ -139,6 +139,9 @@ std::vector<glm::vec3> keyframePositions(const Template& asset, int clipIndex, i
     evaluatePose(asset, clipIndex, keyframeSeconds(clip, keyframe), pose);
     std::vector<glm::vec3> positions(mesh.positions.size());
     skin(mesh, pose.bones, positions, {});
+    if (mesh.fileVertexCount > 0) {
+        positions.resize(mesh.fileVertexCount); // without the copies behind the file's vertices
+    }
     return positions;
 }
 

@@ -12,6 +12,7 @@
 
 #include "model/gltf/GltfContainer.h"
 #include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfMeshopt.h"
 #include "model/gltf/GltfValidate.h"
 
 namespace crowd::model::gltf {
@@ -91,6 +92,9 @@ Result<void> readBuffers(Json& root, Container& container, const std::string& fo
             bytes = std::move(read).value();
         } else if (i == 0 && container.hasBinary) {
             bytes = std::move(container.binary);
+        } else if (isFallback(buffer)) {
+            memory.buffers.emplace_back();
+            continue;
         } else {
             return Error{where + " has no uri, and the file has no binary chunk for it"};
         }
@@ -230,6 +234,9 @@ Result<GltfFile> readChecked(const std::string& path)
     Memory memory;
     if (const Result<void> read = readBuffers(root, container.value(), folder, memory); !read) {
         return read.error();
+    }
+    if (const Result<void> decoded = decodeMeshopt(root, memory.buffers); !decoded) {
+        return decoded.error();
     }
     std::vector<std::size_t> sizes;
     for (const Bytes& buffer : memory.buffers) {

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 11> kArrays{
 /// What may be demanded of us. Extensions that only change how a surface shines are fine: the file
 /// looks plainer, not wrong.
 constexpr std::array<std::string_view, 24> kKnownExtensions{
+    "EXT_meshopt_compression",
     "EXT_texture_webp",
-    "KHR_animation_pointer",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 24> kKnownExtensions{
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
-    "KHR_node_visibility",
+    "KHR_meshopt_compression",
     "KHR_texture_transform",
     "KHR_xmp",
     "KHR_xmp_json_ld",

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <meshoptimizer.h>
+
 #include <QtCore/QBuffer>
 #include <QtCore/QDir>
 #include <QtCore/QTemporaryDir>
@@ -91,6 +93,7 @@ private Q_SLOTS:
     void readsIndicesOfEverySize();
     void readsStridesSparseValuesAndMissingViews();
     void readsNormalisedIntegers();
+    void unpacksMeshoptCompression();
     void shadesFlatWhereNormalsAreMissing();
     void turnsMirroredTrianglesOver();
     void skinsWithWeightsOfSumOne();
@@ -225,6 +228,45 @@ void tst_GltfImport::readsNormalisedIntegers()
     QCOMPARE(mesh.positions[2], glm::vec3(0, -1, 0));
     QVERIFY(glm::length(mesh.uv[1] - glm::vec2(0.2F, 0.0F)) < 1e-6F);
     QCOMPARE(mesh.colors[0], glm::u8vec4(255, 0, 0, 255));
+}
+
+void tst_GltfImport::unpacksMeshoptCompression()
+{
+    const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    const Indices indices{0, 1, 2, 2, 1, 3};
+    std::vector<std::uint8_t> vertexData(meshopt_encodeVertexBufferBound(4, 12));
+    vertexData.resize(
+        meshopt_encodeVertexBuffer(vertexData.data(), vertexData.size(), positions.data(), 4, 12));
+    std::vector<std::uint8_t> indexData(meshopt_encodeIndexBufferBound(6, 4));
+    indexData.resize(
+        meshopt_encodeIndexBuffer(indexData.data(), indexData.size(), indices.data(), 6));
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.root["extensionsRequired"] = {"EXT_meshopt_compression"};
+    const auto compressed = [&](const std::vector<std::uint8_t>& data, int count, int stride,
+                                const char* mode) {
+        const int view = builder.view(data);
+        Json& json = builder.root["bufferViews"][static_cast<std::size_t>(view)];
+        Json extension = json;
+        extension["count"] = count;
+        extension["byteStride"] = stride;
+        extension["mode"] = mode;
+        json = {{"buffer", 1},
+                {"byteLength", count * stride},
+                {"extensions", {{"EXT_meshopt_compression", extension}}}};
+        return view;
+    };
+    const int vertexView = compressed(vertexData, 4, 12, "ATTRIBUTES");
+    primitive(builder)["attributes"]["POSITION"] = builder.accessorOf(vertexView, 5126, 4, "VEC3");
+    const int indexView = compressed(indexData, 6, 4, "TRIANGLES");
+    primitive(builder)["indices"] = builder.accessorOf(indexView, 5125, 6, "SCALAR");
+    const Json fallback = {{"EXT_meshopt_compression", {{"fallback", true}}}};
+    builder.root["buffers"] = {{{"byteLength", builder.bytes.size()}},
+                               {{"byteLength", 72}, {"extensions", fallback}}};
+    const TemplatePtr asset = load(builder);
+    const Mesh& mesh = asset->levels.front();
+    QCOMPARE(mesh.positions.size(), std::size_t{4});
+    QCOMPARE(mesh.positions[3], glm::vec3(1, 1, 0));
+    QCOMPARE(mesh.indices.size(), std::size_t{6});
 }
 
 void tst_GltfImport::shadesFlatWhereNormalsAreMissing()
