@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/InfoCommand.h"
+#include "app/commands/BenchPaint.h"
 
 namespace {
 
@@ -20,11 +21,21 @@ int main(int argc, char** argv)
     infoCommand->add_flag("--json", info.json, "Print one JSON object");
     infoCommand->add_option("--as", info.as, "Read a glTF file as this")
         ->check(CLI::IsMember({"template", "stage"}));
+    crowd::app::BenchPaintOptions benchPaint;
+    CLI::App* benchCommand = cli.add_subcommand("bench", "Measure");
+    benchCommand->require_subcommand(1);
+    CLI::App* benchPaintCommand = benchCommand->add_subcommand("paint", "How long a brush takes");
+    benchPaintCommand->add_option("--count", benchPaint.count, "People in the scene")
+        ->check(CLI::Range(1, 1000000));
+    benchPaintCommand->add_flag("--json", benchPaint.json, "Print one JSON object");
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         const int status = cli.exit(problem);
         return status == 0 ? 0 : kBadUsage;
+    }
+    if (benchPaintCommand->parsed()) {
+        return crowd::app::runBenchPaint(benchPaint);
     }
     return crowd::app::runInfo(info);
 }
