@@ -118,6 +118,8 @@ private Q_SLOTS:
     void escapeTakesTheStrokeBack();
     void aStillButtonGoesOnSpraying();
     void anEmptyStrokeSaysWhy();
+    void aRectangleFollowsThePointerFrameByFrame();
+    void theGhostGoesWhenItsTemplateDoes();
     void changingTheToolTakesTheStrokeBack();
     void ghostStandsUnderTheCreationBrush();
     void paperMappingGivesEachButtonItsSelection_data();
@@ -324,6 +326,38 @@ void TestToolController::anEmptyStrokeSaysWhy()
     QCOMPARE(remarks.last().front().toString(),
              model::reasonText(model::StrokeReason::NobodyUnderBrush));
     QCOMPARE(hand.document.undoStack().count(), 0);
+}
+
+void TestToolController::aRectangleFollowsThePointerFrameByFrame()
+{
+    Hand hand;
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
+    brush.selection = model::BrushSelection::Rectangle;
+    hand.state.setBrush(brush);
+    hand.press({200.0, 150.0});
+    hand.hover({440.0, 330.0});
+    const std::size_t large = hand.document.scene().population.size();
+    QVERIFY(large > 10);
+    hand.hover({300.0, 240.0});
+    const std::size_t small = hand.document.scene().population.size();
+    QVERIFY(small < large);
+    // The last bit of the way counts though no frame was drawn there.
+    hand.release({440.0, 330.0});
+    QCOMPARE(hand.document.scene().population.size(), large);
+    QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestToolController::theGhostGoesWhenItsTemplateDoes()
+{
+    Hand hand;
+    hand.hover(kCenter);
+    QVERIFY(!hand.tools.picture().ghosts.empty());
+    auto edit = hand.document.beginEdit();
+    edit->removeTemplate(1);
+    edit->commit(QStringLiteral("remove"));
+    QVERIFY(hand.tools.needsTick());
+    hand.rest(0.05);
+    QVERIFY(hand.tools.picture().ghosts.empty());
 }
 
 void TestToolController::changingTheToolTakesTheStrokeBack()

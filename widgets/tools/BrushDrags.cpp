@@ -46,22 +46,35 @@ StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings
 {
 }
 
+void StrokeDrag::paint()
+{
+    if (m_stroke) {
+        m_stroke->move(m_current.pointer);
+    }
+}
+
 void StrokeDrag::update(const ToolInput& input)
 {
     m_current = input;
-    if (m_stroke) {
-        m_stroke->move(input.pointer);
+    // What is evaluated anew from press to here need not be for places that no picture shows.
+    if (m_stroke && !m_stroke->settings().isReevaluated()) {
+        paint();
     }
 }
 
 void StrokeDrag::tick(const ToolInput& resting, double /*elapsedSeconds*/)
 {
-    update(resting);
+    const bool isResting = m_stroke && m_stroke->current().grid == resting.pointer.grid;
+    m_current = resting;
+    if (!isResting || !m_stroke->settings().isReevaluated()) {
+        paint();
+    }
 }
 
 void StrokeDrag::release(const ToolInput& input)
 {
-    update(input);
+    m_current = input;
+    paint();
     if (!m_stroke) {
         return;
     }

@@ -24,6 +24,8 @@ public:
     void show(ToolPicture& picture) const override;
 
 private:
+    void paint();
+
     ToolContext m_context;
     std::unique_ptr<model::Stroke> m_stroke;
     ToolInput m_press;

@@ -37,6 +37,9 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
         refreshPicture();
     });
     connect(&state, &EditorState::viewOptionsChanged, this, &ToolController::refreshHint);
+    connect(&state.document(), &model::SceneDocument::changed, this, [this] {
+        m_isPreviewStale |= !m_session && m_pointer.has_value(); // what is under it may be gone
+    });
     connect(&state, &EditorState::brushChanged, this, &ToolController::refreshPicture);
     connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
     refreshHint();

@@ -35,7 +35,7 @@ void drawPlate(QPainter& painter, const QRectF& area, const QPointF& center, con
 {
     const QRectF wide(0.0, 0.0, std::max(80.0, area.width() - 40.0), area.height());
     const QRectF bounds = painter.boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text);
-    QRectF plate(0.0, 0.0, bounds.width() + 28.0, bounds.height() + 16.0);
+    QRectF plate(0.0, 0.0, bounds.width() + 22.0, bounds.height() + 12.0);
     plate.moveCenter(center);
     plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
                               std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
@@ -143,10 +143,14 @@ void ViewportOverlay::paintLabel(QPainter& painter) const
         return;
     }
     // Clear of the brush's outline; below it where there is no room above.
+    QFont small = painter.font();
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    painter.setFont(small);
     const double away = (m_picture.circle ? m_picture.circle->radius : 6.0) + 20.0;
     const QPointF above = m_picture.symbolAt - QPointF(0.0, away);
     const QPointF below = m_picture.symbolAt + QPointF(0.0, away + kSymbolSize);
     drawPlate(painter, rect(), above.y() < 20.0 ? below : above, m_picture.label);
+    painter.setFont(font());
 }
 
 void ViewportOverlay::paintTexts(QPainter& painter) const

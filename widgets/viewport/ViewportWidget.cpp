@@ -50,6 +50,7 @@ ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
 
 ViewportWidget::~ViewportWidget()
 {
+    m_tools.cancel(); // while everything that hears of it still stands
     // The base class destroys the context after this; nobody is to call back into half an object.
     if (context() != nullptr) {
         disconnect(context(), nullptr, this, nullptr);
