@@ -35,7 +35,10 @@ CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
     : m_context(context), m_settings(settings), m_seed(seed),
       m_seats(scene, context.view, context.stage, settings.create.seats, settings.through),
       m_usesSeats(settings.create.seats.isOn && m_seats.hasSeats()),
-      m_neighbours(scene.population.column(columns::position), settings.create.minimalDistance),
+      // Seats keep people apart by themselves.
+      m_neighbours(m_usesSeats ? std::span<const glm::vec3>()
+                               : scene.population.column(columns::position),
+                   settings.create.minimalDistance),
       m_present(m_neighbours.size())
 {
 }

@@ -32,7 +32,8 @@ NeighbourGrid::NeighbourGrid(std::span<const glm::vec3> points, float distance)
 
 std::int64_t NeighbourGrid::cellOf(float metres) const
 {
-    return static_cast<std::int64_t>(std::floor(static_cast<double>(metres) / m_cell));
+    const double cell = std::floor(static_cast<double>(metres) / m_cell);
+    return std::isfinite(cell) ? static_cast<std::int64_t>(cell) : 0;
 }
 
 std::size_t NeighbourGrid::bucketOf(std::int64_t x, std::int64_t z) const

@@ -29,10 +29,11 @@ ShownClip shownClip(const TemplateEntry& source, int clip, BakedClipPtr baked)
 
 int assetClip(const TemplateEntry& entry, std::uint16_t clipColumn)
 {
-    if (!entry.asset || clipColumn >= entry.clipNames.size()) {
+    if (!entry.asset || entry.clipNames.empty()) {
         return entry.asset ? entry.asset->defaultClip : -1;
     }
-    const int found = entry.asset->clipIndex(entry.clipNames[clipColumn]);
+    const std::size_t name = std::min<std::size_t>(clipColumn, entry.clipNames.size() - 1);
+    const int found = entry.asset->clipIndex(entry.clipNames[name]);
     return found >= 0 ? found : entry.asset->defaultClip;
 }
 

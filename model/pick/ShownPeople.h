@@ -14,7 +14,7 @@
 namespace crowd::model {
 
 /// Index of the asset's clip that a value of the clip column names: by name, the default clip where
-/// the asset has no clip of that name.
+/// the asset has no clip of that name, the last name for values beyond the list (as it is drawn).
 [[nodiscard]] int assetClip(const TemplateEntry& entry, std::uint16_t clipColumn);
 
 /// A clip as picking needs it: the baked mesh and a cylinder around all its keyframes.
