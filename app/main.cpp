@@ -3,6 +3,9 @@
 
 #include "app/InfoCommand.h"
 #include "app/commands/BenchPaint.h"
+#include "app/commands/BenchRender.h"
+#include "app/commands/RenderCli.h"
+#include "app/commands/RenderCommand.h"
 
 namespace {
 
@@ -28,14 +31,18 @@ int main(int argc, char** argv)
     benchPaintCommand->add_option("--count", benchPaint.count, "People in the scene")
         ->check(CLI::Range(1, 1000000));
     benchPaintCommand->add_flag("--json", benchPaint.json, "Print one JSON object");
+    int status = 0;
+    crowd::app::BenchRenderOptions benchRender;
+    crowd::app::addBenchRenderCommand(*benchCommand, benchRender, status);
+    crowd::app::RenderOptions render;
+    crowd::app::addRenderCommand(cli, render, status);
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        const int status = cli.exit(problem);
-        return status == 0 ? 0 : kBadUsage;
+        return cli.exit(problem) == 0 ? 0 : kBadUsage;
     }
     if (benchPaintCommand->parsed()) {
         return crowd::app::runBenchPaint(benchPaint);
     }
-    return crowd::app::runInfo(info);
+    return infoCommand->parsed() ? crowd::app::runInfo(info) : status;
 }

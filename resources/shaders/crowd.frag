@@ -1,7 +1,6 @@
 in vec4 color;
 #ifdef TEXTURED
-in vec2 textureUv;
-flat in float layer;
+in vec3 textureUv;
 uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
 #endif
 #ifdef TINT_IN_TEXTURE
@@ -26,11 +25,11 @@ void main()
 {
     vec4 result = color;
 #ifdef TEXTURED
-    vec4 texel = texture(images, vec3(textureUv, layer));
+    vec4 texel = texture(images, textureUv);
     result.rgb *= texel.rgb;
 #ifdef SEPARATE_MASK
     result.a *= texel.a;
-    float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv, maskLayer)).r;
+    float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv.xy, maskLayer)).r;
 #else
     float mask = texel.a;
 #endif

@@ -25,8 +25,7 @@ const uint kNoPart = 255u;
 
 out vec4 color; // lit base colour, alpha
 #ifdef TEXTURED
-out vec2 textureUv;
-flat out float layer;
+out vec3 textureUv; // and the layer: one interpolated vector less
 #endif
 #ifdef TINT_IN_TEXTURE
 out vec3 maskedTint;
@@ -129,8 +128,7 @@ void main()
 #ifdef TEXTURED
     vec3 rowU = texelFetch(materials, material + 2).xyz;
     vec3 rowV = texelFetch(materials, material + 3).xyz;
-    textureUv = vec2(dot(rowU, vec3(uv, 1.0)), dot(rowV, vec3(uv, 1.0)));
-    layer = properties.x;
+    textureUv = vec3(dot(rowU, vec3(uv, 1.0)), dot(rowV, vec3(uv, 1.0)), properties.x);
 #endif
 #ifdef SEPARATE_MASK
     maskLayer = properties.y;

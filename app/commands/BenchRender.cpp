@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/BenchRender.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+
+#include "app/commands/BenchScene.h"
+#include "app/commands/OptionText.h"
+#include "app/commands/PictureFile.h"
+#include "app/commands/SceneSource.h"
+#include "model/bake/ClipBaker.h"
+#include "render/OffscreenContext.h"
+#include "render/Renderer.h"
+#include "render/reference/PaperMethod.h"
+#include "render/reference/SyntheticPerson.h"
+
+namespace crowd::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using render::OffscreenContext;
+
+constexpr int kWarmUpFrames = 5;
+constexpr double kFrameSeconds = 1.0 / 30.0;
+
+struct Timing
+{
+    double median = 0.0;
+    double p95 = 0.0;
+};
+
+Timing timingOf(std::vector<double> samples)
+{
+    std::ranges::sort(samples);
+    return {samples[samples.size() / 2], samples[samples.size() * 95 / 100]};
+}
+
+double since(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+model::Result<model::Scene> loadWorkload(const BenchRenderOptions& options)
+{
+    if (!options.scene.empty()) {
+        auto scene = loadForPicture(QString::fromStdString(options.scene));
+        if (scene) {
+            keepPeople(scene.value(), static_cast<std::size_t>(options.count));
+        }
+        return scene;
+    }
+    if (options.triangles > 0) {
+        return makeBenchField({render::makeSyntheticPerson(options.triangles)}, options.count);
+    }
+    std::vector<model::TemplatePtr> assets;
+    for (const char* name : {"builtin:templates/man.glb", "builtin:templates/woman.glb"}) {
+        auto asset = loadBuiltinTemplate(name);
+        if (!asset) {
+            return asset.error();
+        }
+        assets.push_back(asset.value());
+    }
+    return makeBenchField(assets, options.count);
+}
+
+/// Both ways of drawing with what they draw.
+class Comparison
+{
+public:
+    Comparison(const BenchRenderOptions& options, glm::ivec2 size, model::Scene scene)
+        : m_options(options), m_size(size), m_scene(std::move(scene)),
+          m_seats(m_scene.worldSeats()),
+          m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(m_scene.templates))
+    {
+    }
+    ~Comparison();
+
+    [[nodiscard]] model::Result<void> open();
+    [[nodiscard]] model::Result<void> run();
+    [[nodiscard]] model::Result<void> writePictures() const;
+    [[nodiscard]] QJsonObject report() const;
+
+private:
+    [[nodiscard]] render::RenderInput inputAt(double seconds);
+    [[nodiscard]] model::Result<double> timeOurs(double seconds);
+    [[nodiscard]] model::Result<double> timeReference(double seconds);
+
+    const BenchRenderOptions& m_options;
+    glm::ivec2 m_size;
+    model::Scene m_scene;
+    std::vector<model::WorldSeat> m_seats;
+    std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
+    model::KeyframeStore m_keyframes;
+    std::unique_ptr<OffscreenContext> m_core;
+    std::unique_ptr<OffscreenContext> m_compatibility;
+    render::Renderer m_renderer;
+    render::PaperMethod m_paper;
+    std::vector<double> m_ours;
+    std::vector<double> m_reference;
+};
+
+Comparison::~Comparison()
+{
+    if (m_compatibility && m_compatibility->makeCurrent()) {
+        m_paper.destroy();
+    }
+    if (m_core && m_core->makeCurrent()) {
+        m_renderer.destroy();
+    }
+}
+
+model::Result<void> Comparison::open()
+{
+    auto compatibility = OffscreenContext::create(OffscreenContext::Profile::Compatibility);
+    if (!compatibility) {
+        return compatibility.error();
+    }
+    m_compatibility = std::move(compatibility).value();
+    auto core = OffscreenContext::create();
+    if (!core) {
+        return core.error();
+    }
+    m_core = std::move(core).value();
+    return m_renderer.initialize();
+}
+
+render::RenderInput Comparison::inputAt(double seconds)
+{
+    const model::Camera camera =
+        m_scene.cameras.empty() ? model::Camera{} : m_scene.cameras.front().camera;
+    render::RenderInput input(model::View(camera, glm::vec2(m_size)), m_keyframes);
+    auto frame = std::make_shared<model::CrowdFrame>();
+    frame->population = m_scene.population;
+    frame->templates = m_templates;
+    frame->seconds = seconds;
+    input.frame = frame;
+    input.stages = m_scene.stages;
+    input.seats = m_seats;
+    input.seatsVersion = 1;
+    input.lighting = m_scene.lighting;
+    if (m_options.detail == "full") {
+        input.levels = render::LevelThresholds::fullDetail();
+    }
+    return input;
+}
+
+model::Result<double> Comparison::timeOurs(double seconds)
+{
+    (void)m_core->makeCurrent();
+    const render::RenderInput input = inputAt(seconds);
+    const Clock::time_point start = Clock::now();
+    if (auto drawn = m_renderer.draw(input); !drawn) {
+        return drawn.error();
+    }
+    glFinish();
+    return since(start);
+}
+
+model::Result<double> Comparison::timeReference(double seconds)
+{
+    (void)m_compatibility->makeCurrent();
+    const render::RenderInput input = inputAt(seconds);
+    const Clock::time_point start = Clock::now();
+    if (auto drawn = m_paper.draw(input); !drawn) {
+        return drawn.error();
+    }
+    glFinish();
+    return since(start);
+}
+
+model::Result<void> Comparison::run()
+{
+    for (int i = 0; i < kWarmUpFrames + m_options.frames; ++i) {
+        const double seconds = i * kFrameSeconds;
+        auto ours = timeOurs(seconds);
+        if (!ours) {
+            return ours.error();
+        }
+        m_keyframes.waitForAll();
+        auto reference = timeReference(seconds);
+        if (!reference) {
+            return reference.error();
+        }
+        if (i >= kWarmUpFrames) {
+            m_ours.push_back(ours.value());
+            m_reference.push_back(reference.value());
+        }
+    }
+    return {};
+}
+
+model::Result<void> Comparison::writePictures() const
+{
+    const QString name = QString::fromStdString(m_options.picture);
+    (void)m_core->makeCurrent();
+    if (auto written =
+            writePicture(name + QStringLiteral("-ours.png"), m_renderer.readPixels(), m_size);
+        !written) {
+        return written;
+    }
+    (void)m_compatibility->makeCurrent();
+    return writePicture(name + QStringLiteral("-reference.png"), m_paper.readPixels(), m_size);
+}
+
+QJsonObject Comparison::report() const
+{
+    const Timing ours = timingOf(m_ours);
+    const Timing reference = timingOf(m_reference);
+    const render::RenderStatistics& drawn = m_renderer.statistics();
+    const model::Template* asset = nullptr;
+    for (const model::TemplateEntry& entry : m_scene.templates) {
+        asset = asset == nullptr && entry.asset ? entry.asset.get() : asset;
+    }
+    const model::Mesh* mesh = asset != nullptr ? &asset->levels.front() : nullptr;
+    QJsonObject json;
+    json[QStringLiteral("count")] = static_cast<qint64>(m_scene.population.size());
+    json[QStringLiteral("triangles")] =
+        static_cast<qint64>(mesh != nullptr ? mesh->triangleCount() : 0);
+    json[QStringLiteral("width")] = m_size.x;
+    json[QStringLiteral("height")] = m_size.y;
+    json[QStringLiteral("detail")] = QString::fromStdString(m_options.detail);
+    json[QStringLiteral("median_ms")] = ours.median;
+    json[QStringLiteral("p95_ms")] = ours.p95;
+    json[QStringLiteral("draws")] = drawn.draws;
+    json[QStringLiteral("triangles_drawn")] = static_cast<qint64>(drawn.triangles);
+    json[QStringLiteral("bytes_per_keyframe")] = static_cast<qint64>(
+        mesh != nullptr ? mesh->positions.size() * sizeof(model::PackedVertex) : 0);
+    json[QStringLiteral("cpu_ms")] = drawn.recordsMs + drawn.planMs;
+    json[QStringLiteral("reference")] =
+        QJsonObject{{QStringLiteral("method"), QStringLiteral("display list per keyframe and "
+                                                              "material, fixed-function light")},
+                    {QStringLiteral("median_ms"), reference.median}};
+    json[QStringLiteral("ratio")] = reference.median / ours.median;
+    return json;
+}
+
+int fail(const model::Error& error)
+{
+    std::fprintf(stderr, "%s\n", error.message.c_str());
+    return 1;
+}
+
+void print(const QJsonObject& report, bool isJson)
+{
+    if (isJson) {
+        std::printf("%s\n", QJsonDocument(report).toJson(QJsonDocument::Compact).constData());
+        return;
+    }
+    const QJsonObject reference = report[QStringLiteral("reference")].toObject();
+    std::printf(
+        "%d people of %d triangles, %d by %d pixels, detail %s\n"
+        "ours       %8.2f ms median, %.2f ms at the 95th percentile, %d draws, %.0f "
+        "triangles\nreference  %8.2f ms median (%s)\nratio      %8.2f\n",
+        report[QStringLiteral("count")].toInt(), report[QStringLiteral("triangles")].toInt(),
+        report[QStringLiteral("width")].toInt(), report[QStringLiteral("height")].toInt(),
+        qPrintable(report[QStringLiteral("detail")].toString()),
+        report[QStringLiteral("median_ms")].toDouble(), report[QStringLiteral("p95_ms")].toDouble(),
+        report[QStringLiteral("draws")].toInt(),
+        report[QStringLiteral("triangles_drawn")].toDouble(),
+        reference[QStringLiteral("median_ms")].toDouble(),
+        qPrintable(reference[QStringLiteral("method")].toString()),
+        report[QStringLiteral("ratio")].toDouble());
+}
+
+} // namespace
+
+int runBenchRender(const BenchRenderOptions& options)
+{
+    const auto size = parseSize(options.size);
+    if (options.count < 1 || !size || options.frames < 1 ||
+        (options.detail != "full" && options.detail != "levels")) {
+        std::fprintf(
+            stderr,
+            "bench render: count and frames are positive, the size is WIDTHxHEIGHT, the detail "
+            "is \"full\" or \"levels\".\n");
+        return 2;
+    }
+    auto scene = loadWorkload(options);
+    if (!scene) {
+        return fail(scene.error());
+    }
+    Comparison comparison(options, *size, std::move(scene).value());
+    if (auto opened = comparison.open(); !opened) {
+        return fail(opened.error());
+    }
+    if (auto ran = comparison.run(); !ran) {
+        return fail(ran.error());
+    }
+    if (!options.picture.empty()) {
+        if (auto written = comparison.writePictures(); !written) {
+            return fail(written.error());
+        }
+    }
+    print(comparison.report(), options.json);
+    return 0;
+}
+
+} // namespace crowd::app

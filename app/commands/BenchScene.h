@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "model/scene/Scene.h"
+
+namespace crowd::app {
+
+/// A field of `count` people of the templates in turn, 30 to 90 pixels high in a picture of 720
+/// rows: rows that fill the view of the scene's camera "bench", at various clips, phases, tints,
+/// heights.
+[[nodiscard]] model::Scene makeBenchField(const std::vector<model::TemplatePtr>& assets, int count);
+
+/// Keeps the first `count` people in the order of a fixed shuffle.
+void keepPeople(model::Scene& scene, std::size_t count);
+
+} // namespace crowd::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/RenderCli.h"
+
+#include <array>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <QtCore/QCoreApplication>
+
+#include "app/commands/BenchRender.h"
+#include "app/commands/RenderCommand.h"
+
+namespace crowd::app {
+
+namespace {
+
+/// Finds the built-in content and picture formats; needs no display.
+class HeadlessApplication
+{
+public:
+    HeadlessApplication() : m_application(m_count, m_arguments.data()) {}
+
+private:
+    std::string m_name = "crowdbrush";
+    std::array<char*, 2> m_arguments{m_name.data(), nullptr};
+    int m_count = 1;
+    QCoreApplication m_application;
+};
+
+} // namespace
+
+void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
+{
+    CLI::App* command =
+        cli.add_subcommand("render", "Draw pictures of a scene without opening a window");
+    command->add_option("SCENE", options.scene, "A .crowd, .glb or .gltf file")->required();
+    command->add_option("--output", options.output, "Picture to write, .png; #### for the frame")
+        ->required();
+    command->add_option("--camera", options.camera, "Name of a camera of the scene");
+    command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--time", options.time, "Seconds of the scene's time");
+    command->add_option("--look", options.look, "How it is drawn: plain, lit")
+        ->capture_default_str();
+    command->add_option("--frames", options.frames, "Draw frames A-B");
+    command->add_option("--fps", options.framesPerSecond, "Frames per second")
+        ->capture_default_str();
+    command->callback([&options, &status] {
+        const HeadlessApplication application;
+        status = runRender(options);
+    });
+}
+
+void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& status)
+{
+    CLI::App* command = bench.add_subcommand(
+        "render", "Time our drawing against display lists with fixed-function light");
+    command->add_option("--count", options.count, "People")->capture_default_str();
+    command->add_option("--triangles", options.triangles,
+                        "Triangles of a figure made in code instead of the built-in people");
+    command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--detail", options.detail, "full or levels")->capture_default_str();
+    command->add_option("--scene", options.scene, "Draw this scene instead of a field of people");
+    command->add_option("--frames", options.frames, "Frames timed")->capture_default_str();
+    command->add_option("--picture", options.picture,
+                        "Write what both drew to NAME-ours.png and NAME-reference.png");
+    command->add_flag("--json", options.json, "Print one JSON object");
+    command->callback([&options, &status] {
+        const HeadlessApplication application;
+        status = runBenchRender(options);
+    });
+}
+
+} // namespace crowd::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace crowd::app {
+
+/// crowdbrush render SCENE --output FILE.png [...]: pictures of a scene without a window. Options
+/// as the user gave them, UTF-8; empty: not given.
+struct RenderOptions
+{
+    std::string scene;  ///< .crowd, or a .glb or .gltf to look at
+    std::string output; ///< with a run of # for the frame number where several are drawn
+    std::string camera; ///< name; the scene's first one when empty
+    std::string size = "1280x720";
+    double time = 0.0; ///< seconds of the transport; of frame 0 where several are drawn
+    std::string look = "lit";
+    std::string frames; ///< "A-B"
+    double framesPerSecond = 30.0;
+};
+
+/// The exit code: 0, 1 with one line on standard error, or 2 for options that make no sense. Prints
+/// where it wrote. Needs no display.
+[[nodiscard]] int runRender(const RenderOptions& options);
+
+} // namespace crowd::app
