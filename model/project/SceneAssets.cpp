@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/SceneAssets.h"
+
+#include <algorithm>
+
+#include <QtCore/QFileInfo>
+
+#include "model/gltf/GltfImport.h"
+#include "model/project/AssetPaths.h"
+#include "model/project/ProjectFile.h"
+
+namespace crowd::model {
+
+namespace {
+
+constexpr const char* kCancelled = "Loading was cancelled.";
+
+std::vector<std::string> clipNamesOf(const Template& asset)
+{
+    std::vector<std::string> names;
+    for (const Clip& clip : asset.clips) {
+        names.push_back(clip.name);
+    }
+    return names;
+}
+
+/// The asset's clips in the order of `names`, which are extended by those it has beyond them.
+std::shared_ptr<Template> withClipsInOrder(const Template& asset, std::vector<std::string>& names)
+{
+    auto ordered = std::make_shared<Template>(asset);
+    ordered->clips.clear();
+    for (const Clip& clip : asset.clips) {
+        if (std::ranges::find(names, clip.name) == names.end()) {
+            names.push_back(clip.name);
+        }
+    }
+    for (const std::string& name : names) {
+        const int index = asset.clipIndex(name);
+        Clip clip = asset.clips[static_cast<std::size_t>(index < 0 ? asset.defaultClip : index)];
+        if (index < 0) {
+            ordered->warnings.push_back("The clip \"" + name +
+                                        "\" is not in the file any more; \"" + clip.name +
+                                        "\" is played instead.");
+            clip.name = name;
+        }
+        ordered->clips.push_back(std::move(clip));
+    }
+    const auto newIndex = [&](int old) {
+        return old < 0 ? -1 : ordered->clipIndex(asset.clips[static_cast<std::size_t>(old)].name);
+    };
+    ordered->defaultClip = newIndex(asset.defaultClip);
+    ordered->seatedClip = newIndex(asset.seatedClip);
+    return ordered;
+}
+
+void applySpeeds(const TemplateEntry& entry, Template& asset)
+{
+    for (std::size_t i = 0; i < std::min(entry.clipSpeeds.size(), asset.clips.size()); ++i) {
+        if (!std::isnan(entry.clipSpeeds[i])) {
+            asset.clips[i].speed = entry.clipSpeeds[i];
+        }
+    }
+}
+
+ImportProgress importProgress(const LoadProgress& progress, const std::string& what)
+{
+    if (!progress) {
+        return {};
+    }
+    return [progress, what](float fraction) { return progress(what, fraction); };
+}
+
+TemplateEntry builtinTemplate(TemplateId id, const char* name)
+{
+    TemplateEntry entry;
+    entry.id = id;
+    entry.name = name;
+    entry.path = std::string("builtin:templates/") + name + ".glb";
+    return entry;
+}
+
+} // namespace
+
+Result<TemplatePtr> loadTemplateAsset(const TemplateEntry& entry, const LoadProgress& progress)
+{
+    return importTemplate(assetFile(entry.path).toStdString(), entry.import,
+                          importProgress(progress, entry.name));
+}
+
+Result<StagePtr> loadStageAsset(const StageEntry& entry, const LoadProgress& progress)
+{
+    return importStage(assetFile(entry.path).toStdString(), importProgress(progress, entry.name));
+}
+
+void attachAsset(TemplateEntry& entry, TemplatePtr asset)
+{
+    std::vector<std::string> names = clipNamesOf(*asset);
+    const bool isInOrder = entry.clipNames.empty() || entry.clipNames == names;
+    if (!isInOrder || !entry.clipSpeeds.empty()) {
+        if (!entry.clipNames.empty()) {
+            names = entry.clipNames;
+        }
+        const auto ordered = withClipsInOrder(*asset, names);
+        applySpeeds(entry, *ordered);
+        asset = ordered;
+    }
+    entry.clipNames = names;
+    entry.asset = std::move(asset);
+    entry.problem.clear();
+}
+
+void loadAssets(Scene& scene, const LoadProgress& progress)
+{
+    const std::size_t total = scene.templates.size() + scene.stages.size();
+    std::size_t done = 0;
+    bool isCancelled = false;
+    // Progress of the whole; remembers a refusal so that the rest is not even begun.
+    const LoadProgress overall = [&](const std::string& what, float fraction) {
+        const float all = (static_cast<float>(done) + fraction) / static_cast<float>(total);
+        isCancelled = isCancelled || (progress && !progress(what, all));
+        return !isCancelled;
+    };
+    for (StageEntry& entry : scene.stages) {
+        if (!entry.asset && overall(entry.name, 0.0F)) {
+            Result<StagePtr> asset = loadStageAsset(entry, overall);
+            entry.asset = asset ? asset.value() : nullptr;
+            entry.problem = asset ? std::string() : asset.error().message;
+        } else if (!entry.asset) {
+            entry.problem = kCancelled;
+        }
+        ++done;
+    }
+    for (TemplateEntry& entry : scene.templates) {
+        if (!entry.asset && overall(entry.name, 0.0F)) {
+            Result<TemplatePtr> asset = loadTemplateAsset(entry, overall);
+            if (asset) {
+                attachAsset(entry, asset.value());
+            } else {
+                entry.problem = asset.error().message;
+            }
+        } else if (!entry.asset) {
+            entry.problem = kCancelled;
+        }
+        ++done;
+    }
+}
+
+Result<Scene> loadScene(const QString& path, const LoadProgress& progress)
+{
+    Result<Scene> scene = readProject(path);
+    if (scene) {
+        loadAssets(scene.value(), progress);
+    }
+    return scene;
+}
+
+Scene newEmptyGround()
+{
+    Scene scene;
+    scene.templates = {builtinTemplate(1, "man"), builtinTemplate(2, "woman")};
+    scene.cameras.push_back(
+        {"Overview", Camera::lookingAt({0.0F, 6.0F, 16.0F}, {0.0F, 0.8F, 0.0F})});
+    scene.cameras.push_back(
+        {"Eye level", Camera::lookingAt({0.0F, 1.7F, 9.0F}, {0.0F, 1.0F, 0.0F})});
+    return scene;
+}
+
+Scene newEmptyTheatre()
+{
+    Scene scene = newEmptyGround();
+    StageEntry theatre;
+    theatre.id = 1;
+    theatre.name = "theatre";
+    theatre.path = "builtin:stages/theatre.glb";
+    scene.stages.push_back(theatre);
+    scene.cameras = {
+        {"Audience", Camera::lookingAt({0.0F, 7.5F, 5.0F}, {0.0F, 1.2F, -13.0F})},
+        {"Overview", Camera::lookingAt({24.0F, 20.0F, 16.0F}, {0.0F, 0.5F, -6.0F})},
+        {"From the seats", Camera::lookingAt({0.0F, 6.5F, -17.5F}, {0.0F, 2.0F, 6.0F})},
+    };
+    return scene;
+}
+
+} // namespace crowd::model
