@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/actions/ActionRegistry.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QSettings>
+#include <QtWidgets/QWidget>
+
+#include "widgets/theme/Icons.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+QString settingsKey(const char* id)
+{
+    return QStringLiteral("shortcuts/") + QLatin1String(id);
+}
+
+} // namespace
+
+ActionRegistry::ActionRegistry(QWidget* window) : QObject(window), m_window(window) {}
+
+QList<QKeySequence> ActionRegistry::defaultShortcuts(const ActionSpec& spec)
+{
+    return QKeySequence::listFromString(QLatin1String(spec.shortcut), QKeySequence::PortableText);
+}
+
+QAction* ActionRegistry::add(const ActionSpec& spec, std::function<void(bool)> run)
+{
+    Q_ASSERT(!m_actions.contains(spec.id));
+    auto* action = new QAction(m_window);
+    action->setObjectName(QLatin1String(spec.id));
+    action->setCheckable(spec.isCheckable);
+    action->setIcon(iconNamed(spec.icon));
+    setTexts(spec, *action);
+    loadShortcut(spec, *action);
+    connect(action, &QAction::triggered, this, std::move(run));
+    m_window->addAction(action);
+    m_specs.push_back(spec);
+    m_actions[spec.id] = action;
+    setTexts(spec, *action);
+    return action;
+}
+
+QAction* ActionRegistry::action(const std::string& id) const
+{
+    const auto found = m_actions.find(id);
+    Q_ASSERT_X(found != m_actions.end(), "ActionRegistry", id.c_str());
+    return found->second;
+}
+
+const ActionSpec& ActionRegistry::spec(const std::string& id) const
+{
+    return *std::ranges::find_if(m_specs, [&](const ActionSpec& item) { return id == item.id; });
+}
+
+void ActionRegistry::setTexts(const ActionSpec& spec, QAction& action)
+{
+    action.setText(QCoreApplication::translate("Actions", spec.text));
+    const QString tip = QCoreApplication::translate("Actions", spec.tip);
+    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+    action.setStatusTip(tip);
+    action.setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1  (%2)").arg(tip, keys));
+}
+
+void ActionRegistry::loadShortcut(const ActionSpec& spec, QAction& action) const
+{
+    const QVariant stored = QSettings().value(settingsKey(spec.id));
+    if (stored.isValid()) {
+        action.setShortcut(QKeySequence(stored.toString(), QKeySequence::PortableText));
+    } else {
+        action.setShortcuts(defaultShortcuts(spec));
+    }
+}
+
+void ActionRegistry::setShortcut(const std::string& id, const QKeySequence& keys)
+{
+    const ActionSpec& item = spec(id);
+    const QList<QKeySequence> defaults = defaultShortcuts(item);
+    const bool isDefault = defaults.isEmpty() ? keys.isEmpty() : defaults.front() == keys;
+    if (isDefault) {
+        QSettings().remove(settingsKey(item.id));
+    } else {
+        QSettings().setValue(settingsKey(item.id), keys.toString(QKeySequence::PortableText));
+    }
+    loadShortcut(item, *action(id));
+    setTexts(item, *action(id));
+}
+
+QAction* ActionRegistry::actionWithShortcut(const QKeySequence& keys) const
+{
+    for (const auto& [id, item] : m_actions) {
+        if (!keys.isEmpty() && item->shortcuts().contains(keys)) {
+            return item;
+        }
+    }
+    return nullptr;
+}
+
+void ActionRegistry::resetShortcuts()
+{
+    QSettings().remove(QStringLiteral("shortcuts"));
+    for (const ActionSpec& item : m_specs) {
+        loadShortcut(item, *action(item.id));
+        setTexts(item, *action(item.id));
+    }
+}
+
+void ActionRegistry::refreshTexts()
+{
+    for (const ActionSpec& item : m_specs) {
+        setTexts(item, *action(item.id));
+    }
+}
+
+void ActionRegistry::refreshIcons()
+{
+    for (const ActionSpec& item : m_specs) {
+        action(item.id)->setIcon(iconNamed(item.icon));
+    }
+}
+
+} // namespace crowd::widgets

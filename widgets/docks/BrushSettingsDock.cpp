@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/BrushSettingsDock.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtWidgets/QLabel>
+
+namespace crowd::widgets {
+
+BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Brush Settings"), "brushSettings", parent), m_state(state)
+{
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(0);
+    connect(&m_rebuild, &QTimer::timeout, this, &BrushSettingsDock::rebuild);
+    connect(&m_state, &EditorState::toolChanged, this, [this] { m_rebuild.start(); });
+    connect(&m_state, &EditorState::brushChanged, this, [this] {
+        if (m_form != nullptr) {
+            m_form->refresh();
+        }
+    });
+    // Slots and clips on offer are those of the scene's templates.
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::TemplatesChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    m_rebuild.start();
+                }
+            });
+    rebuild();
+}
+
+void BrushSettingsDock::rebuild()
+{
+    delete widget();
+    m_form = nullptr;
+    const ToolInfo& tool = toolInfo(m_state.tool());
+    setWindowTitle(QCoreApplication::translate("Tools", tool.name));
+    if (!tool.brush) {
+        auto* note = new QLabel(tr("This tool has no settings. Choose a brush to set it."), this);
+        note->setWordWrap(true);
+        note->setMargin(8);
+        note->setAlignment(Qt::AlignTop);
+        setWidget(note);
+        return;
+    }
+    m_form = new BrushForm(m_state, *tool.brush, this);
+    fillBrushForm(*m_form, *tool.brush, m_state);
+    setScrolledContent(m_form);
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <QtCore/QTimer>
+
+#include "widgets/docks/BrushForm.h"
+#include "widgets/docks/DockBase.h"
+#include "widgets/state/EditorState.h"
+
+namespace crowd::widgets {
+
+/// How the active brush is set: selection, size, rate, operator, and what it changes.
+class BrushSettingsDock : public DockBase
+{
+    Q_OBJECT
+
+public:
+    BrushSettingsDock(EditorState& state, QWidget* parent);
+
+private:
+    void rebuild();
+
+    EditorState& m_state;
+    BrushForm* m_form = nullptr; ///< null while no brush is active
+    QTimer m_rebuild;
+};
+
+} // namespace crowd::widgets

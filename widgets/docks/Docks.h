@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// All panels of the window. Each is a QDockWidget with a stable object name, made with the
+/// editor's state, which outlives it; edits go through the document's transactions.
+#include "widgets/docks/BrushPaletteDock.h"
+#include "widgets/docks/BrushSettingsDock.h"
+#include "widgets/docks/ColourDock.h"
+#include "widgets/docks/HistoryDock.h"
+#include "widgets/docks/IndividualDock.h"
+#include "widgets/docks/SceneDock.h"
+#include "widgets/docks/TemplatesDock.h"

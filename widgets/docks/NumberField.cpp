@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/NumberField.h"
+
+#include <algorithm>
+
+#include <QtCore/QLocale>
+
+namespace crowd::widgets {
+
+NumberField::NumberField(double low, double high, int decimals, QWidget* parent)
+    : QLineEdit(parent), m_low(low), m_high(high), m_decimals(decimals)
+{
+    setPlaceholderText(tr("mixed"));
+    setMinimumWidth(44);
+    connect(this, &QLineEdit::editingFinished, this, &NumberField::finish);
+}
+
+void NumberField::setValue(std::optional<double> value)
+{
+    m_value = value;
+    if (!hasFocus() || !isModified()) {
+        setText(value ? QLocale().toString(*value, 'f', m_decimals) : QString());
+    }
+}
+
+void NumberField::finish()
+{
+    if (!isModified()) {
+        return;
+    }
+    setModified(false);
+    bool isNumber = false;
+    double typed = QLocale().toDouble(text(), &isNumber);
+    if (!isNumber) {
+        typed = text().toDouble(&isNumber); // a point is understood everywhere
+    }
+    if (!isNumber) {
+        setValue(m_value);
+        return;
+    }
+    typed = std::clamp(typed, m_low, m_high);
+    setValue(typed);
+    Q_EMIT valueEdited(typed);
+}
+
+} // namespace crowd::widgets

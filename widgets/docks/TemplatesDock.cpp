@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/TemplatesDock.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QSlider>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
+
+#include "model/document/SceneEdit.h"
+#include "widgets/dialogs/TemplatePictures.h"
+#include "widgets/theme/Icons.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr int kPictureSize = 72;
+constexpr int kIdRole = Qt::UserRole;
+
+std::vector<model::TemplateWeight>::iterator weightOf(std::vector<model::TemplateWeight>& mix,
+                                                      model::TemplateId id)
+{
+    return std::ranges::find(mix, id, &model::TemplateWeight::id);
+}
+
+} // namespace
+
+TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Templates"), "templates", parent), m_state(state), m_list(new QListWidget(this)),
+      m_weight(new QSlider(Qt::Horizontal, this)), m_weightLabel(new QLabel(this))
+{
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setMovement(QListView::Static);
+    m_list->setIconSize({kPictureSize, kPictureSize});
+    m_list->setGridSize({kPictureSize + 20, kPictureSize + 26});
+    m_list->setUniformItemSizes(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_list->setToolTip(tr("Ticked templates are painted by the create brush"));
+    m_weight->setRange(1, 100);
+    m_weight->setToolTip(tr("How often the template comes in the mix"));
+    auto* importButton = new QToolButton(this);
+    importButton->setIcon(iconNamed("import"));
+    importButton->setToolTip(tr("Import a template"));
+    importButton->setAutoRaise(true);
+
+    auto* content = new QWidget(this);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addWidget(m_list, 1);
+    auto* row = new QHBoxLayout;
+    row->addWidget(new QLabel(tr("Weight"), this));
+    row->addWidget(m_weight, 1);
+    row->addWidget(m_weightLabel);
+    row->addWidget(importButton);
+    layout->addLayout(row);
+    setWidget(content);
+
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(0);
+    connect(&m_rebuild, &QTimer::timeout, this, &TemplatesDock::rebuild);
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::TemplatesChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    m_rebuild.start();
+                }
+            });
+    connect(&m_state, &EditorState::brushChanged, this, &TemplatesDock::refreshMix);
+    connect(importButton, &QToolButton::clicked, this, &TemplatesDock::importRequested);
+    connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_isFilling) {
+            rename(item);
+            setInMix(static_cast<model::TemplateId>(item->data(kIdRole).toUInt()),
+                     item->checkState() == Qt::Checked);
+        }
+    });
+    connect(m_list, &QListWidget::currentItemChanged, this, &TemplatesDock::refreshMix);
+    connect(m_list, &QListWidget::customContextMenuRequested, this, &TemplatesDock::showMenu);
+    connect(m_list, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) {
+        model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
+        brush.create.mix = {{static_cast<model::TemplateId>(item->data(kIdRole).toUInt()), 1.0F}};
+        m_state.setBrush(brush);
+    });
+    connect(m_weight, &QSlider::sliderMoved, this, &TemplatesDock::setWeight);
+    rebuild();
+}
+
+QIcon TemplatesDock::pictureOf(const model::TemplateEntry& entry)
+{
+    if (!entry.asset) {
+        return iconNamed("locate");
+    }
+    const auto known = m_pictures.find(entry.asset);
+    if (known != m_pictures.end()) {
+        return known->second;
+    }
+    render::ThumbnailRequest request;
+    request.asset = entry.asset;
+    request.size = static_cast<int>(kPictureSize * devicePixelRatioF());
+    const QColor base = palette().color(QPalette::AlternateBase);
+    request.background = {base.redF(), base.greenF(), base.blueF(), 1.0F};
+    QPixmap picture = QPixmap::fromImage(templatePicture(m_state.keyframes(), request));
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    return m_pictures[entry.asset] = QIcon(picture);
+}
+
+void TemplatesDock::rebuild()
+{
+    m_isFilling = true;
+    const model::TemplateId current = currentId();
+    m_list->clear();
+    std::erase_if(m_pictures, [this](const auto& known) {
+        return std::ranges::none_of(m_state.scene().templates,
+                                    [&](const auto& entry) { return entry.asset == known.first; });
+    });
+    for (const model::TemplateEntry& entry : m_state.scene().templates) {
+        auto* item = new QListWidgetItem(pictureOf(entry), QString::fromStdString(entry.name));
+        item->setData(kIdRole, entry.id);
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+        item->setCheckState(Qt::Unchecked);
+        item->setToolTip(
+            QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
+        m_list->addItem(item);
+        if (entry.id == current) {
+            m_list->setCurrentItem(item);
+        }
+    }
+    m_isFilling = false;
+    refreshMix();
+}
+
+void TemplatesDock::refreshMix()
+{
+    m_isFilling = true;
+    std::vector<model::TemplateWeight> mix = m_state.brush(model::BrushKind::Create).create.mix;
+    for (int row = 0; row < m_list->count(); ++row) {
+        QListWidgetItem* item = m_list->item(row);
+        const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
+        // An empty mix paints every template.
+        const bool isIn = mix.empty() || weightOf(mix, id) != mix.end();
+        item->setCheckState(isIn ? Qt::Checked : Qt::Unchecked);
+    }
+    const auto current = weightOf(mix, currentId());
+    const bool hasWeight = current != mix.end();
+    m_weight->setEnabled(hasWeight && mix.size() > 1);
+    const int percent = hasWeight ? qRound(current->weight * 100.0F) : 100;
+    m_weight->setValue(percent);
+    m_weightLabel->setText(tr("%1 %").arg(percent));
+    m_isFilling = false;
+}
+
+void TemplatesDock::setInMix(model::TemplateId id, bool isIn)
+{
+    model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
+    auto& mix = brush.create.mix;
+    if (mix.empty()) {
+        for (const model::TemplateEntry& entry : m_state.scene().templates) {
+            mix.push_back({entry.id, 1.0F});
+        }
+    }
+    const auto known = weightOf(mix, id);
+    if (isIn && known == mix.end()) {
+        mix.push_back({id, 1.0F});
+    } else if (!isIn && known != mix.end() && mix.size() > 1) {
+        mix.erase(known);
+    }
+    m_state.setBrush(brush);
+    refreshMix(); // the last one stays in
+}
+
+void TemplatesDock::setWeight(int percent)
+{
+    model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
+    const auto known = weightOf(brush.create.mix, currentId());
+    if (known != brush.create.mix.end()) {
+        known->weight = static_cast<float>(percent) / 100.0F;
+        m_state.setBrush(brush);
+    }
+}
+
+model::TemplateId TemplatesDock::currentId() const
+{
+    const QListWidgetItem* item = m_list->currentItem();
+    return item == nullptr ? model::TemplateId{0}
+                           : static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
+}
+
+void TemplatesDock::rename(QListWidgetItem* item)
+{
+    const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
+    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+    const std::string name = item->text().trimmed().toStdString();
+    if (entry == nullptr || name.empty() || entry->name == name ||
+        m_state.document().isEditOpen()) {
+        return;
+    }
+    model::TemplateEntry renamed = *entry;
+    renamed.name = name;
+    const auto edit = m_state.document().beginEdit();
+    edit->changeTemplate(renamed);
+    edit->commit(tr("Rename Template"));
+}
+
+void TemplatesDock::showMenu(const QPoint& position)
+{
+    QListWidgetItem* item = m_list->itemAt(position);
+    QMenu menu(this);
+    menu.addAction(iconNamed("import"), tr("Import Template…"), this,
+                   [this] { Q_EMIT importRequested(); });
+    if (item != nullptr) {
+        const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
+        menu.addSeparator();
+        menu.addAction(iconNamed("rename"), tr("Rename"), this,
+                       [this, item] { m_list->editItem(item); });
+        menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
+                       [this, id] { Q_EMIT locateRequested(id); });
+        menu.addAction(iconNamed("delete"), tr("Remove"), this,
+                       [this, id] { Q_EMIT removeRequested(id); });
+    }
+    menu.exec(m_list->viewport()->mapToGlobal(position));
+}
+
+} // namespace crowd::widgets
