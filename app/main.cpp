@@ -1,48 +1,89 @@
 // SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 
-#include "app/InfoCommand.h"
 #include "app/commands/BenchPaint.h"
 #include "app/commands/BenchRender.h"
+#include "app/commands/EditorCommand.h"
+#include "app/commands/InfoCommand.h"
 #include "app/commands/RenderCli.h"
 #include "app/commands/RenderCommand.h"
 
 namespace {
 
+using namespace crowd::app;
+
 constexpr int kBadUsage = 2;
+
+/// What the command line can hold, and the exit status of what it asked for.
+struct CommandLine
+{
+    std::vector<std::string> files;
+    InfoOptions info;
+    RenderOptions render;
+    BenchPaintOptions benchPaint;
+    BenchRenderOptions benchRender;
+    int status = 0;
+};
+
+void addInfo(CLI::App& cli, CommandLine& line)
+{
+    CLI::App* command = cli.add_subcommand("info", "Say what is in a scene, template or stage");
+    command->add_option("FILE", line.info.file, "A .crowd, .glb or .gltf file")->required();
+    command->add_flag("--json", line.info.json, "Print one JSON object");
+    command->add_option("--as", line.info.as, "Read a glTF file as this")
+        ->check(CLI::IsMember({"template", "stage"}));
+    command->callback([&line] { line.status = runInfo(line.info); });
+}
+
+void addBenchPaint(CLI::App& bench, CommandLine& line)
+{
+    CLI::App* command = bench.add_subcommand("paint", "How long a brush takes");
+    command->add_option("--count", line.benchPaint.count, "People in the scene")
+        ->check(CLI::Range(1, 1000000));
+    command->add_flag("--json", line.benchPaint.json, "Print one JSON object");
+    command->callback([&line] { line.status = runBenchPaint(line.benchPaint); });
+}
+
+void addCommands(CLI::App& cli, CommandLine& line)
+{
+    cli.set_version_flag("--version", std::string("crowdbrush ") + CROWD_VERSION);
+    cli.require_subcommand(0, 1);
+    cli.add_option("FILE", line.files, "Scenes and models to open in the editor");
+    addInfo(cli, line);
+    addRenderCommand(cli, line.render, line.status);
+    CLI::App* bench = cli.add_subcommand("bench", "Measure");
+    bench->require_subcommand(1);
+    addBenchPaint(*bench, line);
+    addBenchRenderCommand(*bench, line.benchRender, line.status);
+}
+
+QStringList toList(const std::vector<std::string>& texts)
+{
+    QStringList list;
+    for (const std::string& text : texts) {
+        list << QString::fromStdString(text);
+    }
+    return list;
+}
 
 } // namespace
 
 /// Dispatches the command line; each command lives in a file of its own.
 int main(int argc, char** argv)
 {
-    CLI::App cli("Crowdbrush: paint crowds", "crowdbrush");
-    cli.require_subcommand(1);
-    crowd::app::InfoOptions info;
-    CLI::App* infoCommand = cli.add_subcommand("info", "Say what is in a scene, template or stage");
-    infoCommand->add_option("FILE", info.file, "A .crowd, .glb or .gltf file")->required();
-    infoCommand->add_flag("--json", info.json, "Print one JSON object");
-    infoCommand->add_option("--as", info.as, "Read a glTF file as this")
-        ->check(CLI::IsMember({"template", "stage"}));
-    crowd::app::BenchPaintOptions benchPaint;
-    CLI::App* benchCommand = cli.add_subcommand("bench", "Measure");
-    benchCommand->require_subcommand(1);
-    CLI::App* benchPaintCommand = benchCommand->add_subcommand("paint", "How long a brush takes");
-    benchPaintCommand->add_option("--count", benchPaint.count, "People in the scene")
-        ->check(CLI::Range(1, 1000000));
-    benchPaintCommand->add_flag("--json", benchPaint.json, "Print one JSON object");
-    int status = 0;
-    crowd::app::BenchRenderOptions benchRender;
-    crowd::app::addBenchRenderCommand(*benchCommand, benchRender, status);
-    crowd::app::RenderOptions render;
-    crowd::app::addRenderCommand(cli, render, status);
+    CLI::App cli("Crowdbrush: paint crowds. Without a command the editor opens.", "crowdbrush");
+    CommandLine line;
+    addCommands(cli, line);
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         return cli.exit(problem) == 0 ? 0 : kBadUsage;
     }
-    if (benchPaintCommand->parsed()) {
-        return crowd::app::runBenchPaint(benchPaint);
+    if (cli.get_subcommands().empty()) {
+        line.status = runEditor(argc, argv, toList(line.files));
     }
-    return infoCommand->parsed() ? crowd::app::runInfo(info) : status;
+    return line.status;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/InfoCommand.h"
+#include "app/commands/InfoCommand.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QStringList>
+
+namespace crowd::app {
+
+/// Runs the editor: opens a scene and brings in models; without files the ready-made theatre.
+/// Returns the exit status; 1 with a message when there is no display.
+int runEditor(int& argc, char** argv, const QStringList& files);
+
+} // namespace crowd::app

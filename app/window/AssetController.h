@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QObject>
+#include <QtCore/QStringList>
+
+#include "app/window/BackgroundTask.h"
+#include "model/base/Result.h"
+#include "model/scene/Scene.h"
+#include "widgets/state/EditorState.h"
+
+namespace crowd::app {
+
+/// Brings templates and stages into the document: import with its dialog, files dropped on the
+/// window, assets that have moved. Every change is one undo step. Main thread only.
+class AssetController : public QObject
+{
+    Q_OBJECT
+
+public:
+    AssetController(widgets::EditorState& state, QWidget* window);
+
+    void importTemplate(); ///< asks for a file
+    void importStage();    ///< asks for a file
+    /// A file from the artist's hands (dropped, or named on the command line): asks whether it is
+    /// to be a template or the stage when `asks`, otherwise takes what it looks like.
+    void bring(const QString& path, bool asks);
+    void removeTemplate(model::TemplateId id); ///< refuses, saying so, while people use it
+    void locateTemplate(model::TemplateId id); ///< asks where a missing file is now
+    void locateStage(std::uint8_t id);
+    /// Names what is missing in the open scene, with ways to find it; nothing when all is there.
+    void reportMissing();
+
+    /// Without dialogs, for tests and the command line; the result comes when loading has ended.
+    void addTemplate(const QString& path, const model::ImportSettings& settings,
+                     const std::vector<float>& clipSpeeds = {});
+    void addStage(const QString& path);
+    [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
+
+Q_SIGNALS:
+    void templateAdded(crowd::model::TemplateId id);
+    void stageAdded(std::uint8_t id);
+
+private:
+    void proposeTemplate(const QString& path);
+    void put(model::TemplateEntry entry, const model::TemplatePtr& asset, const QString& undoText);
+    void fail(const QString& title, const std::string& message);
+    [[nodiscard]] QString askForModel(const QString& title);
+
+    widgets::EditorState& m_state;
+    QWidget* m_window;
+    BackgroundTask m_task;
+};
+
+} // namespace crowd::app

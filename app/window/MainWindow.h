@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QMainWindow>
+
+#include "app/window/AssetController.h"
+#include "app/window/FileController.h"
+#include "model/document/SceneDocument.h"
+#include "widgets/actions/ActionRegistry.h"
+#include "widgets/state/EditorState.h"
+#include "widgets/theme/Theme.h"
+#include "widgets/viewport/ViewportWidget.h"
+
+class QMenu;
+
+namespace crowd::app {
+
+class StatusPanel;
+
+/// The editor's window: puts document, state, viewport, docks, actions and controllers together and
+/// connects them; what they do is their own affair.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    [[nodiscard]] model::SceneDocument& document() { return m_document; }
+    [[nodiscard]] widgets::EditorState& state() { return m_state; }
+    [[nodiscard]] widgets::ActionRegistry& actions() { return m_actions; }
+    [[nodiscard]] widgets::ViewportWidget& viewport() { return *m_viewport; }
+    [[nodiscard]] FileController& files() { return m_files; }
+    [[nodiscard]] AssetController& assets() { return m_assets; }
+    [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
+
+    /// Puts all docks back where they are in a new installation.
+    void resetLayout();
+    void setTheme(widgets::Theme theme);
+    void showPreferences();
+    void showShortcuts();
+    void showAbout();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void addDocks();
+    void addDock(QDockWidget* dock, Qt::DockWidgetArea area);
+    void buildMenus();
+    void buildToolBar();
+    void connectParts();
+    void refreshTitle();
+    void refreshActions();
+    void fillRecentMenu();
+    void fillCameraMenu();
+    void restoreLayout();
+    void applySettings();
+
+    model::SceneDocument m_document;
+    widgets::EditorState m_state;
+    widgets::ActionRegistry m_actions;
+    FileController m_files;
+    AssetController m_assets;
+    widgets::ViewportWidget* m_viewport; ///< child
+    StatusPanel* m_status;               ///< child
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_cameraMenu = nullptr;
+    std::vector<QDockWidget*> m_docks; ///< children
+    QByteArray m_initialLayout;
+};
+
+} // namespace crowd::app
