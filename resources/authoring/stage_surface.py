@@ -43,7 +43,7 @@ class StageSurface:
         rows = [self.points(polar(r, a, z) for a in steps) for r, z in profile]
         for k, material in enumerate(materials):
             for i in range(segments):
-                self.face((rows[k][i + 1], rows[k][i], rows[k + 1][i], rows[k + 1][i + 1]),
+                self.face((rows[k][i], rows[k][i + 1], rows[k + 1][i + 1], rows[k + 1][i]),
                           material)
 
     def box(self, low, high, material, bottom=False):

@@ -72,7 +72,7 @@ def _add_end_wall(surface, side):
     shift = (side * math.cos(angle) * thickness, -side * math.sin(angle) * thickness)
     inner = [polar(r, angle, z) for r, z in profile]
     outer = [(x + shift[0], y + shift[1], z) for x, y, z in inner]
-    surface.prism(inner, outer, "marble", "stone", flip=side < 0)
+    surface.prism(inner, outer, "marble", "stone", flip=side > 0)
 
 
 def add_column(surface, x, y, z, height, radius):

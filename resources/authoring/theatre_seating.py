@@ -94,5 +94,5 @@ def _add_stairs(surface, rank, angle):
                    (inner, -half, z), (outer, half, z), (outer, -half, z))
         ids = surface.points((sine * r + cosine * s, cosine * r - sine * s, h)
                              for r, s, h in corners)
-        surface.face((ids[1], ids[0], ids[3], ids[2]), "stone_dark")
-        surface.face((ids[2], ids[3], ids[5], ids[4]), "stone")
+        surface.face((ids[0], ids[1], ids[2], ids[3]), "stone_dark")
+        surface.face((ids[3], ids[2], ids[4], ids[5]), "stone")
