@@ -17,8 +17,8 @@ SceneDocument::SceneDocument(QObject* parent) : QObject(parent)
 SceneDocument::~SceneDocument()
 {
     assert(!isEditOpen());
-    // The stack dies with us; nobody is told about a clean state any more.
-    m_undoStack.disconnect(this);
+    // The stack clears itself while it dies; whoever listened may be gone already.
+    m_undoStack.blockSignals(true);
 }
 
 void SceneDocument::replaceScene(Scene scene, const QString& path)
