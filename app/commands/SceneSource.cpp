@@ -9,7 +9,7 @@
 
 #include "model/gltf/GltfImport.h"
 #include "model/project/AssetPaths.h"
-#include "model/project/ProjectFile.h"
+#include "model/project/SceneAssets.h"
 
 namespace crowd::app {
 
@@ -28,38 +28,6 @@ NamedCamera cameraAround(const Bounds& bounds)
     return {"overview", Camera::lookingAt(from, bounds.center())};
 }
 
-/// Clip names of the entry stay what the clip column indexes; the asset's others come after them.
-void attach(TemplateEntry& entry, const TemplatePtr& asset)
-{
-    entry.asset = asset;
-    for (const Clip& clip : asset->clips) {
-        if (std::ranges::find(entry.clipNames, clip.name) == entry.clipNames.end()) {
-            entry.clipNames.push_back(clip.name);
-        }
-    }
-}
-
-/// What cannot be had stays away, with the reason.
-void loadAssetsOf(Scene& scene)
-{
-    for (TemplateEntry& entry : scene.templates) {
-        auto asset = importTemplate(assetFile(entry.path).toStdString(), entry.import);
-        if (asset) {
-            attach(entry, asset.value());
-        } else {
-            entry.problem = asset.error().message;
-        }
-    }
-    for (StageEntry& entry : scene.stages) {
-        auto asset = importStage(assetFile(entry.path).toStdString());
-        if (asset) {
-            entry.asset = asset.value();
-        } else {
-            entry.problem = asset.error().message;
-        }
-    }
-}
-
 Result<Scene> loadLoneTemplate(const std::string& path)
 {
     auto asset = importTemplate(path);
@@ -71,7 +39,7 @@ Result<Scene> loadLoneTemplate(const std::string& path)
     entry.id = 1;
     entry.name = asset.value()->name;
     entry.path = path;
-    attach(entry, asset.value());
+    attachAsset(entry, asset.value());
     IndividualRows rows = IndividualRows::withDefaults({1});
     rows.column(columns::templateId)[0] = 1;
     rows.column(columns::clip)[0] = static_cast<std::uint16_t>(entry.asset->defaultClip);
@@ -107,12 +75,8 @@ Result<Scene> loadForPicture(const QString& path)
     }
     const QString absolute = file.absoluteFilePath();
     if (file.suffix().compare(QStringLiteral("crowd"), Qt::CaseInsensitive) == 0) {
-        auto scene = readProject(absolute);
-        if (!scene) {
-            return scene;
-        }
-        loadAssetsOf(scene.value());
-        if (scene.value().cameras.empty()) {
+        auto scene = loadScene(absolute);
+        if (scene && scene.value().cameras.empty()) {
             scene.value().cameras.push_back(cameraAround(scene.value().worldBounds()));
         }
         return scene;
