@@ -163,6 +163,9 @@ void BrushPopup::refresh()
 
 void BrushPopup::popUp(const QPoint& globalPosition)
 {
+    for (const ToolInfo& info : toolTable()) {
+        m_tools->button(static_cast<int>(info.id))->setIcon(toolIcon(info.id)); // the theme's
+    }
     refresh();
     adjustSize();
     QRect place({}, size());

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/ToolIcons.h"
 
-#include <QtCore/QFile>
-#include <QtCore/QString>
+#include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 QIcon toolIcon(ToolId id)
 {
-    const QString path = QStringLiteral(":/icons/%1.svg").arg(QLatin1String(toolInfo(id).stableId));
-    return QFile::exists(path) ? QIcon(path) : QIcon();
+    return iconNamed(toolInfo(id).stableId);
+}
+
+QPixmap toolSymbol(ToolId id, int size, qreal devicePixelRatio)
+{
+    return iconPixmap(toolInfo(id).stableId, size, QColor(0x20, 0x20, 0x20), devicePixelRatio);
 }
 
 } // namespace crowd::widgets

@@ -60,7 +60,8 @@ void ViewportOverlay::setPicture(const ToolPicture& picture)
     m_picture = picture;
     if (m_symbolOf != picture.symbol) {
         m_symbolOf = picture.symbol;
-        m_symbolIcon = m_symbolOf ? toolIcon(*m_symbolOf) : QIcon();
+        m_symbol =
+            m_symbolOf ? toolSymbol(*m_symbolOf, kSymbolSize - 6, devicePixelRatioF()) : QPixmap();
     }
     update();
 }
@@ -117,9 +118,9 @@ void ViewportOverlay::paintAreas(QPainter& painter) const
     }
 }
 
-void ViewportOverlay::paintSymbol(QPainter& painter)
+void ViewportOverlay::paintSymbol(QPainter& painter) const
 {
-    if (!m_picture.symbol || m_symbolIcon.isNull()) {
+    if (!m_picture.symbol || m_symbol.isNull()) {
         return;
     }
     // Below right of the cursor, on the other side where the picture ends.
@@ -134,7 +135,7 @@ void ViewportOverlay::paintSymbol(QPainter& painter)
     painter.setPen(QPen(kDark, 1.0));
     painter.setBrush(QColor(250, 250, 250, 225));
     painter.drawRoundedRect(plate, 5.0, 5.0);
-    m_symbolIcon.paint(&painter, plate.adjusted(3.0, 3.0, -3.0, -3.0).toRect());
+    painter.drawPixmap(plate.topLeft() + QPointF(3.0, 3.0), m_symbol);
 }
 
 void ViewportOverlay::paintLabel(QPainter& painter) const

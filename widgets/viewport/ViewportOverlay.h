@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QtCore/QString>
-#include <QtGui/QIcon>
+#include <QtGui/QPixmap>
 #include <QtWidgets/QWidget>
 
 #include "widgets/tools/ToolPicture.h"
@@ -36,13 +36,13 @@ protected:
 
 private:
     void paintAreas(QPainter& painter) const;
-    void paintSymbol(QPainter& painter);
+    void paintSymbol(QPainter& painter) const;
     void paintLabel(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
 
     ToolPicture m_picture;
     OverlayText m_text;
-    QIcon m_symbolIcon;
+    QPixmap m_symbol;
     std::optional<ToolId> m_symbolOf;
 };
 
