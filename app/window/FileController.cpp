@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/FileController.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
@@ -23,13 +24,14 @@ const QString kSuffix = QStringLiteral(".crowd");
 
 QString sceneFilter()
 {
-    return FileController::tr("Crowdbrush scenes (*.crowd)");
+    return QCoreApplication::translate("crowd::app::FileController", "Crowdbrush scenes (*.crowd)");
 }
 
 model::LoadProgress loadProgress(const BackgroundTask::Progress& report)
 {
     return [report](const std::string& what, float fraction) {
-        return report(FileController::tr("Loading %1…").arg(QString::fromStdString(what)),
+        return report(QCoreApplication::translate("crowd::app::FileController", "Loading %1…")
+                          .arg(QString::fromStdString(what)),
                       fraction);
     };
 }

@@ -21,140 +21,143 @@ struct WindowAction
     void (*run)(MainWindow& window, bool isChecked);
 };
 
-#define ACTION_TEXT(text) QT_TRANSLATE_NOOP("Actions", text)
-
 const WindowAction kFileActions[] = {
-    {{"new-theatre", ACTION_TEXT("New &Theatre"), "new-theatre", "Ctrl+N",
-      ACTION_TEXT("Start with the empty theatre")},
+    {{"new-theatre", QT_TRANSLATE_NOOP("Actions", "New &Theatre"), "new-theatre", "Ctrl+N",
+      QT_TRANSLATE_NOOP("Actions", "Start with the empty theatre")},
      [](MainWindow& w, bool) { w.files().newTheatre(); }},
-    {{"new-ground", ACTION_TEXT("New &Ground"), "new", "Ctrl+Shift+N",
-      ACTION_TEXT("Start with empty ground")},
+    {{"new-ground", QT_TRANSLATE_NOOP("Actions", "New &Ground"), "new", "Ctrl+Shift+N",
+      QT_TRANSLATE_NOOP("Actions", "Start with empty ground")},
      [](MainWindow& w, bool) { w.files().newGround(); }},
-    {{"open", ACTION_TEXT("&Open…"), "open", "Ctrl+O", ACTION_TEXT("Open a scene")},
+    {{"open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", "Ctrl+O",
+      QT_TRANSLATE_NOOP("Actions", "Open a scene")},
      [](MainWindow& w, bool) { w.files().open(); }},
-    {{"save", ACTION_TEXT("&Save"), "save", "Ctrl+S", ACTION_TEXT("Save the scene")},
+    {{"save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
+      QT_TRANSLATE_NOOP("Actions", "Save the scene")},
      [](MainWindow& w, bool) { (void)w.files().save(); }},
-    {{"save-as", ACTION_TEXT("Save &As…"), "save-as", "Ctrl+Shift+S",
-      ACTION_TEXT("Save the scene under another name")},
+    {{"save-as", QT_TRANSLATE_NOOP("Actions", "Save &As…"), "save-as", "Ctrl+Shift+S",
+      QT_TRANSLATE_NOOP("Actions", "Save the scene under another name")},
      [](MainWindow& w, bool) { (void)w.files().saveAs(); }},
-    {{"collect", ACTION_TEXT("&Collect Assets"), "collect", "Ctrl+Alt+S",
-      ACTION_TEXT("Save the scene with copies of all its models beside it")},
+    {{"collect", QT_TRANSLATE_NOOP("Actions", "&Collect Assets"), "collect", "Ctrl+Alt+S",
+      QT_TRANSLATE_NOOP("Actions", "Save the scene with copies of all its models beside it")},
      [](MainWindow& w, bool) { (void)w.files().collectAssets(); }},
-    {{"import-template", ACTION_TEXT("&Import Template…"), "import", "Ctrl+I",
-      ACTION_TEXT("Bring in an animated glTF model to paint with")},
+    {{"import-template", QT_TRANSLATE_NOOP("Actions", "&Import Template…"), "import", "Ctrl+I",
+      QT_TRANSLATE_NOOP("Actions", "Bring in an animated glTF model to paint with")},
      [](MainWindow& w, bool) { w.assets().importTemplate(); }},
-    {{"import-stage", ACTION_TEXT("Import Sta&ge…"), "stage", "Ctrl+Shift+I",
-      ACTION_TEXT("Bring in a glTF model to stand on")},
+    {{"import-stage", QT_TRANSLATE_NOOP("Actions", "Import Sta&ge…"), "stage", "Ctrl+Shift+I",
+      QT_TRANSLATE_NOOP("Actions", "Bring in a glTF model to stand on")},
      [](MainWindow& w, bool) { w.assets().importStage(); }},
-    {{"quit", ACTION_TEXT("&Quit"), "quit", "Ctrl+Q", ACTION_TEXT("Leave Crowdbrush")},
+    {{"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", "Ctrl+Q",
+      QT_TRANSLATE_NOOP("Actions", "Leave Crowdbrush")},
      [](MainWindow& w, bool) { w.close(); }},
 };
 
 const WindowAction kEditActions[] = {
-    {{"undo", ACTION_TEXT("&Undo"), "undo", "Ctrl+Z", ACTION_TEXT("Take the last change back")},
+    {{"undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", "Ctrl+Z",
+      QT_TRANSLATE_NOOP("Actions", "Take the last change back")},
      [](MainWindow& w, bool) { w.document().undoStack().undo(); }},
-    {{"redo", ACTION_TEXT("&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
-      ACTION_TEXT("Do again what was taken back")},
+    {{"redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
+      QT_TRANSLATE_NOOP("Actions", "Do again what was taken back")},
      [](MainWindow& w, bool) { w.document().undoStack().redo(); }},
-    {{"delete", ACTION_TEXT("&Delete Selected"), "delete", "Del",
-      ACTION_TEXT("Remove the selected people")},
+    {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del",
+      QT_TRANSLATE_NOOP("Actions", "Remove the selected people")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
-    {{"select-all", ACTION_TEXT("Select &All"), "select-all", "Ctrl+A",
-      ACTION_TEXT("Select everybody")},
+    {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
+      QT_TRANSLATE_NOOP("Actions", "Select everybody")},
      [](MainWindow& w, bool) { w.state().selection().selectAll(); }},
-    {{"select-none", ACTION_TEXT("Select &None"), "select-none", "Ctrl+Shift+A",
-      ACTION_TEXT("Select nobody")},
+    {{"select-none", QT_TRANSLATE_NOOP("Actions", "Select &None"), "select-none", "Ctrl+Shift+A",
+      QT_TRANSLATE_NOOP("Actions", "Select nobody")},
      [](MainWindow& w, bool) { w.state().selection().clear(); }},
-    {{"select-invert", ACTION_TEXT("In&vert Selection"), "select-invert", "Ctrl+Alt+I",
-      ACTION_TEXT("Select those who are not selected")},
+    {{"select-invert", QT_TRANSLATE_NOOP("Actions", "In&vert Selection"), "select-invert",
+      "Ctrl+Alt+I", QT_TRANSLATE_NOOP("Actions", "Select those who are not selected")},
      [](MainWindow& w, bool) { w.state().selection().invert(); }},
-    {{"preferences", ACTION_TEXT("&Preferences…"), "preferences", "Ctrl+,",
-      ACTION_TEXT("Theme, mouse, autosave, memory, shortcuts")},
+    {{"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), "preferences", "Ctrl+,",
+      QT_TRANSLATE_NOOP("Actions", "Theme, mouse, autosave, memory, shortcuts")},
      [](MainWindow& w, bool) { w.showPreferences(); }},
 };
 
 const WindowAction kViewActions[] = {
-    {{"frame-selection", ACTION_TEXT("&Frame Selection"), "frame", "F",
-      ACTION_TEXT("Show the selected people; everything when nobody is selected")},
+    {{"frame-selection", QT_TRANSLATE_NOOP("Actions", "&Frame Selection"), "frame", "F",
+      QT_TRANSLATE_NOOP("Actions", "Show the selected people; everything when nobody is selected")},
      [](MainWindow& w, bool) { widgets::frameSelection(w.state()); }},
-    {{"frame-all", ACTION_TEXT("Frame &All"), "frame-all", "Home",
-      ACTION_TEXT("Show the whole scene")},
+    {{"frame-all", QT_TRANSLATE_NOOP("Actions", "Frame &All"), "frame-all", "Home",
+      QT_TRANSLATE_NOOP("Actions", "Show the whole scene")},
      [](MainWindow& w, bool) { widgets::frameAll(w.state()); }},
-    {{"view-front", ACTION_TEXT("From the F&ront"), "view-front", "1",
-      ACTION_TEXT("Look at the scene from the front")},
+    {{"view-front", QT_TRANSLATE_NOOP("Actions", "From the F&ront"), "view-front", "1",
+      QT_TRANSLATE_NOOP("Actions", "Look at the scene from the front")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Front); }},
-    {{"view-side", ACTION_TEXT("From the &Side"), "view-side", "3",
-      ACTION_TEXT("Look at the scene from the side")},
+    {{"view-side", QT_TRANSLATE_NOOP("Actions", "From the &Side"), "view-side", "3",
+      QT_TRANSLATE_NOOP("Actions", "Look at the scene from the side")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Side); }},
-    {{"view-top", ACTION_TEXT("From Abo&ve"), "view-top", "7",
-      ACTION_TEXT("Look at the scene from above")},
+    {{"view-top", QT_TRANSLATE_NOOP("Actions", "From Abo&ve"), "view-top", "7",
+      QT_TRANSLATE_NOOP("Actions", "Look at the scene from above")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Top); }},
-    {{"projection", ACTION_TEXT("&Perspective or Orthographic"), "projection", "5",
-      ACTION_TEXT("Change between perspective and orthographic projection")},
+    {{"projection", QT_TRANSLATE_NOOP("Actions", "&Perspective or Orthographic"), "projection", "5",
+      QT_TRANSLATE_NOOP("Actions", "Change between perspective and orthographic projection")},
      [](MainWindow& w, bool) { widgets::toggleProjection(w.state()); }},
-    {{"camera-add", ACTION_TEXT("&Keep This View"), "camera-add", "Ctrl+B",
-      ACTION_TEXT("Add a camera of the scene where the view is now")},
+    {{"camera-add", QT_TRANSLATE_NOOP("Actions", "&Keep This View"), "camera-add", "Ctrl+B",
+      QT_TRANSLATE_NOOP("Actions", "Add a camera of the scene where the view is now")},
      [](MainWindow& w, bool) { (void)widgets::addCamera(w.state()); }},
-    {{"seat-grid", ACTION_TEXT("Seat &Grid"), "seats", "G",
-      ACTION_TEXT("Create people only on free seats"), true},
+    {{"seat-grid", QT_TRANSLATE_NOOP("Actions", "Seat &Grid"), "seats", "G",
+      QT_TRANSLATE_NOOP("Actions", "Create people only on free seats"), true},
      [](MainWindow& w, bool on) { w.state().setSeatGridOn(on); }},
-    {{"ground-grid", ACTION_TEXT("Gr&ound Grid"), "grid", "Ctrl+G",
-      ACTION_TEXT("Show a grid of metres on the ground"), true},
+    {{"ground-grid", QT_TRANSLATE_NOOP("Actions", "Gr&ound Grid"), "grid", "Ctrl+G",
+      QT_TRANSLATE_NOOP("Actions", "Show a grid of metres on the ground"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showGroundGrid = on;
          w.state().setViewOptions(options);
      }},
-    {{"shadows", ACTION_TEXT("S&hadows"), "shadows", "Ctrl+H",
-      ACTION_TEXT("Show a soft shadow under everybody"), true},
+    {{"shadows", QT_TRANSLATE_NOOP("Actions", "S&hadows"), "shadows", "Ctrl+H",
+      QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showShadows = on;
          w.state().setViewOptions(options);
      }},
-    {{"look-lit", ACTION_TEXT("&Lighting"), "look", "Ctrl+L",
-      ACTION_TEXT("Light the scene; otherwise plain colours"), true},
+    {{"look-lit", QT_TRANSLATE_NOOP("Actions", "&Lighting"), "look", "Ctrl+L",
+      QT_TRANSLATE_NOOP("Actions", "Light the scene; otherwise plain colours"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.look = on ? render::Look::Lit : render::Look::Plain;
          w.state().setViewOptions(options);
      }},
-    {{"full-screen", ACTION_TEXT("F&ull Screen"), "full-screen", "F11",
-      ACTION_TEXT("Fill the screen with the window"), true},
+    {{"full-screen", QT_TRANSLATE_NOOP("Actions", "F&ull Screen"), "full-screen", "F11",
+      QT_TRANSLATE_NOOP("Actions", "Fill the screen with the window"), true},
      [](MainWindow& w, bool on) { on ? w.showFullScreen() : w.showNormal(); }},
 };
 
 const WindowAction kPlayActions[] = {
-    {{"play", ACTION_TEXT("&Play"), "play", "Ctrl+Space", ACTION_TEXT("Play or pause"), true},
+    {{"play", QT_TRANSLATE_NOOP("Actions", "&Play"), "play", "Ctrl+Space",
+      QT_TRANSLATE_NOOP("Actions", "Play or pause"), true},
      [](MainWindow& w, bool on) { w.state().transport().setPlaying(on); }},
-    {{"rewind", ACTION_TEXT("&Rewind"), "rewind", "Ctrl+Home",
-      ACTION_TEXT("Back to the start of time")},
+    {{"rewind", QT_TRANSLATE_NOOP("Actions", "&Rewind"), "rewind", "Ctrl+Home",
+      QT_TRANSLATE_NOOP("Actions", "Back to the start of time")},
      [](MainWindow& w, bool) { w.state().transport().rewind(); }},
 };
 
 const WindowAction kOtherActions[] = {
-    {{"brush-larger", ACTION_TEXT("&Larger Brush"), "larger", "]",
-      ACTION_TEXT("Make the brush larger")},
+    {{"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Larger Brush"), "larger", "]",
+      QT_TRANSLATE_NOOP("Actions", "Make the brush larger")},
      [](MainWindow& w, bool) {
          if (const auto* brush = w.state().activeBrush()) {
              w.state().setBrush(brush->resized(brush->radiusPixels * 0.15F + 1.0F));
          }
      }},
-    {{"brush-smaller", ACTION_TEXT("&Smaller Brush"), "smaller", "[",
-      ACTION_TEXT("Make the brush smaller")},
+    {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "&Smaller Brush"), "smaller", "[",
+      QT_TRANSLATE_NOOP("Actions", "Make the brush smaller")},
      [](MainWindow& w, bool) {
          if (const auto* brush = w.state().activeBrush()) {
              w.state().setBrush(brush->resized(-brush->radiusPixels * 0.13F - 1.0F));
          }
      }},
-    {{"reset-layout", ACTION_TEXT("&Reset Layout"), "reset", "Ctrl+Shift+R",
-      ACTION_TEXT("Put all panels back to their places")},
+    {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
+      QT_TRANSLATE_NOOP("Actions", "Put all panels back to their places")},
      [](MainWindow& w, bool) { w.resetLayout(); }},
-    {{"keys", ACTION_TEXT("&Keys and Mouse"), "help", "F1",
-      ACTION_TEXT("What keys and mouse buttons do")},
+    {{"keys", QT_TRANSLATE_NOOP("Actions", "&Keys and Mouse"), "help", "F1",
+      QT_TRANSLATE_NOOP("Actions", "What keys and mouse buttons do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
-    {{"about", ACTION_TEXT("&About Crowdbrush"), "about", "Shift+F1",
-      ACTION_TEXT("What this is, and its version")},
+    {{"about", QT_TRANSLATE_NOOP("Actions", "&About Crowdbrush"), "about", "Shift+F1",
+      QT_TRANSLATE_NOOP("Actions", "What this is, and its version")},
      [](MainWindow& w, bool) { w.showAbout(); }},
 };
 
@@ -221,18 +224,19 @@ constexpr const char* kToolBar[] = {"new-theatre",
 void addTools(MainWindow& window)
 {
     static constexpr const char* kTips[] = {
-        ACTION_TEXT("Select people, move them, delete them"),
-        ACTION_TEXT("Turn, shift and zoom the view"),
-        ACTION_TEXT("Spray new people into the scene"),
-        ACTION_TEXT("Spray people away"),
-        ACTION_TEXT("Recolour the people under the brush"),
-        ACTION_TEXT("Turn the people under the brush"),
-        ACTION_TEXT("Give the people under the brush another animation"),
+        QT_TRANSLATE_NOOP("Actions", "Select people, move them, delete them"),
+        QT_TRANSLATE_NOOP("Actions", "Turn, shift and zoom the view"),
+        QT_TRANSLATE_NOOP("Actions", "Spray new people into the scene"),
+        QT_TRANSLATE_NOOP("Actions", "Spray people away"),
+        QT_TRANSLATE_NOOP("Actions", "Recolour the people under the brush"),
+        QT_TRANSLATE_NOOP("Actions", "Turn the people under the brush"),
+        QT_TRANSLATE_NOOP("Actions", "Give the people under the brush another animation"),
     };
     static const char* const kTexts[] = {
-        ACTION_TEXT("&Select"),    ACTION_TEXT("&Navigate"), ACTION_TEXT("&Create"),
-        ACTION_TEXT("&Delete"),    ACTION_TEXT("C&olour"),   ACTION_TEXT("O&rientation"),
-        ACTION_TEXT("&Animation"),
+        QT_TRANSLATE_NOOP("Actions", "&Select"),    QT_TRANSLATE_NOOP("Actions", "&Navigate"),
+        QT_TRANSLATE_NOOP("Actions", "&Create"),    QT_TRANSLATE_NOOP("Actions", "&Delete"),
+        QT_TRANSLATE_NOOP("Actions", "C&olour"),    QT_TRANSLATE_NOOP("Actions", "O&rientation"),
+        QT_TRANSLATE_NOOP("Actions", "&Animation"),
     };
     std::size_t i = 0;
     for (const widgets::ToolInfo& info : widgets::toolTable()) {
@@ -243,8 +247,6 @@ void addTools(MainWindow& window)
         ++i;
     }
 }
-
-#undef ACTION_TEXT
 
 void addAll(MainWindow& window, std::span<const WindowAction> actions)
 {

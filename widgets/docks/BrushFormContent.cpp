@@ -18,13 +18,6 @@ using model::HeadingSettings;
 
 constexpr double kDegrees = 180.0 / 3.14159265358979;
 
-QString text(const char* source)
-{
-    return QCoreApplication::translate("BrushForm", source);
-}
-
-#define FORM_TEXT(source) text(QT_TRANSLATE_NOOP("BrushForm", source))
-
 float asFloat(double value)
 {
     return static_cast<float>(value);
@@ -32,37 +25,39 @@ float asFloat(double value)
 
 void addArea(BrushForm& form, BrushKind kind)
 {
-    form.addTitle(FORM_TEXT("Area"));
+    form.addTitle(BrushForm::tr("Area"));
     form.addChoice(
-        FORM_TEXT("Reaches"),
-        {FORM_TEXT("One"), FORM_TEXT("Spray"), FORM_TEXT("All in circle"), FORM_TEXT("Rectangle")},
+        BrushForm::tr("Reaches"),
+        {BrushForm::tr("One"), BrushForm::tr("Spray"), BrushForm::tr("All in circle"),
+         BrushForm::tr("Rectangle")},
         [](const BrushSettings& s) { return static_cast<int>(s.selection); },
         [](BrushSettings& s, int i) { s.selection = static_cast<BrushSelection>(i); });
     form.addSlider(
-        FORM_TEXT("Size"), {1.0, 400.0, 5.0, 0, FORM_TEXT(" px"), true},
+        BrushForm::tr("Size"), {1.0, 400.0, 5.0, 0, BrushForm::tr(" px"), true},
         [](const BrushSettings& s) { return static_cast<double>(s.radiusPixels); },
         [](BrushSettings& s, double v) { s.radiusPixels = asFloat(v); },
         [](const BrushSettings& s) { return s.hasCircle(); });
     form.addSlider(
-        FORM_TEXT("Rate"), {1.0, 500.0, 5.0, 0, FORM_TEXT(" /s"), true},
+        BrushForm::tr("Rate"), {1.0, 500.0, 5.0, 0, BrushForm::tr(" /s"), true},
         [](const BrushSettings& s) { return static_cast<double>(s.ratePerSecond); },
         [](BrushSettings& s, double v) { s.ratePerSecond = asFloat(v); },
         [](const BrushSettings& s) { return s.selection == BrushSelection::Spray; });
     form.addCheck(
-        FORM_TEXT("Pen pressure changes size"), {},
+        BrushForm::tr("Pen pressure changes size"), {},
         [](const BrushSettings& s) { return s.pressureSize; },
         [](BrushSettings& s, bool on) { s.pressureSize = on; },
         [](const BrushSettings& s) { return s.hasCircle(); });
     if (kind != BrushKind::Create) {
         form.addCheck(
-            FORM_TEXT("Through"), FORM_TEXT("Also people hidden behind others or the stage"),
+            BrushForm::tr("Through"),
+            BrushForm::tr("Also people hidden behind others or the stage"),
             [](const BrushSettings& s) { return s.through; },
             [](BrushSettings& s, bool on) { s.through = on; });
     }
     if (kind == BrushKind::Colour || kind == BrushKind::Orientation ||
         kind == BrushKind::Animation) {
         form.addCheck(
-            FORM_TEXT("Build up"), FORM_TEXT("Each dab changes again whom it touches"),
+            BrushForm::tr("Build up"), BrushForm::tr("Each dab changes again whom it touches"),
             [](const BrushSettings& s) { return s.buildUp; },
             [](BrushSettings& s, bool on) { s.buildUp = on; },
             [](const BrushSettings& s) { return s.selection != BrushSelection::Rectangle; });
@@ -71,9 +66,10 @@ void addArea(BrushForm& form, BrushKind kind)
 
 void addOperator(BrushForm& form)
 {
-    form.addTitle(FORM_TEXT("Operator"));
+    form.addTitle(BrushForm::tr("Operator"));
     form.addChoice(
-        FORM_TEXT("Values"), {FORM_TEXT("Uniform"), FORM_TEXT("Random"), FORM_TEXT("Gradient")},
+        BrushForm::tr("Values"),
+        {BrushForm::tr("Uniform"), BrushForm::tr("Random"), BrushForm::tr("Gradient")},
         [](const BrushSettings& s) { return static_cast<int>(s.op); },
         [](BrushSettings& s, int i) { s.op = static_cast<BrushOperator>(i); });
     form.addCurve([](const BrushSettings& s) { return s.distribution; },
@@ -116,15 +112,15 @@ void addHeading(BrushForm& form, HeadingSettings& (*heading)(BrushSettings&))
         BrushSettings copy = s;
         return heading(copy);
     };
-    form.addTitle(FORM_TEXT("Facing"));
+    form.addTitle(BrushForm::tr("Facing"));
     form.addChoice(
-        FORM_TEXT("Towards"),
-        {FORM_TEXT("A direction"), FORM_TEXT("Random"), FORM_TEXT("Along the stroke"),
-         FORM_TEXT("A point"), FORM_TEXT("The viewer")},
+        BrushForm::tr("Towards"),
+        {BrushForm::tr("A direction"), BrushForm::tr("Random"), BrushForm::tr("Along the stroke"),
+         BrushForm::tr("A point"), BrushForm::tr("The viewer")},
         [of](const BrushSettings& s) { return static_cast<int>(of(s).mode); },
         [heading](BrushSettings& s, int i) { heading(s).mode = static_cast<HeadingMode>(i); });
     form.addSlider(
-        FORM_TEXT("Direction"), {-180.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
+        BrushForm::tr("Direction"), {-180.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
         [of](const BrushSettings& s) {
             return static_cast<double>(of(s).headingRadians) * kDegrees;
         },
@@ -135,7 +131,7 @@ void addHeading(BrushForm& form, HeadingSettings& (*heading)(BrushSettings&))
             return of(s).mode == HeadingMode::Direction || of(s).mode == HeadingMode::Random;
         });
     form.addSlider(
-        FORM_TEXT("Spread"), {0.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
+        BrushForm::tr("Spread"), {0.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
         [of](const BrushSettings& s) {
             return static_cast<double>(of(s).spreadRadians) * kDegrees;
         },
@@ -143,8 +139,8 @@ void addHeading(BrushForm& form, HeadingSettings& (*heading)(BrushSettings&))
         [of](const BrushSettings& s) { return of(s).mode == HeadingMode::Random; });
     for (int axis = 0; axis < 3; axis += 2) {
         form.addSlider(
-            axis == 0 ? FORM_TEXT("Point X") : FORM_TEXT("Point Z"),
-            {-100.0, 100.0, 0.5, 1, FORM_TEXT(" m"), false},
+            axis == 0 ? BrushForm::tr("Point X") : BrushForm::tr("Point Z"),
+            {-100.0, 100.0, 0.5, 1, BrushForm::tr(" m"), false},
             [of, axis](const BrushSettings& s) {
                 return static_cast<double>(of(s).towardsPoint[axis]);
             },
@@ -162,49 +158,53 @@ void addCreation(BrushForm& form)
     const auto isRectangle = [](const BrushSettings& s) {
         return s.selection == BrushSelection::Rectangle;
     };
-    form.addTitle(FORM_TEXT("Seats"));
+    form.addTitle(BrushForm::tr("Seats"));
     form.addCheck(
-        FORM_TEXT("Only on free seats"), FORM_TEXT("Seat grid: people sit down where they may"),
+        BrushForm::tr("Only on free seats"),
+        BrushForm::tr("Seat grid: people sit down where they may"),
         [](const BrushSettings& s) { return s.create.seats.isOn; },
         [](BrushSettings& s, bool on) { s.create.seats.isOn = on; });
     form.addNumberList(
-        FORM_TEXT("Ranks"), FORM_TEXT("Rows counted from the front, as 1, 3-5"),
+        BrushForm::tr("Ranks"), BrushForm::tr("Rows counted from the front, as 1, 3-5"),
         [](const BrushSettings& s) { return s.create.seats.ranks; },
         [](BrushSettings& s, std::vector<int> v) { s.create.seats.ranks = std::move(v); }, onSeats);
     form.addNumberList(
-        FORM_TEXT("Wedges"), FORM_TEXT("Wedges of seats, as 1, 3-5"),
+        BrushForm::tr("Wedges"), BrushForm::tr("Wedges of seats, as 1, 3-5"),
         [](const BrushSettings& s) { return s.create.seats.wedges; },
         [](BrushSettings& s, std::vector<int> v) { s.create.seats.wedges = std::move(v); },
         onSeats);
     form.addSlider(
-        FORM_TEXT("Of the seats"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
+        BrushForm::tr("Of the seats"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
         [](const BrushSettings& s) { return static_cast<double>(s.create.seatPercent); },
         [](BrushSettings& s, double v) { s.create.seatPercent = asFloat(v); },
         [onSeats](const BrushSettings& s) { return onSeats(s); });
     form.addSlider(
-        FORM_TEXT("Density"), {0.05, 6.0, 0.1, 2, FORM_TEXT(" /m²"), true},
+        BrushForm::tr("Density"), {0.05, 6.0, 0.1, 2, BrushForm::tr(" /m²"), true},
         [](const BrushSettings& s) { return static_cast<double>(s.create.density); },
         [](BrushSettings& s, double v) { s.create.density = asFloat(v); },
         [onGround, isRectangle](const BrushSettings& s) { return onGround(s) && isRectangle(s); });
     form.addSlider(
-        FORM_TEXT("Distance"), {0.1, 10.0, 0.1, 2, FORM_TEXT(" m"), true},
+        BrushForm::tr("Distance"), {0.1, 10.0, 0.1, 2, BrushForm::tr(" m"), true},
         [](const BrushSettings& s) { return static_cast<double>(s.create.minimalDistance); },
         [](BrushSettings& s, double v) { s.create.minimalDistance = asFloat(v); }, onGround);
-    form.addTitle(FORM_TEXT("Variation"));
-    addRange(form, FORM_TEXT("Height from"), FORM_TEXT("Height to"), {0.5, 2.0, 0.01, 2, {}, false},
+    form.addTitle(BrushForm::tr("Variation"));
+    addRange(form, BrushForm::tr("Height from"), BrushForm::tr("Height to"),
+             {0.5, 2.0, 0.01, 2, {}, false},
              [](BrushSettings& s) -> model::ValueRange& { return s.create.height; });
-    addRange(form, FORM_TEXT("Girth from"), FORM_TEXT("Girth to"), {0.5, 2.0, 0.01, 2, {}, false},
+    addRange(form, BrushForm::tr("Girth from"), BrushForm::tr("Girth to"),
+             {0.5, 2.0, 0.01, 2, {}, false},
              [](BrushSettings& s) -> model::ValueRange& { return s.create.girth; });
     form.addSlider(
-        FORM_TEXT("Colour"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
+        BrushForm::tr("Colour"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
         [](const BrushSettings& s) {
             return static_cast<double>(s.create.paletteStrength) * 100.0;
         },
         [](BrushSettings& s, double v) { s.create.paletteStrength = asFloat(v / 100.0); });
-    addRange(form, FORM_TEXT("Phase from"), FORM_TEXT("Phase to"), {0.0, 1.0, 0.05, 2, {}, false},
+    addRange(form, BrushForm::tr("Phase from"), BrushForm::tr("Phase to"),
+             {0.0, 1.0, 0.05, 2, {}, false},
              [](BrushSettings& s) -> model::ValueRange& { return s.create.phase; });
     addHeading(form, [](BrushSettings& s) -> HeadingSettings& { return s.create.heading; });
-    form.addTitle(FORM_TEXT("Clips (none: what suits)"));
+    form.addTitle(BrushForm::tr("Clips (none: what suits)"));
     form.addClips(
         [](const BrushSettings& s) { return s.create.clips; },
         [](BrushSettings& s, std::vector<model::ClipWeight> v) { s.create.clips = std::move(v); });
@@ -212,7 +212,7 @@ void addCreation(BrushForm& form)
 
 void addColour(BrushForm& form, const EditorState& state)
 {
-    QStringList slots{FORM_TEXT("All tintable")};
+    QStringList slots{BrushForm::tr("All tintable")};
     std::vector<std::string> names{std::string()};
     std::set<std::string> known;
     for (const model::TemplateEntry& entry : state.scene().templates) {
@@ -223,55 +223,55 @@ void addColour(BrushForm& form, const EditorState& state)
             }
         }
     }
-    form.addTitle(FORM_TEXT("Paint"));
+    form.addTitle(BrushForm::tr("Paint"));
     form.addChoice(
-        FORM_TEXT("Slot"), slots,
+        BrushForm::tr("Slot"), slots,
         [names](const BrushSettings& s) {
             const auto found = std::ranges::find(names, s.colour.slot);
             return found == names.end() ? 0 : static_cast<int>(found - names.begin());
         },
         [names](BrushSettings& s, int i) { s.colour.slot = names[static_cast<std::size_t>(i)]; });
     form.addSlider(
-        FORM_TEXT("Strength"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
+        BrushForm::tr("Strength"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
         [](const BrushSettings& s) { return static_cast<double>(s.colour.strength) * 100.0; },
         [](BrushSettings& s, double v) { s.colour.strength = asFloat(v / 100.0); });
     const auto isRandom = [](const BrushSettings& s) { return s.op == BrushOperator::Random; };
     form.addCheck(
-        FORM_TEXT("Blend between the colours"), {},
+        BrushForm::tr("Blend between the colours"), {},
         [](const BrushSettings& s) { return s.colour.blends; },
         [](BrushSettings& s, bool on) { s.colour.blends = on; }, isRandom);
     form.addCheck(
-        FORM_TEXT("Another colour for each slot"), {},
+        BrushForm::tr("Another colour for each slot"), {},
         [](const BrushSettings& s) { return s.colour.eachSlotApart; },
         [](BrushSettings& s, bool on) { s.colour.eachSlotApart = on; }, isRandom);
 }
 
 void addAnimation(BrushForm& form)
 {
-    form.addTitle(FORM_TEXT("Clips (none: as they are)"));
+    form.addTitle(BrushForm::tr("Clips (none: as they are)"));
     form.addClips([](const BrushSettings& s) { return s.animation.clips; },
                   [](BrushSettings& s, std::vector<model::ClipWeight> v) {
                       s.animation.clips = std::move(v);
                   });
     form.addCheck(
-        FORM_TEXT("Change the phase"), {},
+        BrushForm::tr("Change the phase"), {},
         [](const BrushSettings& s) { return s.animation.setsPhase; },
         [](BrushSettings& s, bool on) { s.animation.setsPhase = on; });
     addRange(
-        form, FORM_TEXT("Phase from"), FORM_TEXT("Phase to"), {0.0, 1.0, 0.05, 2, {}, false},
+        form, BrushForm::tr("Phase from"), BrushForm::tr("Phase to"),
+        {0.0, 1.0, 0.05, 2, {}, false},
         [](BrushSettings& s) -> model::ValueRange& { return s.animation.phase; },
         [](const BrushSettings& s) { return s.animation.setsPhase; });
     form.addCheck(
-        FORM_TEXT("Change the speed"), {},
+        BrushForm::tr("Change the speed"), {},
         [](const BrushSettings& s) { return s.animation.setsSpeed; },
         [](BrushSettings& s, bool on) { s.animation.setsSpeed = on; });
     addRange(
-        form, FORM_TEXT("Speed from"), FORM_TEXT("Speed to"), {0.1, 4.0, 0.05, 2, {}, false},
+        form, BrushForm::tr("Speed from"), BrushForm::tr("Speed to"),
+        {0.1, 4.0, 0.05, 2, {}, false},
         [](BrushSettings& s) -> model::ValueRange& { return s.animation.speed; },
         [](const BrushSettings& s) { return s.animation.setsSpeed; });
 }
-
-#undef FORM_TEXT
 
 } // namespace
 

@@ -1,0 +1,1901 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>New &amp;Theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with the empty theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with empty ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene under another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Collect Assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene with copies of all its models beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import Template…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring in an animated glTF model to paint with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Sta&amp;ge…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring in a glTF model to stand on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave Crowdbrush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select everybody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In&amp;vert Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select those who are not selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme, mouse, autosave, memory, shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Frame Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selected people; everything when nobody is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame &amp;All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the F&amp;ront</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the scene from the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the scene from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From Abo&amp;ve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the scene from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Perspective or Orthographic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change between perspective and orthographic projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep This View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a camera of the scene where the view is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seat &amp;Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create people only on free seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gr&amp;ound Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a grid of metres on the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;hadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a soft shadow under everybody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lighting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light the scene; otherwise plain colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rewind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the start of time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the brush larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Smaller Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the brush smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put all panels back to their places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What keys and mouse buttons do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Crowdbrush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this is, and its version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select people, move them, delete them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn, shift and zoom the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray new people into the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray people away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recolour the people under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the people under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the people under the brush another animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Navigate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;rientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BrushTexts</name>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All in the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People per m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seats filled, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate, a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density: %1 people per m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seats filled: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate: %1 a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction: %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed: × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BrushTool</name>
+    <message numerus="yes">
+        <source>%n people created</source>
+        <translation>
+            <numerusform>%n person created</numerusform>
+            <numerusform>%n people created</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people deleted</source>
+        <translation>
+            <numerusform>%n person deleted</numerusform>
+            <numerusform>%n people deleted</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people coloured</source>
+        <translation>
+            <numerusform>%n person coloured</numerusform>
+            <numerusform>%n people coloured</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people turned</source>
+        <translation>
+            <numerusform>%n person turned</numerusform>
+            <numerusform>%n people turned</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people do something else</source>
+        <translation>
+            <numerusform>%n person does something else</numerusform>
+            <numerusform>%n people do something else</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The stroke was taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: create people · + −: how many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: delete people · + −: how fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: colour people · + −: strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: turn people · + −: direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: change what people do · + −: speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left: point · Middle: circle · Right: rectangle · Alt or Space and drag: navigate · [ ]: size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right button: brushes · Middle button, Alt or Space and drag: navigate · [ ], Ctrl+wheel, Shift+drag: size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Brushes</name>
+    <message numerus="yes">
+        <source>Create %n individual(s)</source>
+        <translation>
+            <numerusform>Create %n Person</numerusform>
+            <numerusform>Create %n People</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n individual(s)</source>
+        <translation>
+            <numerusform>Delete %n Person</numerusform>
+            <numerusform>Delete %n People</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour %n individual(s)</source>
+        <translation>
+            <numerusform>Colour %n Person</numerusform>
+            <numerusform>Colour %n People</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n individual(s)</source>
+        <translation>
+            <numerusform>Turn %n Person</numerusform>
+            <numerusform>Turn %n People</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Animate %n individual(s)</source>
+        <translation>
+            <numerusform>Animate %n Person</numerusform>
+            <numerusform>Animate %n People</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n individual(s)</source>
+        <translation>
+            <numerusform>Move %n Person</numerusform>
+            <numerusform>Move %n People</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No free seat under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a template to create first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen template is not loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too steep to stand on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to stand on under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others are nearer than the minimal distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area is too large for this density: zoom in or lower the density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area is too small for anybody at this density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them already have this colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them has the chosen slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them already face this way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them already move like this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them has a chosen clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brush is set to change nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag to show the direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FlySession</name>
+    <message>
+        <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, click to land, Escape to go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, release to land, Escape to go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ImportDialog</name>
+    <message>
+        <source>Y up (glTF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NavigateTool</name>
+    <message>
+        <source>Drag: orbit · Shift: pan · Ctrl: nearer, farther · Wheel: towards the cursor · Right button or Shift+F: fly with WASD · F: show the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SelectTool</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click: select · Shift: add · Ctrl: toggle · Drag: rectangle, or move the selected · Delete: remove · F: show the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SelectionCommands</name>
+    <message>
+        <source>Nobody is selected: there is nobody to delete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n individual(s)</source>
+        <translation>
+            <numerusform>Delete %n Person</numerusform>
+            <numerusform>Delete %n People</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>Select</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Navigate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientation Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animation Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>There is no camera “%1” in this scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Camera “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update Camera “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Camera “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename Camera “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::AssetController</name>
+    <message>
+        <source>glTF models (*.glb *.gltf);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use “%1” as a template to paint with, or as the stage?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The template could not be imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is ready: the create brush paints it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stage could not be imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are of this template; delete them first.</source>
+        <translation>
+            <numerusform>%n person is of this template; delete that one first.</numerusform>
+            <numerusform>%n people are of this template; delete them first.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The template could not be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stage could not be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing Assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown.</source>
+        <translation>
+            <numerusform>%n asset of this scene could not be loaded. The scene is intact and can be saved without loss; what it draws is not shown.</numerusform>
+            <numerusform>%n assets of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>To point the scene at a file that has moved, choose Locate in the Templates or the Scene panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::BackgroundTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::FileController</name>
+    <message>
+        <source>Crowdbrush scenes (*.crowd)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing a new scene…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept unsaved changes of “%1” from %2. Open them?
+
+Otherwise they are thrown away and the scene opens as it was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene could not be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Scene As</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene could not be saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The assets could not be collected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect Assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has unsaved changes. Save them?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept a scene that was never saved, from %1. Open it?
+
+Otherwise it is thrown away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::KeysDialog</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paints with the active brush, or selects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opens the brushes at the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle button, Alt + left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the view; with Shift shift it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes to the point under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, [ and ]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ and −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>main number of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>navigates with the left button; tapped it plays and pauses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift + F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flies with W A S D and the mouse; Escape ends it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes the stroke in progress back, or selects nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::MainWindow</name>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to &amp;Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1[*] – Crowdbrush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scenes yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear This List</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Crowdbrush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;An editor that paints crowds.&lt;/p&gt;&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes”, Ulicny, de Heras Ciechomski and Thalmann, 2004.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left paints, right opens the brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left a point, middle a circle, right a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse buttons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep unsaved work every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for keyframes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory and language change when Crowdbrush starts again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those keys belong to “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All Back to Defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::StatusPanel</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n selected</numerusform>
+            <numerusform>%n selected</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 ms · %2 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of one picture, and what was drawn in it: %1 of %2 people</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::BrushForm</name>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often low (left) to high values (right) come: draw it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reaches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All in circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pen pressure changes size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also people hidden behind others or the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each dab changes again whom it touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only on free seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seat grid: people sit down where they may</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows counted from the front, as 1, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wedges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wedges of seats, as 1, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> /m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Girth from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Girth to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips (none: what suits)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tintable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend between the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for each slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips (none: as they are)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::BrushPaletteDock</name>
+    <message>
+        <source>Brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::BrushPopup</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::BrushSettingsDock</name>
+    <message>
+        <source>Brush Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This tool has no settings. Choose a brush to set it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ColourDock</name>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour that is painted; where a gradient begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a gradient ends; the other colour of random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour in hexadecimal, as #rrggbb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the colour as a swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; a right click removes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::HistoryDock</name>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ImportDialog</name>
+    <message>
+        <source>Walk on the spot; the program moves the character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::IndividualDock</name>
+    <message>
+        <source>Individual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected. Press V and click somebody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;, number %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;b&gt;%n people&lt;/b&gt;</source>
+        <translation>
+            <numerusform>&lt;b&gt;%n person&lt;/b&gt;</numerusform>
+            <numerusform>&lt;b&gt;%n people&lt;/b&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint; choose a colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Individual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Outfit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::LightForm</name>
+    <message>
+        <source>Sun from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::NumberField</name>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::SceneDock</name>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seats</source>
+        <translation>
+            <numerusform>%n seat</numerusform>
+            <numerusform>%n seats</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go There</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set to This View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select These People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep This View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Stage…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TemplatesDock</name>
+    <message>
+        <source>Templates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticked templates are painted by the create brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the template comes in the mix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Template…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ToolController</name>
+    <message>
+        <source>Brush size: %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ViewportWidget</name>
+    <message>
+        <source>This scene is empty.
+Drop a character (.glb) or a stage here, or open a scene from the File menu.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Press C and paint people on the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Baking %1 of %2 clips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory for baked animations is used up: some people stand still. The preferences set its size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>
