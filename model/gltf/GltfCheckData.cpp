@@ -27,7 +27,7 @@ public:
                                                      kMaxBufferBytes) &&
                                        m_check.whole(view, "byteLength", where, 0, kMaxBufferBytes,
                                                      JsonCheck::Need::Required) &&
-                                       m_check.whole(view, "byteStride", where, 0, 252);
+                                       checkStride(view, where);
                             }) &&
                m_check.each(m_check.root(), "accessors", "",
                             [this](Json& accessor, const std::string& where) {
@@ -36,6 +36,13 @@ public:
     }
 
 private:
+    bool checkStride(Json& view, const std::string& where)
+    {
+        return m_check.whole(view, "byteStride", where, 0, 252) &&
+               (wholeOr(view, "byteStride", 0) % 4 == 0 ||
+                m_check.fail(where + ".byteStride", "is no multiple of 4"));
+    }
+
     bool checkAccessor(Json& accessor, const std::string& where)
     {
         if (!m_check.index(accessor, "bufferView", "bufferViews", where) ||

@@ -182,6 +182,8 @@ std::vector<BadFile> layouts()
          with("/bufferViews/0/byteStride", 252)},
         {"stride too large", "bufferViews[0].byteStride is 4096",
          with("/bufferViews/0/byteStride", 4096)},
+        {"stride of an odd size", "bufferViews[0].byteStride is no multiple of 4",
+         with("/bufferViews/0/byteStride", 14)},
         {"view past the buffer", "bufferViews[0] reaches to byte",
          with("/bufferViews/0/byteLength", 4096)},
         {"view offset overflows", "bufferViews[0].byteOffset is",
