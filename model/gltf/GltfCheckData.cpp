@@ -59,6 +59,11 @@ private:
         if (componentCount(textOf(accessor, "type")) == 0) {
             return m_check.fail(where + ".type", "is none that glTF 2.0 knows");
         }
+        if (wholeOr(accessor, "count", 0) * componentCount(textOf(accessor, "type")) >
+            kMaxAccessorNumbers) {
+            return m_check.fail(where, "has more than " + std::to_string(kMaxAccessorNumbers) +
+                                           " numbers");
+        }
         const auto sparse = accessor.find("sparse");
         return sparse == accessor.end() || checkSparse(accessor, *sparse, where + ".sparse");
     }

@@ -12,12 +12,14 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30U;
 /// All buffers of a file together, decompressed ones included.
 inline constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30U;
 inline constexpr int kMaxJsonDepth = 64;
-inline constexpr std::size_t kMaxJsonValues = std::size_t{1} << 24U;
+inline constexpr std::size_t kMaxJsonValues = std::size_t{1} << 23U;
 inline constexpr std::uint64_t kMaxAccessorElements = std::uint64_t{1} << 25U;
+/// Elements times components.
+inline constexpr std::uint64_t kMaxAccessorNumbers = std::uint64_t{1} << 26U;
 /// Emitted vertices and triangle corners, after nodes that share a mesh are expanded.
-inline constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << 24U;
-inline constexpr std::uint64_t kMaxCorners = std::uint64_t{3} << 24U;
-inline constexpr std::size_t kMaxNodes = 1U << 18U;
+inline constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << 23U;
+inline constexpr std::uint64_t kMaxCorners = std::uint64_t{3} << 23U;
+inline constexpr std::size_t kMaxItems = 1U << 18U; ///< nodes, accessors, … of each kind
 inline constexpr std::size_t kMaxBones = 65535;
 inline constexpr std::uint64_t kMaxAnimationFloats = std::uint64_t{1} << 27U;
 inline constexpr float kMaxClipSeconds = 3600.0F;

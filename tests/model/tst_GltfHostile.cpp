@@ -317,7 +317,7 @@ void tst_GltfHostile::flippedBytesDoNoHarm()
     addAnimation(builder, {{"node", 0}, {"path", "weights"}});
     const QByteArray whole = builder.glb();
     std::uint32_t random = 1;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < 1000; ++round) {
         QByteArray broken = whole;
         for (int i = 0; i < 1 + round % 4; ++i) {
             random = random * 1664525U + 1013904223U;
