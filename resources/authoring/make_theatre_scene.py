@@ -117,9 +117,9 @@ def camera(name, position, target, field_degrees):
 
 
 CAMERAS = [
-    camera("Audience", (0, 7.4, 5.2), (0, 2.5, -12.5), 52),
+    camera("Audience", (0, 6.8, 3.4), (0, 2.7, -13.5), 47),
     camera("From the stage", (-4.0, 3.0, 8.6), (2.5, 2.6, -12), 48),
-    camera("Whole theatre", (27, 21, 27), (0, 1.0, -2), 42),
+    camera("Whole theatre", (34, 24, 14), (0, .5, -3), 40),
     camera("Back row", (3.5, 7.6, -20.2), (-.5, 3.2, 10), 50),
     camera("Close", (-6.0, 2.3, -4.2), (-10.2, 1.6, -9.2), 42),
 ]

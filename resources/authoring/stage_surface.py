@@ -38,13 +38,14 @@ class StageSurface:
         self.tones.append(self.tone() if tone is None else tone)
 
     def arc(self, profile, start, end, segments, materials):
-        """Sweeps (radius, z) points, listed from the inside outwards and up, around the centre."""
+        """Sweeps (radius, z) points, listed from the inside outwards and up, around the centre.
+        Earth and sand stay even, blocks of stone vary."""
         steps = [start + (end - start) * i / segments for i in range(segments + 1)]
         rows = [self.points(polar(r, a, z) for a in steps) for r, z in profile]
         for k, material in enumerate(materials):
             for i in range(segments):
                 self.face((rows[k][i], rows[k][i + 1], rows[k + 1][i + 1], rows[k + 1][i]),
-                          material)
+                          material, 1.0 if material in ("earth", "sand") else None)
 
     def box(self, low, high, material, bottom=False):
         (x0, y0, z0), (x1, y1, z1) = low, high
@@ -65,12 +66,6 @@ class StageSurface:
             for i in range(sides):
                 j = (i + 1) % sides
                 self.face((below[i], below[j], above[j], above[i]), material, tone)
-
-    def disc(self, radius, z, sides, material):
-        centre = self.point(0, 0, z)
-        ring = self.points(polar(radius, 2 * math.pi * i / sides, z) for i in range(sides))
-        for i in range(sides):
-            self.face((centre, ring[(i + 1) % sides], ring[i]), material, 1.0)
 
     def prism(self, outline, other, sides_material, cap_material, flip):
         """Two equal outlines joined by quads, both ends closed by fans."""

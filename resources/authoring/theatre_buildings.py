@@ -15,8 +15,10 @@ ARCHES = 26
 
 
 def add_ground(surface):
-    surface.disc(62, .015, 48, "earth")
-    surface.disc(7.2, .04, 40, "sand")
+    surface.arc([(7.6, .015), (OUTER_RADIUS, .015), (OUTER_RADIUS + 3, .015), (62, .015)],
+                -math.pi, math.pi, 48, ["earth"] * 3)
+    surface.arc([(.8, .04), (1.6, .04), (6.4, .04), (7.2, .04)], -math.pi, math.pi, 40,
+                ["sand"] * 3)
     surface.arc([(7.2, .04), (7.2, .10), (FIRST_RADIUS, .10)], -HALF_ANGLE, HALF_ANGLE, 40,
                 ["marble", "stone"])
     surface.arc([(7.2, .04), (7.2, .10), (7.6, .10), (7.6, .015)], HALF_ANGLE,

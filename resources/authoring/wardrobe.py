@@ -19,7 +19,7 @@ class Look:
     rgb: tuple
 
 
-SKIN_TONES = (("", (222, 172, 140)), ("Skin fair", (240, 204, 178)),
+SKIN_TONES = (("", (222, 172, 140)), ("Skin fair", (234, 194, 164)),
               ("Skin olive", (198, 150, 112)), ("Skin brown", (150, 102, 72)),
               ("Skin deep", (104, 70, 52)))
 WHITE = (255, 255, 255)

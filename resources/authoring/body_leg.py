@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""Trouser legs and shoes."""
+import math
+
+import numpy as np
+
+from geometry import lerp, smoothstep, vec
+
+LEG_GROWTH = {8: 1, 6: 1.03, 5: 1.07, 4: 1.15}
+SHOE_GROWTH = {8: 1, 6: 1.04, 5: 1.08, 4: 1.1}
+# Outlines of the shoe by angle, (x, y) in shoe sizes: the sole and the opening at the ankle.
+SOLE = {-42: (-.031, -.168), 5: (.002, -.196), 47: (.041, -.150), 90: (.043, -.062),
+        133: (.031, .048), 175: (.002, .074), 222: (-.027, .052), 270: (-.034, -.062)}
+OPENING = {-42: (-.027, -.048), 5: (.001, -.066), 47: (.031, -.044), 90: (.041, -.004),
+           133: (.030, .050), 175: (.001, .068), 222: (-.027, .052), 270: (-.035, -.004)}
+COARSE_SOLE = {0: (0, -.19), 90: (.045, -.05), 180: (0, .074), 270: (-.040, -.05)}
+SOLE_FACES = {8: ((0, 2, 1), (0, 7, 3, 2), (7, 6, 4, 3), (6, 5, 4)),
+              6: ((0, 2, 1), (0, 5, 2), (5, 3, 2), (5, 4, 3)), 5: ((0, 2, 1), (0, 4, 2), (4, 3, 2)),
+              4: ()}
+
+
+class Leg:
+    def __init__(self, surface, body, detail, trunk):
+        self.surface, self.body, self.detail, self.trunk = surface, body, detail, trunk
+        self.angles = detail.leg_angles
+        self.u = [i / len(self.angles) for i in range(len(self.angles) + 1)]
+        hip, knee, ankle = body.hip[2], body.knee[2], body.ankle[2]
+        self.profile = (  # height, radius to the side, front, back
+            (hip - .03, .074, .086, .098), (hip - .14, .069, .082, .086),
+            (hip - .26, .061, .070, .066), (knee + .06, .056, .060, .054),
+            (knee, .052, .056, .050), (knee - .06, .049, .047, .058),
+            (knee - .14, .050, .044, .064), (knee - .24, .040, .037, .044),
+            (ankle + .03, .033, .034, .036))
+
+    def add(self):
+        self._add_trousers()
+        self._add_shoe()
+
+    def centre(self, z):
+        hip, knee, ankle = self.body.hip, self.body.knee, self.body.ankle
+        if z >= knee[2]:
+            return lerp(knee, hip, (z - knee[2]) / (hip[2] - knee[2]))
+        return lerp(ankle, knee, (z - ankle[2]) / (knee[2] - ankle[2]))
+
+    def weights(self, point):
+        z, hip, knee, ankle = point[2], self.body.hip[2], self.body.knee[2], self.body.ankle[2]
+        shin = 1 - smoothstep(z, knee - .055, knee + .055)
+        hips = smoothstep(z, hip - .16, hip - .02) * .5
+        foot = 1 - smoothstep(z, ankle - .03, ankle + .03)
+        return {"hips": hips, "thigh_L": (1 - hips) * (1 - shin), "shin_L": shin * (1 - foot),
+                "foot_L": shin * foot}
+
+    def radii(self, z):
+        girth = self.body.leg_girth
+        for above, below in zip(self.profile[:-1], self.profile[1:]):
+            if z >= below[0]:
+                s = max(0, min(1, (z - below[0]) / (above[0] - below[0])))
+                return [lerp(below[i], above[i], s) * girth for i in (1, 2, 3)]
+        return [r * girth for r in self.profile[-1][1:]]
+
+    def ring(self, z, ease):
+        centre, growth = self.centre(z), LEG_GROWTH[len(self.angles)]
+        side, front, back = (r + ease for r in self.radii(z))
+        inner = min(1, (centre[0] - .004) / (side * growth))  # keep off the other leg
+        points = []
+        for degrees in self.angles:
+            sine, cosine = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+            depth = front if cosine > 0 else back
+            points.append(centre + vec(side * growth * sine * (1 if sine > 0 else inner),
+                                       -depth * growth * cosine, 0))
+        return self.surface.add_ring(points, self.weights)
+
+    def _heights(self):
+        hip, knee = self.body.hip[2], self.body.knee[2]
+        return ((hip - .125, hip - .25, knee + .055, knee - .005, knee - .06, knee - .17, .060),
+                (hip - .14, knee + .05, knee - .05, .055), (hip - .15, knee, .055),
+                (knee, .03))[self.detail.level]
+
+    def _add_trousers(self):
+        top, knee = self.body.trunk["crotch"].z, self.body.knee[2]
+        crotch = self.surface.add(vec(0, .014, top - .070), {"hips": .7, "thigh_L": .3})
+        rings, heights = [self.trunk.rings["crotch"] + [crotch]], (top,) + self._heights()
+        for z in heights[1:]:
+            ease = .010 + (.014 * (knee - z) / knee if z <= knee else 0)
+            rings.append(self.ring(z, ease + (.006 if self.detail.level == 3 else 0)))
+        self.surface.sharp += [(rings[0][0], rings[1][0]), (rings[0][-2], rings[1][-2]),
+                               (rings[0][0], crotch), (rings[0][-2], crotch)]
+        for k in range(len(rings) - 1):
+            v = .78 * heights[k + 1] / top, .78 * heights[k] / top
+            self.surface.band(rings[k + 1], rings[k], "bottom", self.u, v, closed=True)
+        if self.detail.is_finest:
+            lining = self.ring(heights[-1] + .008, -.002)
+            self.surface.band(lining, rings[-1], "bottom", self.u, (0, 0), closed=True)
+
+    def _shoe_weights(self, point):
+        size = self.body.foot
+        toe = smoothstep(-point[1], .055 * size, .125 * size)
+        return {"foot_L": 1 - toe, "toe_L": toe}
+
+    def _outline(self, outline, scale, height_at):
+        """height_at: of y in shoe sizes."""
+        size, growth = self.body.foot, SHOE_GROWTH[len(self.angles)]
+        points = []
+        for degrees in self.angles:
+            x, y = _on_outline(outline, degrees)
+            points.append(vec(self.body.ankle[0] + .002 + x * scale * size * growth,
+                              y * scale * size, height_at(y * scale) * size))
+        return points
+
+    def _shoe_rows(self):
+        """Rings of ids, the ankle first, the sole last."""
+        level, add = self.detail.level, self.surface.add_ring
+        sole = COARSE_SOLE if level == 3 else SOLE
+        rows = []
+        if level == 0:
+            rows.append(add(self._ankle_points(), lambda p: {"shin_L": .6, "foot_L": .4}))
+        if level == 3:
+            rows.append(add(self._outline(sole, .75, lambda y: .085), self._shoe_weights))
+        else:
+            rows.append(add(self._outline(OPENING, 1.0 if level < 2 else .9, lambda y: .092),
+                            lambda p: {"foot_L": 1}))
+        if level <= 1:
+            rows.append(add(self._outline(
+                sole, 1.0, lambda y: .050 - .012 * min(1, max(0, (-.1 - y) / .09))),
+                self._shoe_weights))
+        rows.append(add(self._outline(sole, .985, lambda y: 0 if y > -.15 else .004),
+                        self._shoe_weights))
+        return rows
+
+    def _ankle_points(self):
+        ankle, girth = self.body.ankle, self.body.leg_girth
+        turns = [math.radians(a) for a in self.angles]
+        return [vec(ankle[0] + .041 * girth * math.sin(t), ankle[1] - .043 * girth * math.cos(t)
+                    - .002, ankle[2] + .042) for t in turns]
+
+    def _add_shoe(self):
+        rows = self._shoe_rows()
+        height = [min(1, float(np.mean([self.surface.positions[i][2] for i in row]))
+                      / (.13 * self.body.foot)) for row in rows]
+        for k in range(len(rows) - 1):
+            self.surface.band(rows[k + 1], rows[k], "shoes", self.u, (height[k + 1], height[k]),
+                              closed=True)
+        for face in SOLE_FACES[len(self.angles)]:
+            self.surface.face([rows[-1][i] for i in face], "shoes", [(.5, .02)] * len(face))
+
+
+def _on_outline(outline, degrees):
+    """Linear between the given angles, which wrap round."""
+    angles = sorted(outline)
+    degrees = degrees if degrees >= angles[0] else degrees + 360
+    for a, b in zip(angles, angles[1:] + [angles[0] + 360]):
+        if a <= degrees <= b:
+            t = (degrees - a) / (b - a)
+            p, q = outline[a], outline[b if b in outline else b - 360]
+            return lerp(p[0], q[0], t), lerp(p[1], q[1], t)
+    raise ValueError(f"{degrees} degrees lie outside the outline")
