@@ -96,6 +96,10 @@ void Population::add(const IndividualRows& rows)
         return;
     }
     assert(std::ranges::is_sorted(rows.ids));
+    if (isEmpty() || m_ids->back() < rows.ids.front()) {
+        append(rows);
+        return;
+    }
     const std::size_t total = size() + rows.ids.size();
     auto ids = std::make_shared<std::vector<IndividualId>>(total);
     std::ranges::merge(*m_ids, rows.ids, ids->begin());
@@ -121,6 +125,17 @@ void Population::add(const IndividualRows& rows)
         m_columns[c] = std::move(merged);
     }
     m_ids = std::move(ids);
+    stampAll();
+}
+
+void Population::append(const IndividualRows& rows)
+{
+    detach(m_ids);
+    m_ids->insert(m_ids->end(), rows.ids.begin(), rows.ids.end());
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        detach(m_columns[c]);
+        m_columns[c]->insert(m_columns[c]->end(), rows.bytes[c].begin(), rows.bytes[c].end());
+    }
     stampAll();
 }
 

@@ -95,6 +95,9 @@ private:
     using Shared = std::shared_ptr<std::vector<T>>;
 
     [[nodiscard]] std::vector<std::size_t> rowsOf(std::span<const IndividualId> ids) const;
+    /// add() for ids behind all present: what creating people does. Copies nothing that is not
+    /// shared.
+    void append(const IndividualRows& rows);
     [[nodiscard]] std::vector<std::byte>& writable(ColumnId column);
     void stampRows(std::span<const std::size_t> rows);
     void stampAll();
