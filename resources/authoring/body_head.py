@@ -3,8 +3,6 @@
 the crown, columns from the front middle over the left side to the back middle."""
 import math
 
-import numpy as np
-
 from body_detail import chart_v, trunk_angles
 from body_trunk import trunk_weights
 from geometry import lerp, vec

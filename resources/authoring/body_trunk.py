@@ -2,8 +2,6 @@
 """The trunk: top and the upper end of the trousers, with a hole for each arm."""
 import math
 
-import numpy as np
-
 from body_detail import chart_u, chart_v, trunk_angles
 from geometry import smoothstep, vec
 from surface import blend

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Small vector and curve helpers. Authoring frame: metres, Z up, people face -Y, their left is +X."""
+"""Small vector and curve helpers. Authoring frame: metres, Z up, people face -Y, left is +X."""
 import math
 
 import numpy as np

@@ -138,9 +138,6 @@ def shoe():
 
 def hair():
     u, v = grid(64)
-    strands = sum(a * np.sin(FULL * n * u + n) for n, a in ((7, .05), (13, .05), (23, .04)))
+    strands = sum(a * np.sin(2 * np.pi * n * u + n) for n, a in ((7, .05), (13, .05), (23, .04)))
     value = np.clip((1 + strands - .06) * (.78 + .22 * np.clip(v * 1.6, 0, 1)), 0, 1)
     return png(np.repeat(value[..., None], 3, 2))
-
-
-FULL = 2 * np.pi

@@ -11,24 +11,27 @@ TO_GLTF = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], float)
 STILL_METRES, STILL_QUATERNION = 2e-4, 1e-4
 
 
+def quaternion(m):
+    """x, y, z, w of a rotation matrix, from its largest component for accuracy."""
+    squares = np.array([1 + m[0, 0] - m[1, 1] - m[2, 2], 1 - m[0, 0] + m[1, 1] - m[2, 2],
+                        1 - m[0, 0] - m[1, 1] + m[2, 2], 1 + m[0, 0] + m[1, 1] + m[2, 2]])
+    q = np.sqrt(np.maximum(squares, 0)) / 2
+    i = int(np.argmax(q))
+    if i == 3:
+        q[:3] = np.array((m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1])) / (4 * q[3])
+    else:
+        j, k = (i + 1) % 3, (i + 2) % 3
+        q[j], q[k] = (m[i, j] + m[j, i]) / (4 * q[i]), (m[i, k] + m[k, i]) / (4 * q[i])
+        q[3] = (m[k, j] - m[j, k]) / (4 * q[i])
+    return q / np.linalg.norm(q)
+
+
 def quaternions(matrices):
-    """Rotation matrices to x, y, z, w, each in the hemisphere of the one before."""
+    """One per matrix, each in the hemisphere of the one before."""
     result = []
     for m in matrices:
-        q = np.array([1 + m[0, 0] - m[1, 1] - m[2, 2], 1 - m[0, 0] + m[1, 1] - m[2, 2],
-                      1 - m[0, 0] - m[1, 1] + m[2, 2], 1 + m[0, 0] + m[1, 1] + m[2, 2]])
-        q = np.sqrt(np.maximum(q, 0)) / 2
-        largest = int(np.argmax(q))
-        pairs = ({3: (m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1])}.get(largest))
-        if largest == 3:
-            q[:3] = np.array(pairs) / (4 * q[3])
-        else:
-            i, j, k = largest, (largest + 1) % 3, (largest + 2) % 3
-            q[j], q[k] = (m[i, j] + m[j, i]) / (4 * q[i]), (m[i, k] + m[k, i]) / (4 * q[i])
-            q[3] = (m[k, j] - m[j, k]) / (4 * q[i])
-        if result and np.dot(q, result[-1]) < 0:
-            q = -q
-        result.append(q / np.linalg.norm(q))
+        q = quaternion(m)
+        result.append(-q if result and np.dot(q, result[-1]) < 0 else q)
     return np.array(result)
 
 
@@ -48,8 +51,8 @@ class PersonWriter:
         for clip in clips:
             self._clip(clip)
         self.glb.document["extensionsUsed"] = ["KHR_materials_variants", "MSFT_lod"]
-        self.glb.document["scenes"] = [{"name": self.body.name,
-                                        "nodes": [self.joint["root"], nodes[0]]}]
+        self.glb.add("scenes", {"name": self.body.name,
+                                "nodes": [self.joint["root"], nodes[0]]})
         self.glb.write(path)
 
     def _materials(self):
