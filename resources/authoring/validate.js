@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// node validate.js FILE.glb ...   (npm install gltf-validator, outside the repository)
+// NODE_PATH=FOLDER/node_modules node validate.js FILE.glb ...
+// after "npm install gltf-validator" in that FOLDER, outside the repository.
 // Runs the Khronos validator; exits with 1 on any error or warning.
 const validator = require("gltf-validator");
 const fs = require("fs");
