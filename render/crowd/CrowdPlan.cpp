@@ -76,6 +76,7 @@ struct ReadyClip
         const glm::vec3 size = box.size() * kBoundsMargin;
         middle = (box.low.y + box.high.y) * 0.5F;
         halfHeight = size.y * 0.5F;
+        shownHeight = box.size().y;
         const float reach = std::max({-box.low.x, box.high.x, -box.low.z, box.high.z});
         side = reach * kBoundsMargin * 1.4142136F;
         if (last > 0) {
@@ -93,6 +94,7 @@ struct ReadyClip
     int last;     ///< keyframe, 0 for a pose
     float middle; ///< metres, of the bounds' height
     float halfHeight;
+    float shownHeight;      ///< metres; less than the template's where people sit
     float side;             ///< largest distance from the axis
     double perSecond = 0.0; ///< clips
     float lastBegin = 0.0F; ///< seconds, of the last interval
@@ -284,8 +286,8 @@ void CrowdPlan::look(const Request& request)
         const float scale =
             eye.isPerspective ? eye.pixelsPerMetre / std::max(depth, 0.1F) : eye.pixelsPerMetre;
         const int last = m_levels[row] == kNoLevel ? -1 : m_levels[row];
-        const int level =
-            levelFor(entry->height * height * scale, last, entry->levels, request.thresholds);
+        const int level = levelFor(std::min(entry->height, clip.shownHeight) * height * scale, last,
+                                   entry->levels, request.thresholds);
         m_levels[row] = static_cast<std::uint8_t>(level);
         Instance& instance = seen.instances[seen.count];
         instance.rowAndFlags =

@@ -88,7 +88,7 @@ void TemplateGpu::makeMaterials()
     m_materials.reserve(records.size());
     m_materials.write(0, records);
     m_images = uploadLayers(images.width, images.height, images.layers,
-                            {images.wrapU, images.wrapV, images.isNearest});
+                            {images.wrapU, images.wrapV, images.isNearest, false});
 }
 
 void TemplateGpu::useClip(KeyframeStore& store, int clipIndex)

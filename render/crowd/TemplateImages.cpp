@@ -86,15 +86,10 @@ public:
         return image < 0 ? 0 : layer(image, -1, false, [](std::vector<std::uint8_t>&) {});
     }
 
-    /// A mask of its own, encoded so that sampling gives it back as it is.
     int mask(int image)
     {
-        return layer(-1, image, false, [this, image](std::vector<std::uint8_t>& texels) {
-            texels = pixels(image);
-            for (std::uint8_t& value : texels) {
-                value = toByte(srgbFromLinear(static_cast<float>(value) / 255.0F));
-            }
-        });
+        return layer(-1, image, false,
+                     [this, image](std::vector<std::uint8_t>& texels) { texels = pixels(image); });
     }
 
 private:

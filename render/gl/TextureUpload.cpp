@@ -27,8 +27,10 @@ void finish(GLenum target, const Sampling& sampling)
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrapMode(sampling.wrapU));
     glTexParameteri(target, GL_TEXTURE_WRAP_T, wrapMode(sampling.wrapV));
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, sampling.isNearest ? GL_NEAREST : GL_LINEAR);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER,
-                    sampling.isNearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    const GLint minify = sampling.isNearest       ? GL_NEAREST_MIPMAP_LINEAR
+                         : sampling.isBetweenMips ? GL_LINEAR_MIPMAP_LINEAR
+                                                  : GL_LINEAR_MIPMAP_NEAREST;
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
     glGenerateMipmap(target);
 }
 
@@ -39,7 +41,7 @@ GlTexture uploadLayers(int width, int height, const std::vector<std::vector<std:
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_SRGB8_ALPHA8, width, height,
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, width, height,
                  static_cast<GLsizei>(layers.size()), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), width, height, 1,

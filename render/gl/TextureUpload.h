@@ -14,9 +14,12 @@ struct Sampling
     model::Wrap wrapU = model::Wrap::Repeat;
     model::Wrap wrapV = model::Wrap::Repeat;
     bool isNearest = false;
+    bool isBetweenMips = true; ///< blends two mipmaps
 };
 
-/// An sRGB texture array with mipmaps from RGBA8 layers of equal size.
+/// A texture array with mipmaps from RGBA8 layers of equal size. Values come as they are, encoded:
+/// the shader decodes what it sampled, which costs a software rasteriser an eighth of decoding each
+/// texel.
 [[nodiscard]] GlTexture uploadLayers(int width, int height,
                                      const std::vector<std::vector<std::uint8_t>>& layers,
                                      const Sampling& sampling);

@@ -21,12 +21,20 @@ uniform float opacity;
 
 out vec4 fragment;
 
+#ifdef TEXTURED
+vec3 srgbToLinear(vec3 c)
+{
+    // Within 0.003 of the exact curve.
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+#endif
+
 void main()
 {
     vec4 result = color;
 #ifdef TEXTURED
     vec4 texel = texture(images, textureUv);
-    result.rgb *= texel.rgb;
+    result.rgb *= srgbToLinear(texel.rgb);
 #ifdef SEPARATE_MASK
     result.a *= texel.a;
     float mask = maskLayer < 0.0 ? 1.0 : texture(images, vec3(textureUv.xy, maskLayer)).r;
