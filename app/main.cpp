@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/BenchIo.h"
 #include "app/commands/BenchPaint.h"
 #include "app/commands/BenchRender.h"
 #include "app/commands/EditorCommand.h"
@@ -23,6 +24,7 @@ struct CommandLine
     std::vector<std::string> files;
     InfoOptions info;
     RenderOptions render;
+    BenchIoOptions benchIo;
     BenchPaintOptions benchPaint;
     BenchRenderOptions benchRender;
     int status = 0;
@@ -36,6 +38,16 @@ void addInfo(CLI::App& cli, CommandLine& line)
     command->add_option("--as", line.info.as, "Read a glTF file as this")
         ->check(CLI::IsMember({"template", "stage"}));
     command->callback([&line] { line.status = runInfo(line.info); });
+}
+
+void addBenchIo(CLI::App& bench, CommandLine& line)
+{
+    CLI::App* command = bench.add_subcommand("io", "How long saving and opening takes");
+    command->add_option("--count", line.benchIo.count, "People in the scene")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_flag("--json", line.benchIo.json, "Print one JSON object");
+    command->callback([&line] { line.status = runBenchIo(line.benchIo); });
 }
 
 void addBenchPaint(CLI::App& bench, CommandLine& line)
@@ -56,6 +68,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
     addRenderCommand(cli, line.render, line.status);
     CLI::App* bench = cli.add_subcommand("bench", "Measure");
     bench->require_subcommand(1);
+    addBenchIo(*bench, line);
     addBenchPaint(*bench, line);
     addBenchRenderCommand(*bench, line.benchRender, line.status);
 }
