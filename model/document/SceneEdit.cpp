@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -148,6 +149,30 @@ decltype(Entry::id) freeId(const std::vector<Entry>& entries)
     return static_cast<Id>(entries.empty() ? 1 : entries.back().id + 1);
 }
 
+bool isSameSpeed(float a, float b)
+{
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool isSame(const TemplateEntry& a, const TemplateEntry& b)
+{
+    return a.name == b.name && a.path == b.path && a.import == b.import &&
+           a.clipNames == b.clipNames && a.asset == b.asset && a.problem == b.problem &&
+           std::ranges::equal(a.clipSpeeds, b.clipSpeeds, isSameSpeed);
+}
+
+bool isSame(const StageEntry& a, const StageEntry& b)
+{
+    return a.name == b.name && a.path == b.path && a.position == b.position &&
+           a.headingRadians == b.headingRadians && a.scale == b.scale && a.asset == b.asset &&
+           a.problem == b.problem;
+}
+
+bool isSame(const NamedCamera& a, const NamedCamera& b)
+{
+    return a.name == b.name && a.camera == b.camera;
+}
+
 /// First-touch values of the entries against today's, by id.
 template<class Entry>
 std::vector<EntryDelta<Entry>>
@@ -157,7 +182,9 @@ entryDeltas(const std::map<decltype(Entry::id), std::optional<Entry>>& before,
     std::vector<EntryDelta<Entry>> deltas;
     for (const auto& [id, entry] : before) {
         EntryDelta<Entry> delta{entry, entryOf(entries, id)};
-        if (delta.before || delta.after) {
+        const bool wasThere = delta.before.has_value();
+        const bool isThere = delta.after.has_value();
+        if (wasThere != isThere || (wasThere && !isSame(*delta.before, *delta.after))) {
             deltas.push_back(std::move(delta));
         }
     }
@@ -198,7 +225,8 @@ SceneDelta SceneEdit::Private::delta(const Scene& scene) const
     delta.nextIdAfter = scene.nextId;
     delta.templates = entryDeltas(templates, scene.templates);
     delta.stages = entryDeltas(stages, scene.stages);
-    if (cameras) {
+    if (cameras && !std::ranges::equal(*cameras, scene.cameras,
+                                       [](const auto& a, const auto& b) { return isSame(a, b); })) {
         delta.cameras = ValueDelta<std::vector<NamedCamera>>{*cameras, scene.cameras};
     }
     if (lighting && !(*lighting == scene.lighting)) {

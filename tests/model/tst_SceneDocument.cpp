@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/SceneDocument.h"
 
+#include <limits>
 #include <numeric>
 
 #include <QtTest/QTest>
@@ -8,6 +9,7 @@
 #include "model/base/Random.h"
 #include "model/document/SceneCommand.h"
 #include "model/document/SceneEdit.h"
+#include "model/project/ProjectWriter.h"
 
 using namespace crowd::model;
 
@@ -113,6 +115,7 @@ class tst_SceneDocument : public QObject
 private Q_SLOTS:
     void makesOneStepOfManyChanges();
     void makesNoStepWhenNothingChangesInTheEnd();
+    void makesNoStepWhenTheSceneEndsAsItBegan();
     void rollsBackWhatWasNotCommitted();
     void keepsOriginalValuesOfRemovedIndividuals();
     void keepsOnlyWhatChanged();
@@ -155,6 +158,29 @@ void tst_SceneDocument::makesNoStepWhenNothingChangesInTheEnd()
     QVERIFY(!edit->commit(QStringLiteral("Nothing")));
     QCOMPARE(document.undoStack().count(), 1);
     QVERIFY(isSame(snapshotOf(document), before));
+}
+
+void tst_SceneDocument::makesNoStepWhenTheSceneEndsAsItBegan()
+{
+    SceneDocument document;
+    TemplateEntry entry;
+    entry.clipSpeeds = {std::numeric_limits<float>::quiet_NaN()}; // the asset's own speed
+    {
+        const auto edit = document.beginEdit();
+        entry.id = edit->addTemplate(entry);
+        edit->setCameras({NamedCamera{"Front", Camera{}}});
+        QVERIFY(edit->commit(QStringLiteral("Set up")));
+    }
+    const auto edit = document.beginEdit();
+    TemplateEntry renamed = entry;
+    renamed.name = "Fox";
+    edit->changeTemplate(renamed);
+    edit->changeTemplate(entry);
+    edit->setCameras({});
+    edit->setCameras({NamedCamera{"Front", Camera{}}});
+    edit->removeStage(edit->addStage(StageEntry{}));
+    QVERIFY(!edit->commit(QStringLiteral("Nothing")));
+    QCOMPARE(document.undoStack().count(), 1);
 }
 
 void tst_SceneDocument::rollsBackWhatWasNotCommitted()
@@ -262,14 +288,17 @@ void tst_SceneDocument::undoesAndRedoesTenThousandRandomEdits()
         }
     }
     const Snapshot last = snapshotOf(document);
+    const std::string lastBytes = projectToText(document.scene()).value();
     while (document.undoStack().canUndo()) {
         document.undoStack().undo();
     }
     QVERIFY(isSame(snapshotOf(document), states.front()));
+    QCOMPARE(projectToText(document.scene()).value(), projectToText(Scene{}).value());
     while (document.undoStack().canRedo()) {
         document.undoStack().redo();
     }
     QVERIFY(isSame(snapshotOf(document), last));
+    QCOMPARE(projectToText(document.scene()).value(), lastBytes);
 }
 
 QTEST_GUILESS_MAIN(tst_SceneDocument)
