@@ -51,6 +51,14 @@ QPalette paletteOf(const Shades& shades)
     return palette;
 }
 
+/// What is switched on: tinted, so that the icon's own colours stay readable on it.
+QColor mixed(const QColor& ground, const QColor& accent)
+{
+    const auto part = [](int a, int b) { return a + (b - a) * 3 / 10; };
+    return {part(ground.red(), accent.red()), part(ground.green(), accent.green()),
+            part(ground.blue(), accent.blue())};
+}
+
 QString styleSheetOf(const Shades& shades)
 {
     return QStringLiteral(R"(
@@ -61,14 +69,14 @@ QDockWidget::title { padding: 5px 8px; background: %2; border-bottom: 1px solid 
 QToolBar { border: none; spacing: 2px; padding: 3px; background: %2; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; }
 QToolButton:hover { border-color: %1; background: %4; }
-QToolButton:checked { background: %3; }
+QToolButton:checked { background: %5; border-color: %3; }
 QStatusBar::item { border: none; }
 QToolTip { border: 1px solid %1; padding: 3px; }
 QGroupBox { font-weight: 600; border: none; margin-top: 18px; }
 QGroupBox::title { subcontrol-origin: margin; left: 0px; padding: 2px 0px; }
 )")
-        .arg(shades.border.name(), shades.window.name(), shades.accent.name(),
-             shades.button.name());
+        .arg(shades.border.name(), shades.window.name(), shades.accent.name(), shades.button.name(),
+             mixed(shades.window, shades.accent).name());
 }
 
 } // namespace
