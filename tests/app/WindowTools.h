@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <QtCore/QPointer>
+#include <QtCore/QTimer>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QMessageBox>
+
+/// Help for tests of the real window: answering the dialogs it opens.
+namespace crowd::testing {
+
+/// The dialog that is open now, modal or window-modal; null if none.
+inline QDialog* openDialog()
+{
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* dialog = qobject_cast<QDialog*>(widget);
+        if (dialog != nullptr && dialog->isVisible() && !dialog->inherits("QProgressDialog")) {
+            return dialog;
+        }
+    }
+    return nullptr;
+}
+
+/// Waits for a dialog while the event loop of another dialog may run, then hands it to `act`; once.
+/// Tells afterwards whether one came.
+class DialogAnswer : public QObject
+{
+public:
+    explicit DialogAnswer(std::function<void(QDialog&)> act) : m_act(std::move(act))
+    {
+        QObject::connect(&m_timer, &QTimer::timeout, this, [this] {
+            if (QDialog* dialog = openDialog()) {
+                m_timer.stop();
+                m_hasAnswered = true;
+                m_title = dialog->windowTitle();
+                m_act(*dialog);
+            }
+        });
+        m_timer.start(20);
+    }
+    [[nodiscard]] bool hasAnswered() const { return m_hasAnswered; }
+    [[nodiscard]] const QString& title() const { return m_title; }
+
+private:
+    std::function<void(QDialog&)> m_act;
+    QTimer m_timer;
+    bool m_hasAnswered = false;
+    QString m_title;
+};
+
+/// Presses one of the standard buttons of a message box.
+inline std::function<void(QDialog&)> pressing(QMessageBox::StandardButton button)
+{
+    return [button](QDialog& dialog) {
+        auto* box = qobject_cast<QMessageBox*>(&dialog);
+        QAbstractButton* target = box == nullptr ? nullptr : box->button(button);
+        target != nullptr ? target->click() : dialog.reject();
+    };
+}
+
+/// Presses the button with this text (mnemonics aside).
+inline std::function<void(QDialog&)> pressing(const QString& text)
+{
+    return [text](QDialog& dialog) {
+        for (QAbstractButton* button : dialog.findChildren<QAbstractButton*>()) {
+            if (button->text().remove(QLatin1Char('&')) == text) {
+                button->click();
+                return;
+            }
+        }
+        dialog.reject();
+    };
+}
+
+} // namespace crowd::testing
