@@ -54,6 +54,7 @@ model::Result<model::Scene> loadWorkload(const BenchRenderOptions& options)
     if (!options.scene.empty()) {
         auto scene = loadForPicture(QString::fromStdString(options.scene));
         if (scene) {
+            seatMore(scene.value(), static_cast<std::size_t>(options.count));
             keepPeople(scene.value(), static_cast<std::size_t>(options.count));
         }
         return scene;

@@ -2,7 +2,9 @@
 #include "app/commands/BenchScene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "model/base/Random.h"
 
@@ -93,6 +95,30 @@ Scene makeBenchField(const std::vector<TemplatePtr>& assets, int count)
     scene.cameras.push_back(
         {"bench", Camera::lookingAt({0.0F, kEyeHeight, 0.0F}, {0.0F, 1.0F, -farthest * 0.6F})});
     return scene;
+}
+
+void seatMore(Scene& scene, std::size_t count)
+{
+    const auto taken = scene.population.column(columns::seat);
+    const std::set<SeatId> occupied(taken.begin(), taken.end());
+    const std::vector<IndividualId> people(scene.population.ids().begin(),
+                                           scene.population.ids().end());
+    for (const WorldSeat& place : scene.worldSeats()) {
+        const std::size_t now = scene.population.size();
+        if (people.empty() || now >= count) {
+            return;
+        }
+        if (occupied.contains(place.id)) {
+            continue;
+        }
+        const std::array<IndividualId, 1> like{people[now % people.size()]};
+        IndividualRows row = scene.population.rows(like);
+        row.ids[0] = scene.nextId++;
+        row.column(columns::position)[0] = place.seat.position;
+        row.column(columns::heading)[0] = place.seat.headingRadians;
+        row.column(columns::seat)[0] = place.id;
+        scene.population.add(row);
+    }
 }
 
 void keepPeople(Scene& scene, std::size_t count)

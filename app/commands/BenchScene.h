@@ -12,6 +12,10 @@ namespace crowd::app {
 /// heights.
 [[nodiscard]] model::Scene makeBenchField(const std::vector<model::TemplatePtr>& assets, int count);
 
+/// Seats copies of the scene's people on free seats, in order, until there are `count` or no seat
+/// is left.
+void seatMore(model::Scene& scene, std::size_t count);
+
 /// Keeps the first `count` people in the order of a fixed shuffle.
 void keepPeople(model::Scene& scene, std::size_t count);
 
