@@ -11,6 +11,7 @@
 #include "app/window/PreferencesDialog.h"
 #include "model/project/AssetPaths.h"
 #include "widgets/theme/Icons.h"
+#include "widgets/theme/Theme.h"
 
 namespace crowd::app {
 
@@ -73,6 +74,7 @@ int runEditor(int& argc, char** argv, const QStringList& files)
     QApplication::setApplicationVersion(QStringLiteral(CROWD_VERSION));
     QApplication::setWindowIcon(widgets::iconNamed("crowdbrush"));
     loadTranslation(application);
+    widgets::applyTheme(Preferences::load().theme); // icons take their colour when they are made
     MainWindow window;
     window.show();
     QMetaObject::invokeMethod(
