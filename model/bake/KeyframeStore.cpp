@@ -24,9 +24,13 @@ struct Kept
     std::weak_ptr<const Template> owner;
     BakedClipPtr clip; ///< the first keyframe until isComplete
     bool isComplete = false;
+    bool isScheduled = false;
+    std::size_t fullBytes = 0;     ///< what the complete clip takes
     std::size_t reservedBytes = 0; ///< counted against the budget
 };
 
+/// Holds the template while it waits and is baked, and not a moment longer: whoever waited for it
+/// may let go of the template and count on its space.
 struct Job
 {
     TemplatePtr asset;
@@ -82,7 +86,8 @@ void KeyframeStore::Private::forgetExpired()
 /// A clip that needs no more than its first keyframe is complete with it.
 Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clipIndex)
 {
-    Kept entry{asset, bakeClip(*asset, clipIndex, 1), false, 0};
+    Kept entry{asset, bakeClip(*asset, clipIndex, 1)};
+    entry.fullBytes = bakedBytes(*asset, clipIndex);
     entry.reservedBytes = entry.clip->bytes();
     const Clip& clip = asset->clips[static_cast<std::size_t>(clipIndex)];
     entry.isComplete = clip.keyframeCount() == 1;
@@ -91,16 +96,16 @@ Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clip
 }
 
 /// Space is set aside when a clip is asked for, so that what fits depends on the order of asking
-/// and not on the speed of the workers.
+/// and not on the speed of the workers. What did not fit is tried again when it is asked for again.
 void KeyframeStore::Private::schedule(const TemplatePtr& asset, int clipIndex, Kept& entry)
 {
-    const std::size_t needed = bakedBytes(*asset, clipIndex);
-    if (reservedBytes - entry.reservedBytes + needed > budgetBytes) {
+    if (reservedBytes - entry.reservedBytes + entry.fullBytes > budgetBytes) {
         isBudgetReached = true;
         return;
     }
-    reservedBytes += needed - entry.reservedBytes;
-    entry.reservedBytes = needed;
+    reservedBytes += entry.fullBytes - entry.reservedBytes;
+    entry.reservedBytes = entry.fullBytes;
+    entry.isScheduled = true;
     queue.push_back({asset, clipIndex});
     jobAdded.notify_one();
 }
@@ -111,7 +116,7 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
     if (queue.empty()) {
         return false;
     }
-    const Job job = std::move(queue.front());
+    Job job = std::move(queue.front());
     queue.pop_front();
     ++running;
     lock.unlock();
@@ -127,6 +132,7 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
         ++finished;
         ++version;
     }
+    job.asset.reset();
     jobDone.notify_all();
     lock.unlock();
     {
@@ -180,9 +186,10 @@ KeyframeStore::Entry KeyframeStore::clip(const TemplatePtr& asset, int clipIndex
     if (found == m_private->kept.end()) {
         m_private->forgetExpired();
         found = m_private->kept.emplace(key, m_private->addFirstKeyframe(asset, clipIndex)).first;
-        if (!found->second.isComplete) {
-            m_private->schedule(asset, clipIndex, found->second);
-        }
+    }
+    if (Kept& entry = found->second; !entry.isComplete && !entry.isScheduled) {
+        m_private->forgetExpired();
+        m_private->schedule(asset, clipIndex, entry);
     }
     return {found->second.clip, found->second.isComplete};
 }

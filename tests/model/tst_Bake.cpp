@@ -93,6 +93,7 @@ private Q_SLOTS:
     void poseIsCompleteAtOnce();
     void budgetKeepsTheFirstKeyframe();
     void forgottenTemplatesFreeTheBudget();
+    void whatDidNotFitIsBakedWhenThereIsSpace();
     void callbackComesForEachClip();
     void storeMayDieWhileBaking();
     void loneLevelIsSimplified();
@@ -290,6 +291,23 @@ void TestBake::forgottenTemplatesFreeTheBudget()
     (void)store.clip(next, 0);
     store.waitForAll();
     QVERIFY(store.clip(next, 0).isComplete);
+}
+
+void TestBake::whatDidNotFitIsBakedWhenThereIsSpace()
+{
+    TemplatePtr first = makeTube(2.0F);
+    const TemplatePtr second = makeTube(2.0F);
+    KeyframeStore store(bakedBytes(*first, 0) + 10000);
+    (void)store.clip(first, 0);
+    QVERIFY(!store.clip(second, 0).isComplete);
+    store.waitForAll();
+    QVERIFY(!store.clip(second, 0).isComplete);
+    QVERIFY(store.progress().isBudgetReached);
+    first = nullptr;
+    QVERIFY(!store.clip(second, 0).isComplete);
+    QVERIFY(!store.progress().isBudgetReached);
+    store.waitForAll();
+    QVERIFY(store.clip(second, 0).isComplete);
 }
 
 void TestBake::callbackComesForEachClip()
