@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtTest/QSignalSpy>
@@ -101,6 +103,7 @@ private Q_SLOTS:
     void tickedTemplatesAreTheMix();
     void individualShowsNobody();
     void individualShowsMixedAndWritesAll();
+    void individualComparesClipsByName();
     void individualIgnoresNonsense();
     void outlineListsTheScene();
     void renamedCameraCanBeUndone();
@@ -306,6 +309,27 @@ void DocksTest::individualShowsMixedAndWritesAll()
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.25F);
     QTRY_VERIFY(height->text().isEmpty());
+}
+
+void DocksTest::individualComparesClipsByName()
+{
+    Desk<IndividualDock> desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    desk.state.selection().set(ids);
+    auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
+    QVERIFY(clip != nullptr);
+    QTRY_COMPARE(clip->currentIndex(), 0);
+    const auto edit = desk.document.beginEdit();
+    model::TemplateEntry other = desk.document.scene().templates.front();
+    other.id = 0;
+    std::ranges::reverse(other.clipNames);
+    QVERIFY(other.clipNames.front() != other.clipNames.back());
+    const model::TemplateId id = edit->addTemplate(other);
+    edit->setColumn(model::columns::templateId, std::span(ids).last(1),
+                    std::span<const model::TemplateId>(&id, 1));
+    edit->commit(QStringLiteral("Change template"));
+    QTRY_VERIFY2(clip->currentIndex() < 0, "the same index is another clip in the other template");
 }
 
 void DocksTest::individualIgnoresNonsense()

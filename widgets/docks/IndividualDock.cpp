@@ -2,7 +2,9 @@
 #include "widgets/docks/IndividualDock.h"
 
 #include <map>
+#include <string_view>
 
+#include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
@@ -22,11 +24,18 @@ constexpr int kRefreshMs = 60;
 constexpr double kDegrees = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
 
-QIcon tintIcon(std::optional<model::Tint> tint)
+/// The colour in a frame; a stroke through the frame says that there is no tint, or no common one.
+QIcon tintIcon(std::optional<model::Tint> tint, const QColor& line)
 {
+    const bool isTinted = tint && tint->strength > 0;
     QPixmap picture(kSwatch, kSwatch);
-    picture.fill(tint && tint->strength > 0 ? QColor(tint->red, tint->green, tint->blue)
-                                            : QColor(Qt::transparent));
+    picture.fill(isTinted ? QColor(tint->red, tint->green, tint->blue) : QColor(Qt::transparent));
+    QPainter painter(&picture);
+    painter.setPen(line);
+    painter.drawRect(0, 0, kSwatch - 1, kSwatch - 1);
+    if (!isTinted) {
+        painter.drawLine(0, kSwatch - 1, kSwatch - 1, 0);
+    }
     return picture;
 }
 
@@ -236,13 +245,21 @@ void IndividualDock::refreshSlots()
     const std::vector<std::size_t> rows = rowsOf(m_state);
     const model::Population& people = m_state.scene().population;
     const auto clips = people.column(model::columns::clip);
-    const auto clip = common<std::uint16_t>(rows, [&](std::size_t row) { return clips[row]; });
-    m_clip->setCurrentIndex(clip ? static_cast<int>(*clip) : -1);
+    const auto templates = people.column(model::columns::templateId);
+    // By name: the same index means another clip in another template.
+    const auto clip = common<std::string_view>(rows, [&](std::size_t row) -> std::string_view {
+        const model::TemplateEntry* entry = m_state.scene().findTemplate(templates[row]);
+        const bool isKnown = entry != nullptr && clips[row] < entry->clipNames.size();
+        return isKnown ? std::string_view(entry->clipNames[clips[row]]) : std::string_view();
+    });
+    m_clip->setCurrentIndex(
+        clip ? m_clip->findText(QString::fromUtf8(clip->data(), std::ssize(*clip))) : -1);
     m_clip->setPlaceholderText(tr("mixed"));
     for (std::size_t i = 0; i < m_slots.size(); ++i) {
         const auto tints = people.column(model::columns::tint(static_cast<int>(i)));
         m_slots[i].color->setIcon(
-            tintIcon(common<model::Tint>(rows, [&](std::size_t row) { return tints[row]; })));
+            tintIcon(common<model::Tint>(rows, [&](std::size_t row) { return tints[row]; }),
+                     palette().color(QPalette::Mid)));
         const auto choices = people.column(model::columns::materialChoices);
         const auto choice =
             common<int>(rows, [&](std::size_t row) { return static_cast<int>(choices[row][i]); });
