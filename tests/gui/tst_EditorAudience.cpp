@@ -68,8 +68,8 @@ public:
         for (int tries = 0; still < 2 && tries < 300; ++tries) {
             const int before = view().drawnFrames();
             QTest::qWait(50);
-            const bool isAtRest =
-                view().drawnFrames() == before && state().keyframes().progress().pendingClips == 0;
+            const bool isAtRest = view().isAtRest() && view().drawnFrames() == before &&
+                                  state().keyframes().progress().pendingClips == 0;
             still = isAtRest ? still + 1 : 0;
         }
         return view().grabFramebuffer();

@@ -20,6 +20,7 @@ constexpr qint64 kPublishMs = 250;
 // again when they rest, or when even smooth ones would be quick.
 constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
+constexpr int kViewStillMs = 100; // without a change, the view counts as still
 
 QSurfaceFormat surfaceFormat()
 {
@@ -70,7 +71,13 @@ void ViewportWidget::connectState()
     });
     connect(&m_state.selection(), &Selection::changed, this, redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, redraw);
-    connect(&m_state, &EditorState::viewCameraChanged, this, redraw);
+    m_viewMotion.setSingleShot(true);
+    m_viewMotion.setInterval(kViewStillMs);
+    connect(&m_viewMotion, &QTimer::timeout, this, qOverload<>(&ViewportWidget::update));
+    connect(&m_state, &EditorState::viewCameraChanged, this, [this, redraw] {
+        m_viewMotion.start();
+        redraw();
+    });
     connect(&m_state, &EditorState::viewOptionsChanged, this, redraw);
     connect(&m_state, &EditorState::brushChanged, this, redraw);
     connect(&m_state, &EditorState::toolChanged, this, redraw);
@@ -133,6 +140,8 @@ render::RenderInput ViewportWidget::renderInput()
     input.lighting.showGroundGrid &= options.showGroundGrid;
     input.look = options.look;
     input.samples = m_isCoarse ? 0 : input.samples;
+    // The hysteresis hides flicker in motion; a picture at rest is the same whatever led to it.
+    input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
     input.showShadows = options.showShadows;
     input.selected = m_state.selection().ids();
     input.hovered = m_tools.picture().hovered;
@@ -156,13 +165,14 @@ void ViewportWidget::paintGL()
     setProblem(result ? QString() : QString::fromStdString(result.error().message));
     m_shownSeconds = m_state.transport().seconds();
     m_statistics.render = m_renderer->statistics();
+    m_isShownFinal = !isMoving();
     m_isFrameOpen = true;
     ++m_drawnFrames;
 }
 
 void ViewportWidget::chooseQuality()
 {
-    if (!m_clock.isRunning()) {
+    if (!isMoving()) {
         m_isCoarse = false;
         return;
     }
@@ -216,8 +226,8 @@ void ViewportWidget::refreshClock()
     m_clock.setRunning(isVisible() && (m_state.isAnimating() || m_tools.needsTick()));
     if (wasRunning && !m_clock.isRunning()) {
         publishStatistics(true);
-        if (m_isCoarse) {
-            update(); // once more, smooth
+        if (!m_isShownFinal) {
+            update(); // once more, smooth and without hysteresis
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <QtCore/QElapsedTimer>
+#include <QtCore/QTimer>
 #include <QtOpenGLWidgets/QOpenGLWidget>
 
 #include "widgets/state/EditorState.h"
@@ -41,6 +42,9 @@ public:
     [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
     /// Pictures drawn so far: a picture at rest draws none.
     [[nodiscard]] int drawnFrames() const { return m_drawnFrames; }
+    /// Nothing moves, and what is shown depends on the scene and the view alone: no savings made
+    /// to keep up with a motion, no detail levels left over from the way here.
+    [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
     /// Why there is no picture; empty when all is well.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
@@ -81,6 +85,7 @@ private:
     void refreshText();
     void publishStatistics(bool isAtRest);
     void chooseQuality();
+    [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const QString& problem);
     void keepPointerInside(const ToolInput& input);
     [[nodiscard]] render::RenderInput renderInput();
@@ -103,6 +108,8 @@ private:
     ToolInput m_lastInput;
     double m_shownSeconds = 0.0; ///< transport time of the picture on screen
     bool m_isFrameOpen = false;  ///< drawn, not swapped yet
+    QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
+    bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
     int m_drawnFrames = 0;
     int m_bakedBefore = 0; ///< clips finished when the present baking began
