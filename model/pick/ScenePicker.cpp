@@ -51,15 +51,21 @@ float hitTriangle(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const 
     return u >= 0.0F && v >= 0.0F && u + v <= 1.0F && t > 0.0F ? t : kNone;
 }
 
-/// Distance along the ray to the nearest triangle of the shown keyframe.
-float hitShape(const Ray& world, const ShownIndividual& shown, int level)
+struct ShapeHit
+{
+    float distance = std::numeric_limits<float>::infinity(); ///< along the ray
+    int slot = -1;
+};
+
+/// The nearest triangle of the shown keyframe.
+ShapeHit hitShape(const Ray& world, const ShownIndividual& shown, int level)
 {
     const glm::mat4 toTemplate = glm::inverse(shown.worldFromTemplate());
     const Ray ray{glm::vec3(toTemplate * glm::vec4(world.origin, 1.0F)),
                   glm::vec3(toTemplate * glm::vec4(world.direction, 0.0F))};
     const BakedClip& baked = *shown.clip->baked;
     const auto keyframe = static_cast<std::size_t>(shown.keyframe);
-    float nearest = std::numeric_limits<float>::infinity();
+    ShapeHit nearest;
     if (keyframe < baked.keyframeBounds.size() && !meetsBox(ray, baked.keyframeBounds[keyframe])) {
         return nearest;
     }
@@ -74,9 +80,12 @@ float hitShape(const Ray& world, const ShownIndividual& shown, int level)
         }
         for (std::uint32_t i = submesh.firstIndex; i + 2 < submesh.firstIndex + submesh.indexCount;
              i += 3) {
-            nearest = std::min(nearest, hitTriangle(ray, points[mesh.indices[i]],
-                                                    points[mesh.indices[i + 1]],
-                                                    points[mesh.indices[i + 2]]));
+            const float distance =
+                hitTriangle(ray, points[mesh.indices[i]], points[mesh.indices[i + 1]],
+                            points[mesh.indices[i + 2]]);
+            if (distance < nearest.distance) {
+                nearest = {distance, submesh.slot};
+            }
         }
     }
     return nearest;
@@ -142,21 +151,21 @@ std::optional<IndividualHit> ScenePicker::Private::hit(std::uint32_t row, const 
     if (shown.clip == nullptr) {
         return std::nullopt;
     }
-    float distance = std::numeric_limits<float>::infinity();
+    ShapeHit found;
     if (const int level = raster.level(shown); level >= 0) {
-        distance = hitShape(ray, shown, level);
+        found = hitShape(ray, shown, level);
     } else {
         const ShapeRaster::Extent box = raster.smallBox(shown);
         if (pixel.x >= box.rect.x0 && pixel.x < box.rect.x1 && pixel.y >= box.rect.y0 &&
             pixel.y < box.rect.y1) {
-            distance = axisDistance(ray, raster.depthOf(box.nearness));
+            found.distance = axisDistance(ray, raster.depthOf(box.nearness));
         }
     }
-    if (!std::isfinite(distance)) {
+    if (!std::isfinite(found.distance)) {
         return std::nullopt;
     }
-    return IndividualHit{people.frame()->population.ids()[row], distance,
-                         ray.origin + ray.direction * distance};
+    return IndividualHit{people.frame()->population.ids()[row], found.distance,
+                         ray.origin + ray.direction * found.distance, found.slot};
 }
 
 std::vector<IndividualId> ScenePicker::Private::idsOf(std::span<const std::uint32_t> rows) const

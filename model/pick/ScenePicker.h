@@ -24,6 +24,7 @@ struct IndividualHit
     IndividualId id = 0;
     float distance = 0.0F; ///< metres along the ray through the pixel
     glm::vec3 point{0.0F}; ///< world frame
+    int slot = -1;         ///< of the triangle that is hit; -1 where only a box was looked at
 };
 
 enum class AreaMode : std::uint8_t {

@@ -116,6 +116,10 @@ void tst_PickScene::picksTheNearest()
     QVERIFY(hit);
     QCOMPARE(hit->id, ids[1]);
     QVERIFY(std::abs(hit->point.z - 2.15F) < 0.001F);
+    QCOMPARE(hit->slot, 0);
+    const auto fromSide = picking.picker.individualAt(pixelOf(view, {2.75F, 1.0F, 0.1F}));
+    QVERIFY(fromSide);
+    QCOMPARE(fromSide->slot, 2);
     const auto all = picking.picker.individualsThrough(pixelOf(view, {0.0F, 1.0F, 0.0F}));
     QCOMPARE(all.size(), std::size_t{2});
     QCOMPARE(all[1].id, ids[0]);
