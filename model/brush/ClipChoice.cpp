@@ -64,4 +64,15 @@ std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated)
     return seated ? *seated : clipColumnOf(entry, entry.asset->defaultClip).value_or(0);
 }
 
+std::uint32_t defaultParts(const Template& asset)
+{
+    std::uint32_t parts = 0xFFFFFFFFU;
+    for (std::size_t i = 0; i < asset.parts.size() && i < 32; ++i) {
+        if (!asset.parts[i].shownByDefault) {
+            parts &= ~(1U << i);
+        }
+    }
+    return parts;
+}
+
 } // namespace crowd::model

@@ -21,4 +21,7 @@ namespace crowd::model {
 /// How somebody new stands (or sits, on a seat) when no clip is wanted.
 [[nodiscard]] std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated);
 
+/// Which parts somebody new wears: bit i shows part i.
+[[nodiscard]] std::uint32_t defaultParts(const Template& asset);
+
 } // namespace crowd::model

@@ -31,17 +31,6 @@ const TemplateWeight* chosenTemplate(std::span<const TemplateWeight> mix, double
     return last;
 }
 
-std::uint32_t defaultParts(const Template& asset)
-{
-    std::uint32_t parts = 0xFFFFFFFFU;
-    for (std::size_t i = 0; i < asset.parts.size() && i < 32; ++i) {
-        if (!asset.parts[i].shownByDefault) {
-            parts &= ~(1U << i);
-        }
-    }
-    return parts;
-}
-
 /// Fills rows one by one.
 class RowWriter
 {

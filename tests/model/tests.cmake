@@ -1,6 +1,7 @@
 crowd_add_test(ROOM model NAME tst_Bake LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BakeAgainstBlender LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushCreate LINK crowd_model)
+crowd_add_test(ROOM model NAME tst_BrushIndividuals LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushSampler LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushStroke LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_BrushTheatre LINK crowd_model)

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/IndividualEdits.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "model/brush/ClipChoice.h"
+#include "model/brush/Operator.h"
+
+namespace crowd::model {
+
+namespace {
+
+void writeColumns(SceneEdit& edit, std::span<const IndividualId> ids, const IndividualRows& rows,
+                  std::span<const ColumnId> columns)
+{
+    for (const ColumnId column : columns) {
+        edit.setColumn(column, ids, rows.bytes[static_cast<std::size_t>(column)]);
+    }
+}
+
+std::uint16_t clipInOther(const TemplateEntry* before, const TemplateEntry& after,
+                          std::uint16_t clip, bool isSeated)
+{
+    const bool isKnown = before != nullptr && clip < before->clipNames.size();
+    if (isKnown && clip != usualClip(*before, isSeated)) {
+        const ClipWeight wanted{before->clipNames[clip], 1.0F};
+        if (const auto same = chosenClip(after, std::span(&wanted, 1), 0.0)) {
+            return *same;
+        }
+    }
+    return usualClip(after, isSeated);
+}
+
+/// Tints and choices of one row, from the slots of one template to those of another.
+void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
+                const Template& after)
+{
+    std::array<Tint, kMaxTintSlots> tints{};
+    MaterialChoices choices{};
+    const auto count = std::min<std::size_t>(after.slots.size(), kMaxTintSlots);
+    for (std::size_t slot = 0; slot < count; ++slot) {
+        const int old = before != nullptr ? before->slotIndex(after.slots[slot].name) : -1;
+        if (old < 0 || old >= kMaxTintSlots) {
+            continue;
+        }
+        tints[slot] = rows.column(columns::tint(old))[row];
+        const std::uint8_t choice =
+            rows.column(columns::materialChoices)[row][static_cast<std::size_t>(old)];
+        choices[slot] = choice < after.slots[slot].choices.size() ? choice : std::uint8_t{0};
+    }
+    for (int slot = 0; slot < kMaxTintSlots; ++slot) {
+        rows.column(columns::tint(slot))[row] = tints[static_cast<std::size_t>(slot)];
+    }
+    rows.column(columns::materialChoices)[row] = choices;
+    rows.column(columns::parts)[row] = defaultParts(after);
+}
+
+} // namespace
+
+void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, TemplateId id)
+{
+    const Scene& scene = edit.scene();
+    const TemplateEntry* after = scene.findTemplate(id);
+    if (after == nullptr || !after->asset) {
+        return;
+    }
+    IndividualRows rows = scene.population.rows(ids);
+    for (std::size_t row = 0; row < ids.size(); ++row) {
+        const TemplateId old = rows.column(columns::templateId)[row];
+        if (old == id) {
+            continue;
+        }
+        const TemplateEntry* before = scene.findTemplate(old);
+        std::uint16_t& clip = rows.column(columns::clip)[row];
+        clip = clipInOther(before, *after, clip, rows.column(columns::seat)[row] != kNoSeat);
+        carryLooks(rows, row, before != nullptr ? before->asset.get() : nullptr, *after->asset);
+        rows.column(columns::templateId)[row] = id;
+    }
+    constexpr std::array kWritten{ColumnId::Template, ColumnId::Clip,  ColumnId::MaterialChoices,
+                                  ColumnId::Parts,    ColumnId::Tint0, ColumnId::Tint1,
+                                  ColumnId::Tint2,    ColumnId::Tint3, ColumnId::Tint4,
+                                  ColumnId::Tint5,    ColumnId::Tint6, ColumnId::Tint7};
+    writeColumns(edit, ids, rows, kWritten);
+}
+
+SitResult sitDown(SceneEdit& edit, IndividualId id, SeatId seat)
+{
+    const Scene& scene = edit.scene();
+    const std::vector<WorldSeat> seats = scene.worldSeats();
+    const auto target = std::ranges::lower_bound(seats, seat, {}, &WorldSeat::id);
+    if (target == seats.end() || target->id != seat) {
+        return SitResult::NoSuchSeat;
+    }
+    const auto taken = scene.population.column(columns::seat);
+    const auto found = std::ranges::find(taken, seat);
+    if (found != taken.end() &&
+        scene.population.ids()[static_cast<std::size_t>(found - taken.begin())] != id) {
+        return SitResult::SeatIsTaken;
+    }
+    const std::array ids{id};
+    IndividualRows rows = scene.population.rows(ids);
+    const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[0]);
+    std::uint16_t& clip = rows.column(columns::clip)[0];
+    if (entry != nullptr && clip == usualClip(*entry, false)) {
+        clip = usualClip(*entry, true);
+    }
+    rows.column(columns::seat)[0] = seat;
+    rows.column(columns::position)[0] = target->seat.position;
+    rows.column(columns::heading)[0] = wrappedAngle(target->seat.headingRadians);
+    constexpr std::array kWritten{ColumnId::Position, ColumnId::Heading, ColumnId::Clip,
+                                  ColumnId::Seat};
+    writeColumns(edit, ids, rows, kWritten);
+    return SitResult::Done;
+}
+
+void standUp(SceneEdit& edit, std::span<const IndividualId> ids)
+{
+    const Scene& scene = edit.scene();
+    IndividualRows rows = scene.population.rows(ids);
+    for (std::size_t row = 0; row < ids.size(); ++row) {
+        const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[row]);
+        std::uint16_t& clip = rows.column(columns::clip)[row];
+        SeatId& seat = rows.column(columns::seat)[row];
+        if (entry != nullptr && seat != kNoSeat && clip == usualClip(*entry, true)) {
+            clip = usualClip(*entry, false);
+        }
+        seat = kNoSeat;
+    }
+    constexpr std::array kWritten{ColumnId::Clip, ColumnId::Seat};
+    writeColumns(edit, ids, rows, kWritten);
+}
+
+} // namespace crowd::model
