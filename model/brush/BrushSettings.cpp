@@ -11,6 +11,33 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
+bool followsSomething(HeadingMode mode)
+{
+    return mode != HeadingMode::Direction && mode != HeadingMode::Random;
+}
+
+MainNumber numberOfCreation(const BrushSettings& settings)
+{
+    if (settings.create.seats.isOn) {
+        return {MainQuantity::SeatPercent, settings.create.seatPercent, 0.0, 100.0, 5.0, 0};
+    }
+    if (settings.selection == BrushSelection::Point) {
+        return {MainQuantity::Distance, settings.create.minimalDistance, 0.1, 10.0, 0.1, 2};
+    }
+    return {MainQuantity::Density, settings.create.density, 0.05, 6.0, 0.25, 2};
+}
+
+MainNumber numberOfOrientation(const HeadingSettings& heading)
+{
+    const bool isTurn = followsSomething(heading.mode);
+    return {isTurn ? MainQuantity::Turn : MainQuantity::Heading,
+            (isTurn ? heading.turnRadians : heading.headingRadians) * kDegrees,
+            -180.0,
+            180.0,
+            5.0,
+            0};
+}
+
 } // namespace
 
 double DistributionCurve::sample(double u) const
@@ -37,25 +64,21 @@ MainNumber BrushSettings::mainNumber() const
 {
     switch (kind) {
     case BrushKind::Create:
-        if (selection == BrushSelection::Spray) {
-            break;
+        if (takesShare()) {
+            return numberOfCreation(*this);
         }
-        return create.seats.isOn
-                   ? MainNumber{MainQuantity::SeatPercent, create.seatPercent, 0.0, 100.0, 5.0, 0}
-                   : MainNumber{MainQuantity::Density, create.density, 0.05, 6.0, 0.25, 2};
+        break;
+    case BrushKind::Delete:
+        if (takesShare()) {
+            return {MainQuantity::DeletePercent, removal.percent, 5.0, 100.0, 5.0, 0};
+        }
+        break;
     case BrushKind::Colour:
         return {MainQuantity::Strength, colour.strength * 100.0, 0.0, 100.0, 5.0, 0};
     case BrushKind::Orientation:
-        return {MainQuantity::Heading,
-                orientation.heading.headingRadians * kDegrees,
-                -180.0,
-                180.0,
-                5.0,
-                0};
+        return numberOfOrientation(orientation.heading);
     case BrushKind::Animation:
         return {MainQuantity::Speed, animation.speed.low, 0.0, 4.0, 0.1, 1};
-    case BrushKind::Delete:
-        break;
     }
     return {MainQuantity::Rate, ratePerSecond, 1.0, 500.0, 5.0, 0};
 }
@@ -72,8 +95,14 @@ BrushSettings BrushSettings::withMainNumber(double value) const
     case MainQuantity::SeatPercent:
         changed.create.seatPercent = kept;
         break;
+    case MainQuantity::Distance:
+        changed.create.minimalDistance = kept;
+        break;
     case MainQuantity::Rate:
         changed.ratePerSecond = kept;
+        break;
+    case MainQuantity::DeletePercent:
+        changed.removal.percent = kept;
         break;
     case MainQuantity::Strength:
         changed.colour.strength = kept / 100.0F;
@@ -81,6 +110,10 @@ BrushSettings BrushSettings::withMainNumber(double value) const
     case MainQuantity::Heading:
         // Turning on past the back comes out at the other side.
         changed.orientation.heading.headingRadians =
+            static_cast<float>(std::remainder(value, 360.0) / kDegrees);
+        break;
+    case MainQuantity::Turn:
+        changed.orientation.heading.turnRadians =
             static_cast<float>(std::remainder(value, 360.0) / kDegrees);
         break;
     case MainQuantity::Speed:

@@ -73,6 +73,8 @@ struct HeadingSettings
     float headingRadians = 0.0F;
     float spreadRadians = 3.14159265F; ///< to each side
     glm::vec3 towardsPoint{0.0F};
+    /// Added where the heading follows something else (stroke, point, viewer): π faces away.
+    float turnRadians = 0.0F;
     friend bool operator==(const HeadingSettings&, const HeadingSettings&) = default;
 };
 
@@ -99,6 +101,12 @@ struct CreateSettings
     float seatPercent = 100.0F; ///< share of the free seats, filling areas with seat grid
     SeatGridSettings seats;
     friend bool operator==(const CreateSettings&, const CreateSettings&) = default;
+};
+
+struct DeleteSettings
+{
+    float percent = 100.0F; ///< of those in the area, for thinning out; a spray takes whom it hits
+    friend bool operator==(const DeleteSettings&, const DeleteSettings&) = default;
 };
 
 struct ColourSettings
@@ -131,12 +139,15 @@ struct AnimationSettings
 
 /// The number that + and - change, and what it is.
 enum class MainQuantity : std::uint8_t {
-    Density,     ///< create without seat grid: persons per m²
-    SeatPercent, ///< create on seats
-    Rate,        ///< delete: per second
-    Strength,    ///< colour: per cent
-    Heading,     ///< orientation: degrees
-    Speed        ///< animation: playback speed
+    Density,       ///< create in an area without seat grid: persons per m²
+    SeatPercent,   ///< create in an area on seats
+    Distance,      ///< create at points without seat grid: metres
+    Rate,          ///< sprays that create or delete: points a second
+    DeletePercent, ///< delete in an area
+    Strength,      ///< colour: per cent
+    Heading,       ///< orientation: degrees
+    Turn,          ///< orientation by something else: degrees from it
+    Speed          ///< animation: playback speed
 };
 
 struct MainNumber
@@ -164,6 +175,7 @@ struct BrushSettings
     DistributionCurve distribution;
 
     CreateSettings create;
+    DeleteSettings removal;
     ColourSettings colour;
     OrientationSettings orientation;
     AnimationSettings animation;
@@ -178,6 +190,8 @@ struct BrushSettings
     {
         return selection == BrushSelection::Spray || selection == BrushSelection::AllInCircle;
     }
+    /// Whether a share of what is inside is meant, not so much a second.
+    [[nodiscard]] bool takesShare() const { return selection != BrushSelection::Spray; }
     /// Whether a stroke is re-evaluated from press to current until release.
     [[nodiscard]] bool isReevaluated() const
     {

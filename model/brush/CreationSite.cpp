@@ -82,6 +82,12 @@ std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<S
         m_reason = StrokeReason::NoFreeSeat;
         return std::nullopt;
     }
+    // A point that is dragged along seats leaves its share of them free; a click always seats.
+    const double share = std::clamp(m_settings.create.seatPercent / 100.0, 0.0, 1.0);
+    if (m_settings.selection == BrushSelection::Point && m_given > 0 &&
+        randomUnit(hashKeys(m_seed, seat->id), DrawPurpose::SeatShare) >= share) {
+        return std::nullopt;
+    }
     return Spot{seat->seat.position, seat->id, seat->seat.headingRadians, 0};
 }
 

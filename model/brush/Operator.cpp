@@ -23,6 +23,11 @@ std::optional<glm::vec3> onPlane(const Ray& ray, float height)
     return ray.origin + ray.direction * distance;
 }
 
+std::optional<float> turned(std::optional<float> heading, float radians)
+{
+    return heading ? std::optional(wrappedAngle(*heading + radians)) : std::nullopt;
+}
+
 std::optional<float> headingOfWay(const glm::vec3& way)
 {
     if (way.x * way.x + way.z * way.z < 1.0e-12F) {
@@ -72,13 +77,14 @@ std::optional<float> headingFor(const HeadingSettings& settings, const View& vie
         return wrappedAngle(settings.headingRadians +
                             static_cast<float>(2.0 * u - 1.0) * settings.spreadRadians);
     case HeadingMode::AlongStroke:
-        return strokeHeading;
+        return turned(strokeHeading, settings.turnRadians);
     case HeadingMode::TowardsPoint:
-        return headingOfWay(settings.towardsPoint - position);
+        return turned(headingOfWay(settings.towardsPoint - position), settings.turnRadians);
     case HeadingMode::TowardsViewer:
-        return view.camera().projection == Projection::Perspective
-                   ? headingOfWay(view.camera().position - position)
-                   : headingOfWay(-view.camera().forward());
+        return turned(view.camera().projection == Projection::Perspective
+                          ? headingOfWay(view.camera().position - position)
+                          : headingOfWay(-view.camera().forward()),
+                      settings.turnRadians);
     }
     return std::nullopt;
 }

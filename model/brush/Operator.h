@@ -31,7 +31,8 @@ enum class DrawPurpose : std::uint8_t {
     SeatShare,
     CellX,
     CellZ,
-    Seed
+    Seed,
+    DeleteShare
 };
 
 [[nodiscard]] double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra = 0);

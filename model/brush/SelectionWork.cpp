@@ -81,6 +81,21 @@ void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& 
     m_reason = result.reason;
 }
 
+std::vector<IndividualId> SelectionWork::thinned(std::vector<IndividualId> ids)
+{
+    const BrushSettings& settings = m_ground.settings;
+    if (settings.takesShare()) {
+        const double share = settings.removal.percent / 100.0;
+        std::erase_if(ids, [&](IndividualId id) {
+            return randomUnit(hashKeys(m_ground.seed, id), DrawPurpose::DeleteShare) >= share;
+        });
+    }
+    if (ids.empty()) {
+        m_reason = StrokeReason::ShareTooSmall;
+    }
+    return ids;
+}
+
 void SelectionWork::remove(std::vector<IndividualId> ids)
 {
     std::ranges::sort(ids);
@@ -94,11 +109,12 @@ void SelectionWork::apply(std::span<const StrokeDab> dabs)
     std::vector<IndividualId> gone;
     for (const StrokeDab& dab : dabs) {
         showTime(dab.dab.shownSeconds);
-        const std::vector<IndividualId> ids = untouched(selected(dab.dab));
+        std::vector<IndividualId> ids = untouched(selected(dab.dab));
         if (ids.empty()) {
             continue;
         }
         if (settings.kind == BrushKind::Delete) {
+            ids = thinned(std::move(ids));
             m_picker.exclude(ids);
             gone.insert(gone.end(), ids.begin(), ids.end());
         } else if (settings.isReevaluated()) {
@@ -131,7 +147,7 @@ void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
         return;
     }
     if (settings.kind == BrushKind::Delete) {
-        remove(m_touched);
+        remove(thinned(m_touched));
     } else {
         change(m_touched, line, m_ground.seed,
                headingOfLine(m_ground.context.view, m_ground.context.stage, line));

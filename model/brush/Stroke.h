@@ -28,6 +28,7 @@ enum class StrokeReason : std::uint8_t {
     TooNearToOthers,
     AreaTooFar,
     TooFewInArea,
+    ShareTooSmall, ///< thinning out so little came to nobody
     AlreadyThisColour,
     NoSuchSlot,
     AlreadyThisHeading,

@@ -63,6 +63,8 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("The area is too large for this density: zoom in or lower the density");
     case StrokeReason::TooFewInArea:
         return Brushes::tr("The area is too small for anybody at this density");
+    case StrokeReason::ShareTooSmall:
+        return Brushes::tr("So small a share of them is nobody");
     case StrokeReason::AlreadyThisColour:
         return Brushes::tr("All of them already have this colour");
     case StrokeReason::NoSuchSlot:

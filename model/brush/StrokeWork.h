@@ -93,6 +93,8 @@ private:
     [[nodiscard]] std::vector<IndividualId> selected(const Dab& dab) const;
     /// Those of the ids that this stroke may still change; they are touched from now on.
     [[nodiscard]] std::vector<IndividualId> untouched(std::vector<IndividualId> ids);
+    /// The share of them that a delete brush takes.
+    [[nodiscard]] std::vector<IndividualId> thinned(std::vector<IndividualId> ids);
     void remove(std::vector<IndividualId> ids);
     void change(std::span<const IndividualId> ids, const StrokeLine& line, std::uint64_t seed,
                 std::optional<float> heading);

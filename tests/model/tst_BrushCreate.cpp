@@ -63,6 +63,7 @@ private Q_SLOTS:
     void takesSeatsOnceAndSitsThemDown();
     void keepsToRanksAndWedges();
     void fillsAShareOfTheSeats();
+    void dotsAlongSeatsLeaveTheirShareFree();
     void spraysIntoTheCircle();
     void doesNotSeatBehindTheStage();
     void fillsByDensity();
@@ -229,6 +230,21 @@ void tst_BrushCreate::fillsAShareOfTheSeats()
     BrushSettings settings = creator(BrushSelection::Rectangle);
     settings.create.seatPercent = 35.0F;
     QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 14);
+}
+
+void tst_BrushCreate::dotsAlongSeatsLeaveTheirShareFree()
+{
+    BrushScene scene({stageOf({}, seatRows(1, 18))});
+    BrushSettings settings = brush(BrushKind::Create, BrushSelection::Point);
+    settings.create.seatPercent = 50.0F;
+    const StrokeOutcome outcome = scene.paint(fromAbove(), settings, {{70, 384}, {1210, 384}});
+    QVERIFY2(outcome.affected > 4 && outcome.affected < 15,
+             qPrintable(QString::number(outcome.affected)));
+    settings.create.seatPercent = 1.0F;
+    scene.document.undoStack().undo();
+    QCOMPARE(scene.paint(fromAbove(), settings, {{670, 384}}).affected, 1); // a click seats
+    settings.create.seatPercent = 100.0F;
+    QCOMPARE(scene.paint(fromAbove(), settings, {{70, 384}, {1210, 384}}).affected, 17);
 }
 
 void tst_BrushCreate::spraysIntoTheCircle()

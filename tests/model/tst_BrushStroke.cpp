@@ -162,6 +162,10 @@ private Q_SLOTS:
     void pressureScalesTheSize();
     void touchesNobodyOutsideTheCircle();
     void mainNumbersStayInTheirLimits();
+    void mainNumberIsOneThatTheStrokeUses_data();
+    void mainNumberIsOneThatTheStrokeUses();
+    void thinsOutByAShare();
+    void turnsAwayFromAPoint();
 };
 
 void tst_BrushStroke::doesNotDependOnHowEventsAreSplit()
@@ -576,6 +580,73 @@ void tst_BrushStroke::mainNumbersStayInTheirLimits()
     BrushSettings settings;
     QCOMPARE(settings.resized(5.0F).radiusPixels, settings.radiusPixels + 5.0F);
     QCOMPARE(settings.resized(-1.0e6F).radiusPixels, kMinRadiusPixels);
+}
+
+void tst_BrushStroke::mainNumberIsOneThatTheStrokeUses_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("selection");
+    QTest::addColumn<bool>("seats");
+    QTest::addColumn<int>("quantity");
+    const auto row = [](const char* name, BrushKind kind, BrushSelection selection, bool seats,
+                        MainQuantity quantity) {
+        QTest::newRow(name) << static_cast<int>(kind) << static_cast<int>(selection) << seats
+                            << static_cast<int>(quantity);
+    };
+    using enum BrushSelection;
+    row("spraying people", BrushKind::Create, Spray, true, MainQuantity::Rate);
+    row("filling seats", BrushKind::Create, Rectangle, true, MainQuantity::SeatPercent);
+    row("dots along seats", BrushKind::Create, Point, true, MainQuantity::SeatPercent);
+    row("filling the ground", BrushKind::Create, AllInCircle, false, MainQuantity::Density);
+    row("dots on the ground", BrushKind::Create, Point, false, MainQuantity::Distance);
+    row("spraying them away", BrushKind::Delete, Spray, true, MainQuantity::Rate);
+    row("deleting an area", BrushKind::Delete, AllInCircle, true, MainQuantity::DeletePercent);
+    row("turning along the stroke", BrushKind::Orientation, Spray, true, MainQuantity::Turn);
+}
+
+void tst_BrushStroke::mainNumberIsOneThatTheStrokeUses()
+{
+    QFETCH(int, kind);
+    QFETCH(int, selection);
+    QFETCH(bool, seats);
+    QFETCH(int, quantity);
+    BrushSettings settings =
+        brush(static_cast<BrushKind>(kind), static_cast<BrushSelection>(selection));
+    settings.create.seats.isOn = seats;
+    QCOMPARE(static_cast<int>(settings.mainNumber().quantity), quantity);
+}
+
+void tst_BrushStroke::thinsOutByAShare()
+{
+    BrushScene scene;
+    scene.addPeople(crowdGrid());
+    BrushSettings settings = brush(BrushKind::Delete, BrushSelection::Rectangle);
+    settings.removal.percent = 50.0F;
+    const StrokeOutcome half = scene.paint(fromAbove(), settings, {{100, 50}, {1200, 700}});
+    QVERIFY2(half.affected > 18 && half.affected < 42, qPrintable(QString::number(half.affected)));
+    settings.selection = BrushSelection::AllInCircle;
+    settings.radiusPixels = 1000.0F;
+    settings.removal.percent = 100.0F;
+    QCOMPARE(scene.paint(fromAbove(), settings, {{640, 384}}).affected, 60 - half.affected);
+    settings.removal.percent = 0.0F;
+    scene.addPeople({{0, 0, 0}});
+    const StrokeOutcome nobody = scene.paint(fromAbove(), settings, {{640, 384}});
+    QVERIFY(nobody.reason == StrokeReason::ShareTooSmall && !nobody.message.isEmpty());
+}
+
+void tst_BrushStroke::turnsAwayFromAPoint()
+{
+    BrushScene scene;
+    const Ids ids = scene.addPeople({{0, 0, 0}});
+    BrushSettings settings = brush(BrushKind::Orientation, BrushSelection::AllInCircle);
+    settings.orientation.heading.mode = HeadingMode::TowardsPoint;
+    settings.orientation.heading.towardsPoint = {5, 0, 0};
+    constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
+    (void)scene.paint(fromAbove(), settings, {{640, 384}});
+    QVERIFY(std::abs(headingOf(scene, ids[0]) - kQuarter) < 1.0e-5F);
+    settings = settings.withMainNumber(180.0);
+    (void)scene.paint(fromAbove(), settings, {{640, 384}});
+    QVERIFY(std::abs(headingOf(scene, ids[0]) + kQuarter) < 1.0e-5F);
 }
 
 QTEST_GUILESS_MAIN(tst_BrushStroke)

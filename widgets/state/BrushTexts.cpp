@@ -45,12 +45,18 @@ QString mainQuantityName(MainQuantity quantity)
         return Text::tr("People per m²");
     case MainQuantity::SeatPercent:
         return Text::tr("Seats filled, %");
+    case MainQuantity::Distance:
+        return Text::tr("Distance, m");
     case MainQuantity::Rate:
         return Text::tr("Rate, a second");
+    case MainQuantity::DeletePercent:
+        return Text::tr("Of them, %");
     case MainQuantity::Strength:
         return Text::tr("Strength, %");
     case MainQuantity::Heading:
         return Text::tr("Direction, °");
+    case MainQuantity::Turn:
+        return Text::tr("Turned by, °");
     case MainQuantity::Speed:
         return Text::tr("Speed");
     }
@@ -66,12 +72,18 @@ QString mainNumberText(const model::BrushSettings& settings)
         return Text::tr("Density: %1 people per m²").arg(value);
     case MainQuantity::SeatPercent:
         return Text::tr("Seats filled: %1 %").arg(value);
+    case MainQuantity::Distance:
+        return Text::tr("Distance: %1 m").arg(value);
     case MainQuantity::Rate:
         return Text::tr("Rate: %1 a second").arg(value);
+    case MainQuantity::DeletePercent:
+        return Text::tr("Delete: %1 % of them").arg(value);
     case MainQuantity::Strength:
         return Text::tr("Strength: %1 %").arg(value);
     case MainQuantity::Heading:
         return Text::tr("Direction: %1°").arg(value);
+    case MainQuantity::Turn:
+        return Text::tr("Turned by: %1°").arg(value);
     case MainQuantity::Speed:
         return Text::tr("Speed: × %1").arg(value);
     }
