@@ -43,7 +43,7 @@ void appendKeyframe(const Mesh& mesh, std::span<const glm::mat4> bones,
     const std::span<glm::vec3> positions(level.positions.data() + first, vertices);
     skin(mesh, bones, positions, normals);
     for (const glm::vec3& position : positions) {
-        bounds.add(position);
+        bounds.addPlace(position);
     }
     for (const glm::vec3& normal : normals) {
         level.normals.push_back(octahedralEncode(normal));
@@ -53,7 +53,8 @@ void appendKeyframe(const Mesh& mesh, std::span<const glm::mat4> bones,
 std::uint16_t quantise(float value, float low, float size)
 {
     const float share = size > 0.0F ? (value - low) / size : 0.0F;
-    return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0F, 1.0F) * kSteps));
+    const float within = share >= 0.0F ? std::min(share, 1.0F) : 0.0F; // 0 for no number
+    return static_cast<std::uint16_t>(std::lround(within * kSteps));
 }
 
 std::vector<PackedVertex> pack(const UnpackedLevel& level, const Bounds& box)
@@ -88,6 +89,9 @@ BakedClipPtr bakeClip(const Template& asset, int clipIndex, int keyframes,
         Bounds bounds;
         for (std::size_t level = 0; level < levels.size(); ++level) {
             appendKeyframe(asset.levels[level], pose.bones, normals, levels[level], bounds);
+        }
+        if (bounds.isEmpty()) {
+            bounds.add(glm::vec3(0.0F)); // nothing is drawn
         }
         baked->keyframeBounds.push_back(bounds);
         baked->bounds.add(bounds);

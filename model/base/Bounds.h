@@ -22,6 +22,19 @@ struct Bounds
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
+    /// Leaves out what is no place in any scene: infinities, no numbers, light years.
+    void addPlace(const glm::vec3& point)
+    {
+        if (isPlace(point)) {
+            add(point);
+        }
+    }
+    [[nodiscard]] static bool isPlace(const glm::vec3& point)
+    {
+        constexpr float kFarthest = 1e12F;
+        const glm::vec3 away = glm::abs(point);
+        return away.x < kFarthest && away.y < kFarthest && away.z < kFarthest;
+    }
     void add(const Bounds& other)
     {
         low = glm::min(low, other.low);

@@ -87,7 +87,7 @@ Bounds boundsAt(const Template& asset, int clip, float seconds)
         const bool isShown =
             submesh.part < 0 || asset.parts[static_cast<std::size_t>(submesh.part)].shownByDefault;
         for (std::uint32_t i = 0; isShown && i < submesh.indexCount; ++i) {
-            bounds.add(positions[mesh.indices[submesh.firstIndex + i]]);
+            bounds.addPlace(positions[mesh.indices[submesh.firstIndex + i]]);
         }
     }
     return bounds;

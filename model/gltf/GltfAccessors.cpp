@@ -98,16 +98,17 @@ const std::uint8_t* viewBytes(const tinygltf::Model& model, int view, std::size_
     return model.buffers[buffer].data.data() + bufferView.byteOffset + offset;
 }
 
-/// Calls use(element, bytes of it) for the dense elements, then for the sparse ones over them.
+/// Calls use(element, bytes of it) for the first `count` dense elements, then for the sparse ones
+/// over them.
 template<class Use>
 void forElements(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
-                 const Layout& layout, Use use)
+                 const Layout& layout, std::size_t count, Use use)
 {
-    if (accessor.bufferView >= 0 && accessor.count > 0) {
+    if (accessor.bufferView >= 0 && count > 0) {
         const auto& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
         const std::size_t stride = view.byteStride == 0 ? layout.element : view.byteStride;
         const std::uint8_t* bytes = viewBytes(model, accessor.bufferView, accessor.byteOffset);
-        for (std::size_t i = 0; i < accessor.count; ++i) {
+        for (std::size_t i = 0; i < count; ++i) {
             use(i, bytes + i * stride);
         }
     }
@@ -123,7 +124,7 @@ void forElements(const tinygltf::Model& model, const tinygltf::Accessor& accesso
                                            static_cast<std::size_t>(sparse.values.byteOffset));
     for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
         const auto target = static_cast<std::size_t>(component(indices + i * indexSize, indexType));
-        if (target < accessor.count) {
+        if (target < count) {
             use(target, values + i * layout.element);
         }
     }
@@ -137,20 +138,21 @@ std::uint32_t wholeComponent(const std::uint8_t* bytes, int type)
 
 } // namespace
 
-FloatArray readFloats(const tinygltf::Model& model, int index)
+FloatArray readFloats(const tinygltf::Model& model, int index, std::size_t limit)
 {
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
     const Layout layout = layoutOf(accessor);
     const double divide = divisor(accessor);
-    FloatArray array{accessor.count, layout.components, {}};
+    FloatArray array{std::min(accessor.count, limit), layout.components, {}};
     array.values.assign(array.count * array.components, 0.0F);
-    forElements(model, accessor, layout, [&](std::size_t i, const std::uint8_t* bytes) {
-        float* out = array.values.data() + i * layout.components;
-        for (std::size_t c = 0; c < layout.components; ++c) {
-            const double value = component(bytes + layout.offsets[c], accessor.componentType);
-            out[c] = static_cast<float>(divide == 0.0 ? value : std::max(value / divide, -1.0));
-        }
-    });
+    forElements(
+        model, accessor, layout, array.count, [&](std::size_t i, const std::uint8_t* bytes) {
+            float* out = array.values.data() + i * layout.components;
+            for (std::size_t c = 0; c < layout.components; ++c) {
+                const double value = component(bytes + layout.offsets[c], accessor.componentType);
+                out[c] = static_cast<float>(divide == 0.0 ? value : std::max(value / divide, -1.0));
+            }
+        });
     return array;
 }
 
@@ -159,9 +161,10 @@ std::vector<std::uint32_t> readScalars(const tinygltf::Model& model, int index)
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
     const Layout layout = layoutOf(accessor);
     std::vector<std::uint32_t> values(accessor.count, 0);
-    forElements(model, accessor, layout, [&](std::size_t i, const std::uint8_t* bytes) {
-        values[i] = wholeComponent(bytes, accessor.componentType);
-    });
+    forElements(model, accessor, layout, accessor.count,
+                [&](std::size_t i, const std::uint8_t* bytes) {
+                    values[i] = wholeComponent(bytes, accessor.componentType);
+                });
     return values;
 }
 
@@ -170,12 +173,13 @@ std::vector<std::uint32_t> readWholes(const tinygltf::Model& model, int index)
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
     const Layout layout = layoutOf(accessor);
     std::vector<std::uint32_t> values(accessor.count * layout.components, 0);
-    forElements(model, accessor, layout, [&](std::size_t i, const std::uint8_t* bytes) {
-        for (std::size_t c = 0; c < layout.components; ++c) {
-            values[i * layout.components + c] =
-                wholeComponent(bytes + layout.offsets[c], accessor.componentType);
-        }
-    });
+    forElements(model, accessor, layout, accessor.count,
+                [&](std::size_t i, const std::uint8_t* bytes) {
+                    for (std::size_t c = 0; c < layout.components; ++c) {
+                        values[i * layout.components + c] =
+                            wholeComponent(bytes + layout.offsets[c], accessor.componentType);
+                    }
+                });
     return values;
 }
 

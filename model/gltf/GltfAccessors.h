@@ -22,8 +22,10 @@ struct FloatArray
     [[nodiscard]] const float* at(std::size_t i) const { return values.data() + i * components; }
 };
 
-/// `accessor` is a valid index. Integers become fractions where the accessor says so.
-[[nodiscard]] FloatArray readFloats(const tinygltf::Model& model, int accessor);
+/// `accessor` is a valid index. Integers become fractions where the accessor says so. Of longer
+/// ones only the first `limit` elements are read.
+[[nodiscard]] FloatArray readFloats(const tinygltf::Model& model, int accessor,
+                                    std::size_t limit = ~std::size_t{0});
 
 /// The first component of each element as whole numbers; negative ones and fractions become 0.
 [[nodiscard]] std::vector<std::uint32_t> readScalars(const tinygltf::Model& model, int accessor);

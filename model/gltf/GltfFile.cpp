@@ -19,11 +19,10 @@ namespace crowd::model::gltf {
 
 namespace {
 
-/// What tinygltf reads through its callbacks instead of the disk: "b3" is buffer 3, "i0" image 0.
+/// What tinygltf reads through its callbacks instead of the disk: "b3" is buffer 3.
 struct Memory
 {
     std::vector<Bytes> buffers;
-    std::vector<Bytes> images;
 
     Bytes* find(const std::string& name)
     {
@@ -32,8 +31,7 @@ struct Memory
         if (name.size() < 2 || std::from_chars(name.data() + 1, end, number).ptr != end) {
             return nullptr;
         }
-        std::vector<Bytes>& list = name[0] == 'b' ? buffers : images;
-        return number < list.size() ? &list[number] : nullptr;
+        return number < buffers.size() ? &buffers[number] : nullptr;
     }
 };
 
@@ -65,82 +63,68 @@ bool writeNothing(std::string* /*error*/, const std::string& /*name*/,
     return false;
 }
 
-bool storeImage(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
-                std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
-                int size, void* /*user*/)
+/// The bytes of one buffer; none for one that only stands in for compressed data.
+Result<Bytes> readBuffer(const Json& buffer, bool isFirst, Container& container,
+                         const std::string& folder)
 {
-    image->image.assign(bytes, bytes + size);
-    return true;
+    const std::uint64_t length = wholeOr(buffer, "byteLength", 0);
+    Result<Bytes> read = Error{"has no uri, and the file has no binary chunk for it"};
+    if (buffer.contains("uri")) {
+        read = readUri(textOf(buffer, "uri"), folder);
+    } else if (isFirst && container.hasBinary) {
+        read = std::move(container.binary);
+    }
+    if (read && read.value().size() < length) {
+        read = Error{"should have " + std::to_string(length) + " bytes, but only " +
+                     std::to_string(read.value().size()) + " are there"};
+    }
+    if (!read && isFallback(buffer)) {
+        return Bytes();
+    }
+    if (!read) {
+        return Error{(buffer.contains("uri") ? ".uri: " : " ") + read.error().message};
+    }
+    read.value().resize(length);
+    return read;
 }
 
-/// Reads the buffers into memory and gives each its place in tinygltf's eyes.
-Result<void> readBuffers(Json& root, Container& container, const std::string& folder,
+/// Reads the buffers into memory.
+Result<void> readBuffers(const Json& root, Container& container, const std::string& folder,
                          Memory& memory)
 {
     std::uint64_t total = 0;
     const std::size_t count = countOf(root, "buffers");
     for (std::size_t i = 0; i < count; ++i) {
-        Json& buffer = root["buffers"][i];
-        const std::string where = place("buffers", i);
-        const std::uint64_t length = wholeOr(buffer, "byteLength", 0);
-        Bytes bytes;
-        if (buffer.contains("uri")) {
-            Result<Bytes> read = readUri(textOf(buffer, "uri"), folder);
-            if (!read) {
-                return Error{where + ".uri: " + read.error().message};
-            }
-            bytes = std::move(read).value();
-        } else if (i == 0 && container.hasBinary) {
-            bytes = std::move(container.binary);
-        } else if (isFallback(buffer)) {
-            memory.buffers.emplace_back();
-            continue;
-        } else {
-            return Error{where + " has no uri, and the file has no binary chunk for it"};
-        }
-        if (bytes.size() < length) {
-            return Error{where + " should have " + std::to_string(length) + " bytes, but only " +
-                         std::to_string(bytes.size()) + " are there"};
-        }
-        bytes.resize(length);
-        total += length;
+        const Json& buffer = root.at("buffers").at(i);
+        total += wholeOr(buffer, "byteLength", 0);
         if (total > kMaxBufferBytes) {
-            return Error{where + ": the buffers are larger than 1 GiB together"};
+            return Error{place("buffers", i) + ": the buffers are larger than 1 GiB together"};
         }
-        memory.buffers.push_back(std::move(bytes));
+        Result<Bytes> bytes = readBuffer(buffer, i == 0, container, folder);
+        if (!bytes) {
+            return Error{place("buffers", i) + bytes.error().message};
+        }
+        memory.buffers.push_back(std::move(bytes).value());
     }
     return {};
 }
 
-/// A copy of an image's bytes, so that nothing is left for tinygltf to decode or look up.
-Result<Bytes> imageBytes(const Json& root, const Json& image, const std::string& folder,
-                         const Memory& memory)
+/// tinygltf never sees the images: nothing is left for it to decode or look up.
+std::vector<ImageSource> findImages(const Json& root)
 {
-    if (image.contains("uri")) {
-        return readUri(textOf(image, "uri"), folder);
-    }
-    if (!image.contains("bufferView")) {
-        return Error{"it has neither uri nor bufferView"};
-    }
-    const Json& view = root.at("bufferViews").at(wholeOr(image, "bufferView", 0));
-    const Bytes& buffer = memory.buffers.at(wholeOr(view, "buffer", 0));
-    const auto first = buffer.begin() + static_cast<std::ptrdiff_t>(wholeOr(view, "byteOffset", 0));
-    return Bytes(first, first + static_cast<std::ptrdiff_t>(wholeOr(view, "byteLength", 0)));
-}
-
-void readImages(Json& root, const std::string& folder, Memory& memory,
-                std::vector<std::string>& problems)
-{
+    std::vector<ImageSource> sources;
     for (std::size_t i = 0; i < countOf(root, "images"); ++i) {
-        Json& image = root["images"][i];
-        Result<Bytes> bytes = imageBytes(root, image, folder, memory);
-        problems.push_back(bytes ? std::string() : bytes.error().message);
-        memory.images.push_back(bytes ? std::move(bytes).value() : Bytes());
-        if (memory.images.back().empty()) {
-            memory.images.back().push_back(0); // tinygltf refuses empty files
+        const Json& image = root.at("images").at(i);
+        ImageSource source{textOf(image, "name"), textOf(image, "uri")};
+        if (source.uri.empty() && image.contains("bufferView")) {
+            const Json& view = root.at("bufferViews").at(wholeOr(image, "bufferView", 0));
+            source.buffer = static_cast<int>(wholeOr(view, "buffer", 0));
+            source.offset = wholeOr(view, "byteOffset", 0);
+            source.length = wholeOr(view, "byteLength", 0);
         }
-        image = Json{{"name", textOf(image, "name")}, {"uri", "i" + std::to_string(i)}};
+        sources.push_back(std::move(source));
     }
+    return sources;
 }
 
 std::vector<Json*> sparseAccessors(Json& root)
@@ -158,10 +142,9 @@ std::vector<Json*> sparseAccessors(Json& root)
 /// Only what we read reaches tinygltf; buffers have at least the byte that it insists on.
 Json plainRoot(Json& root, Memory& memory)
 {
-    constexpr std::array kKept{"accessors", "animations", "asset",    "bufferViews",
-                               "buffers",   "extensions", "images",   "materials",
-                               "meshes",    "nodes",      "samplers", "scene",
-                               "scenes",    "skins",      "textures", "extras"};
+    constexpr std::array kKept{"accessors",  "animations", "asset",  "bufferViews", "buffers",
+                               "extensions", "materials",  "meshes", "nodes",       "samplers",
+                               "scene",      "scenes",     "skins",  "textures",    "extras"};
     Json plain = Json::object();
     for (const char* key : kKept) {
         if (root.contains(key)) {
@@ -195,7 +178,6 @@ Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
 {
     tinygltf::TinyGLTF loader;
     loader.SetFsCallbacks({memoryExists, keepName, takeMemory, writeNothing, &memory});
-    loader.SetImageLoader(storeImage, nullptr);
     std::string problem;
     std::string warning;
     try {
@@ -215,7 +197,6 @@ Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
 Result<GltfFile> readChecked(const std::string& path)
 {
     const QFileInfo info(QString::fromStdString(path));
-    const std::string folder = info.path().toStdString();
     Result<Container> container = readContainer(path);
     if (!container) {
         return container.error();
@@ -230,9 +211,11 @@ Result<GltfFile> readChecked(const std::string& path)
     }
     GltfFile file;
     file.name = info.completeBaseName().toStdString();
+    file.folder = info.path().toStdString();
     file.warnings = container.value().warnings;
     Memory memory;
-    if (const Result<void> read = readBuffers(root, container.value(), folder, memory); !read) {
+    if (const Result<void> read = readBuffers(root, container.value(), file.folder, memory);
+        !read) {
         return read.error();
     }
     if (const Result<void> decoded = decodeMeshopt(root, memory.buffers); !decoded) {
@@ -245,7 +228,7 @@ Result<GltfFile> readChecked(const std::string& path)
     if (const Result<void> layout = validateLayout(root, sizes); !layout) {
         return layout.error();
     }
-    readImages(root, folder, memory, file.imageProblems);
+    file.images = findImages(root);
     const Json plain = plainRoot(root, memory);
     if (const Result<void> done = parse(plain, memory, *file.model); !done) {
         return done.error();

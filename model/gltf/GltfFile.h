@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,8 +14,18 @@ class Model;
 
 namespace crowd::model::gltf {
 
+/// Where the encoded bytes of a picture are: in the buffer, or behind the URI, or nowhere.
+struct ImageSource
+{
+    std::string name;
+    std::string uri;
+    int buffer = -1;
+    std::size_t offset = 0; ///< within the buffer, with `length`
+    std::size_t length = 0;
+};
+
 /// A glTF file read and checked: every index in `model` is valid, every accessor lies within its
-/// buffer, nodes are trees, buffers are in memory. Images hold their encoded bytes in `image`.
+/// buffer, nodes are trees, buffers are in memory. The model's images are in `images` instead.
 struct GltfFile
 {
     GltfFile();
@@ -24,8 +35,8 @@ struct GltfFile
 
     std::string name; ///< file name without folder and suffix
     std::unique_ptr<tinygltf::Model> model;
-    /// One an image: why its bytes could not be had; empty when they could.
-    std::vector<std::string> imageProblems;
+    std::string folder; ///< of the file, for URIs
+    std::vector<ImageSource> images;
     std::vector<std::string> warnings;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 #include <QtCore/QBuffer>
 #include <QtCore/QByteArray>
@@ -8,6 +9,7 @@
 #include <QtGui/QImageReader>
 
 #include "model/base/Result.h"
+#include "model/gltf/GltfContainer.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMaterials.h"
 #include "model/gltf/GltfValue.h"
@@ -17,7 +19,7 @@ namespace crowd::model::gltf {
 namespace {
 
 /// The size is asked for before anything is decoded. `pixelsLeft` bounds what may be allocated.
-Result<Image> decode(const std::vector<unsigned char>& bytes, std::uint64_t pixelsLeft)
+Result<Image> decode(std::span<const std::uint8_t> bytes, std::uint64_t pixelsLeft)
 {
     QByteArray data = QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
                                               static_cast<qsizetype>(bytes.size()));
@@ -77,14 +79,39 @@ int ImageTable::fromTexture(int texture)
     }
     const int image = sourceOf(m_file.model->textures[static_cast<std::size_t>(texture)]);
     if (image < 0) {
-        const std::string warning = "textures[" + std::to_string(texture) +
-                                    "] has no PNG, JPEG or WebP picture and is left out.";
-        if (std::find(m_warnings.begin(), m_warnings.end(), warning) == m_warnings.end()) {
-            m_warnings.push_back(warning);
+        if (m_withoutPicture.insert(texture).second) {
+            m_warnings.push_back("textures[" + std::to_string(texture) +
+                                 "] has no PNG, JPEG or WebP picture and is left out.");
         }
         return -1;
     }
     return fromImage(image);
+}
+
+/// Each is read when it is asked for and let go when it is decoded, so that a file that names many
+/// takes no more memory than one.
+Result<Image> ImageTable::read(const ImageSource& source)
+{
+    Bytes loaded;
+    std::span<const std::uint8_t> bytes;
+    if (source.buffer >= 0) {
+        const auto& buffer = m_file.model->buffers[static_cast<std::size_t>(source.buffer)].data;
+        bytes = std::span(buffer).subspan(source.offset, source.length);
+    } else if (source.uri.empty()) {
+        return Error{"it has neither uri nor bufferView"};
+    } else {
+        Result<Bytes> read = readUri(source.uri, m_file.folder);
+        if (!read) {
+            return read.error();
+        }
+        loaded = std::move(read).value();
+        bytes = loaded;
+    }
+    m_encodedBytes += bytes.size();
+    if (m_encodedBytes > kMaxEncodedBytes) {
+        return Error{"the pictures are larger than 512 MiB together"};
+    }
+    return decode(bytes, kMaxImagePixels - m_pixels);
 }
 
 int ImageTable::fromImage(int index)
@@ -93,13 +120,8 @@ int ImageTable::fromImage(int index)
     if (!isNew) {
         return known->second;
     }
-    const auto i = static_cast<std::size_t>(index);
-    tinygltf::Image& from = m_file.model->images[i];
-    Result<Image> image = m_file.imageProblems[i].empty()
-                              ? decode(from.image, kMaxImagePixels - m_pixels)
-                              : Result<Image>(Error{m_file.imageProblems[i]});
-    from.image.clear();
-    from.image.shrink_to_fit();
+    const ImageSource& from = m_file.images[static_cast<std::size_t>(index)];
+    Result<Image> image = read(from);
     if (!image) {
         m_warnings.push_back("images[" + std::to_string(index) + "]" +
                              (from.name.empty() ? "" : " \"" + from.name + "\"") +

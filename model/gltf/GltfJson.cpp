@@ -30,9 +30,13 @@ std::string excess(std::string_view text)
                 return "the JSON is nested more than " + std::to_string(kMaxJsonDepth) +
                        " levels deep at byte " + std::to_string(i);
             }
+            ++values;
         } else if (c == '}' || c == ']') {
             --depth;
-        } else if (c == ',' && ++values > kMaxJsonValues) {
+        } else if (c == ',') {
+            ++values;
+        }
+        if (values > kMaxJsonValues) {
             return "the JSON has more than " + std::to_string(kMaxJsonValues) + " values";
         }
     }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "model/gltf/GltfNodes.h"
 #include "model/gltf/GltfValue.h"
@@ -56,6 +57,7 @@ public:
     {
         m_children.resize(scene.nodes.size());
         m_isTaken.assign(scene.nodes.size(), 0);
+        m_isWalked.assign(scene.nodes.size(), 0);
         for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
             if (scene.nodes[i].parent >= 0) {
                 m_children[static_cast<std::size_t>(scene.nodes[i].parent)].push_back(
@@ -109,6 +111,9 @@ private:
         while (!stack.empty()) {
             const int node = stack.back();
             stack.pop_back();
+            if (std::exchange(m_isWalked[static_cast<std::size_t>(node)], 1) != 0) {
+                continue; // all below it is taken
+            }
             if (isMesh(node)) {
                 m_isTaken[static_cast<std::size_t>(node)] = 1;
                 meshes.push_back(node);
@@ -201,6 +206,7 @@ private:
     const SceneNodes& m_scene;
     std::vector<std::vector<int>> m_children;
     std::vector<char> m_isTaken;
+    std::vector<char> m_isWalked; ///< by takeMeshes
     std::set<int> m_alternatives;
     std::vector<Object> m_objects;
 };

@@ -13,6 +13,7 @@ namespace crowd::model::gltf {
 
 namespace {
 
+constexpr std::size_t kMaxCompared = 64; ///< slots of one name that a further one may join
 constexpr int kNoMaterial = std::numeric_limits<int>::max(); ///< sorts behind all others
 
 const tinygltf::Material& materialAt(const tinygltf::Model& model, int material)
@@ -181,14 +182,18 @@ void SlotTable::finish()
 void SlotTable::mergeIntoEarlier(const Key& key, Slot slot)
 {
     const tinygltf::Material& material = materialAt(*m_file.model, key.front());
+    std::vector<std::size_t>& sameName = m_slotsOfName[slot.name];
     if (!textIn(material.extras, "slot").empty()) {
-        for (std::size_t i = 0; i < m_slots.size(); ++i) {
-            if (m_slots[i].name == slot.name && m_slots[i].choices.size() == slot.choices.size() &&
+        for (const std::size_t i : sameName) {
+            if (m_slots[i].choices.size() == slot.choices.size() &&
                 looksLike(m_slots[i].choices[0], slot.choices[0])) {
                 m_slotOfKey[key] = static_cast<int>(i);
                 return;
             }
         }
+    }
+    if (sameName.size() < kMaxCompared) {
+        sameName.push_back(m_slots.size());
     }
     m_slotOfKey[key] = static_cast<int>(m_slots.size());
     m_slots.push_back(std::move(slot));

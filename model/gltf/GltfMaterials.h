@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,14 @@ public:
 
 private:
     int fromImage(int image);
+    Result<Image> read(const ImageSource& source);
 
     const GltfFile& m_file;
     std::vector<std::string>& m_warnings;
+    std::set<int> m_withoutPicture; ///< textures that were warned of
     std::map<int, int> m_ofFileImage;
     std::vector<Image> m_images;
+    std::uint64_t m_encodedBytes = 0;
     std::uint64_t m_pixels = 0;
 };
 
@@ -67,6 +71,7 @@ private:
     std::vector<std::string>& m_warnings;
     ImageTable m_images;
     std::map<Key, int> m_slotOfKey;
+    std::map<std::string, std::vector<std::size_t>> m_slotsOfName; ///< of the first few of a name
     std::vector<Slot> m_slots;
 };
 

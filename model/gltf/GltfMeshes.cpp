@@ -2,16 +2,12 @@
 #include "model/gltf/GltfMeshes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <map>
 #include <set>
-
-#include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
+#include <span>
 
 #include "model/gltf/FlatNormals.h"
-#include "model/gltf/GltfAccessors.h"
+#include "model/gltf/GltfBones.h"
 #include "model/gltf/GltfJson.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMaterials.h"
@@ -25,71 +21,11 @@ namespace {
 
 constexpr std::size_t kMaxParts = 32;
 
-/// The bones of all skins and of all meshes without one; equal ones are shared.
-class BoneTable
-{
-public:
-    BoneTable(const tinygltf::Model& model, const SceneNodes& scene, std::vector<Bone>& bones)
-        : m_model(model), m_scene(scene), m_bones(bones)
-    {
-    }
-
-    /// Bones of a skin, in the order of its joints.
-    const std::vector<std::uint16_t>& ofSkin(int skin)
-    {
-        const auto [known, isNew] = m_ofSkin.try_emplace(skin);
-        if (isNew) {
-            known->second = makeSkin(m_model.skins[static_cast<std::size_t>(skin)]);
-        }
-        return known->second;
-    }
-
-    std::uint16_t ofNode(int node) { return add(node, glm::mat4(1.0F)); }
-    [[nodiscard]] bool isOverfull() const { return m_bones.size() > kMaxBones; }
-
-private:
-    std::vector<std::uint16_t> makeSkin(const tinygltf::Skin& skin)
-    {
-        FloatArray matrices;
-        if (skin.inverseBindMatrices >= 0) {
-            matrices = readFloats(m_model, skin.inverseBindMatrices);
-            replaceNonFinite(matrices.values);
-        }
-        std::vector<std::uint16_t> bones;
-        for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-            const int node = m_scene.ofFileNode[static_cast<std::size_t>(skin.joints[i])];
-            bones.push_back(
-                add(node, i < matrices.count ? glm::make_mat4(matrices.at(i)) : glm::mat4(1.0F)));
-        }
-        return bones;
-    }
-
-    std::uint16_t add(int node, const glm::mat4& inverseBind)
-    {
-        std::vector<std::uint16_t>& same = m_ofNode[node];
-        for (const std::uint16_t bone : same) {
-            if (m_bones[bone].inverseBind == inverseBind) {
-                return bone;
-            }
-        }
-        const auto bone = static_cast<std::uint16_t>(std::min(m_bones.size(), kMaxBones));
-        m_bones.push_back({node, inverseBind});
-        same.push_back(bone);
-        return bone;
-    }
-
-    const tinygltf::Model& m_model;
-    const SceneNodes& m_scene;
-    std::vector<Bone>& m_bones;
-    std::map<int, std::vector<std::uint16_t>> m_ofSkin;
-    std::map<int, std::vector<std::uint16_t>> m_ofNode;
-};
-
 /// A primitive as it goes into a level.
 struct Emission
 {
     PrimitiveData data;
-    std::vector<std::uint16_t> bones; ///< of the skin, or the one of the node
+    std::span<const std::uint16_t> bones; ///< of the skin, or the one of the node
     int slot = 0;
     int part = -1;
 };
@@ -113,22 +49,15 @@ void appendInfluences(const Emission& emission, Mesh& mesh)
 }
 
 /// Whether most vertices follow bones that mirror at rest, so that front faces are turned over.
-bool isMirrored(const Emission& emission, const std::vector<Bone>& bones,
-                const std::vector<glm::mat4>& restWorld)
+bool isMirrored(const Emission& emission, const BoneTable& bones)
 {
-    std::vector<char> mirrors;
-    for (const std::uint16_t bone : emission.bones) {
-        const glm::mat4 matrix =
-            restWorld[static_cast<std::size_t>(bones[bone].node)] * bones[bone].inverseBind;
-        mirrors.push_back(glm::determinant(glm::mat3(matrix)) < 0.0F ? 1 : 0);
-    }
     if (emission.data.influences == 0) {
-        return mirrors[0] != 0;
+        return bones.mirrors(emission.bones[0]);
     }
     double balance = 0.0;
     for (std::size_t i = 0; i < emission.data.joints.size(); ++i) {
         const auto weight = static_cast<double>(emission.data.weights[i]);
-        balance += mirrors[emission.data.joints[i]] != 0 ? weight : -weight;
+        balance += bones.mirrors(emission.bones[emission.data.joints[i]]) ? weight : -weight;
     }
     return balance > 0.0;
 }
@@ -163,10 +92,10 @@ public:
     {
         const auto plan = planLevels(m_model, m_scene, m_asset.warnings);
         findJoints();
-        announceSlots(plan);
-        for (const std::vector<MeshUse>& level : plan) {
-            m_total += level.size();
+        if (const Result<void> counted = countPrimitives(plan); !counted) {
+            return counted;
         }
+        announceSlots(plan);
         for (const std::vector<MeshUse>& level : plan) {
             if (const Result<void> built = buildLevel(level); !built) {
                 return built;
@@ -190,12 +119,29 @@ private:
         return m_model.meshes[static_cast<std::size_t>(fileNode(use.node).mesh)];
     }
 
+    /// A mesh may be used by many nodes, so that a small file can ask for a lot.
+    Result<void> countPrimitives(const std::vector<std::vector<MeshUse>>& plan)
+    {
+        std::uint64_t primitives = 0;
+        for (const std::vector<MeshUse>& level : plan) {
+            m_total += level.size();
+            for (const MeshUse& use : level) {
+                primitives += meshOf(use).primitives.size();
+            }
+        }
+        return primitives <= kMaxPrimitives
+                   ? Result<void>()
+                   : Error{"scenes: its nodes draw " + std::to_string(primitives) +
+                           " primitives, more than " + std::to_string(kMaxPrimitives)};
+    }
+
     void findJoints()
     {
         m_isJoint.assign(m_scene.nodes.size(), 0);
+        std::set<int> seen;
         for (std::size_t i = 0; i < m_scene.nodes.size(); ++i) {
             const int skin = fileNode(static_cast<int>(i)).skin;
-            if (skin < 0) {
+            if (skin < 0 || !seen.insert(skin).second) {
                 continue;
             }
             for (const int joint : m_model.skins[static_cast<std::size_t>(skin)].joints) {
@@ -205,12 +151,22 @@ private:
         }
         m_asset.jointCount =
             static_cast<int>(std::count(m_isJoint.begin(), m_isJoint.end(), char{1}));
+        m_hangsOnJoint = m_isJoint;
+        for (std::size_t i = 0; i < m_scene.nodes.size(); ++i) {
+            const int parent = m_scene.nodes[i].parent;
+            if (parent >= 0 && m_hangsOnJoint[static_cast<std::size_t>(parent)] != 0) {
+                m_hangsOnJoint[i] = 1;
+            }
+        }
     }
 
     void announceSlots(const std::vector<std::vector<MeshUse>>& plan)
     {
         for (const std::vector<MeshUse>& level : plan) {
             for (const MeshUse& use : level) {
+                if (!m_slotsOfMesh.try_emplace(fileNode(use.node).mesh).second) {
+                    continue;
+                }
                 for (const tinygltf::Primitive& primitive : meshOf(use).primitives) {
                     if (drawsTriangles(primitive)) {
                         m_slots.add(primitive);
@@ -219,6 +175,12 @@ private:
             }
         }
         m_slots.finish();
+        for (auto& [mesh, ofPrimitives] : m_slotsOfMesh) {
+            for (const auto& primitive :
+                 m_model.meshes[static_cast<std::size_t>(mesh)].primitives) {
+                ofPrimitives.push_back(drawsTriangles(primitive) ? m_slots.slotOf(primitive) : -1);
+            }
+        }
     }
 
     Result<void> buildLevel(const std::vector<MeshUse>& uses)
@@ -289,9 +251,9 @@ private:
             if (!data) {
                 return data.error();
             }
-            Emission emission{std::move(data).value(), {}, m_slots.slotOf(primitive), -1};
-            emission.bones = skinned ? m_bones.ofSkin(node.skin)
-                                     : std::vector<std::uint16_t>{m_bones.ofNode(use.node)};
+            Emission emission{std::move(data).value(), {}, m_slotsOfMesh[node.mesh][i], -1};
+            const std::uint16_t own = skinned ? std::uint16_t{0} : m_bones.ofNode(use.node);
+            emission.bones = skinned ? std::span(m_bones.ofSkin(node.skin)) : std::span(&own, 1);
             if (m_bones.isOverfull()) {
                 return Error{"nodes: more than " + std::to_string(kMaxBones) +
                              " of them move meshes"};
@@ -310,6 +272,11 @@ private:
         const std::uint64_t vertices = count(primitive.attributes.at("POSITION"));
         const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
         m_vertices += vertices;
+        m_morphed += vertices * primitive.targets.size();
+        if (m_morphed > kMaxMorphed) {
+            return Error{where + ".targets: the morph targets have more than " +
+                         std::to_string(kMaxMorphed) + " vertices"};
+        }
         m_corners +=
             (primitive.indices < 0 ? vertices : count(primitive.indices)) * (isList ? 1U : 3U);
         if (m_vertices > kMaxVertices || m_corners > kMaxCorners) {
@@ -325,7 +292,7 @@ private:
         addWarnings(data.warnings);
         const bool isFlat = data.normals.empty();
         const std::size_t firstIndex = mesh.indices.size();
-        const bool mirrored = isMirrored(emission, m_asset.bones, m_scene.restWorld);
+        const bool mirrored = isMirrored(emission, m_bones);
         appendTriangles(emission, mirrored, mesh);
         if (isFlat) {
             flat.push_back({firstIndex, mesh.indices.size(), mirrored});
@@ -351,11 +318,7 @@ private:
     /// A mesh without skin that hangs on a joint is a part; the same for all its levels.
     int partOf(const MeshUse& use)
     {
-        int node = m_scene.nodes[static_cast<std::size_t>(use.node)].parent;
-        while (node >= 0 && m_isJoint[static_cast<std::size_t>(node)] == 0) {
-            node = m_scene.nodes[static_cast<std::size_t>(node)].parent;
-        }
-        if (node < 0 && m_isJoint[static_cast<std::size_t>(use.node)] == 0) {
+        if (m_hangsOnJoint[static_cast<std::size_t>(use.node)] == 0) {
             return -1;
         }
         const auto known = m_partOfObject.find(use.object);
@@ -396,12 +359,15 @@ private:
     const std::function<bool(float)>& m_report;
     SlotTable m_slots;
     BoneTable m_bones;
+    std::map<int, std::vector<int>> m_slotsOfMesh; ///< one a primitive, -1 for what is not drawn
     std::vector<char> m_isJoint;
+    std::vector<char> m_hangsOnJoint; ///< is one, or is below one
     std::map<int, int> m_partOfObject;
     NameSet m_partNames;
     std::set<std::string> m_seenWarnings;
     std::uint64_t m_vertices = 0;
     std::uint64_t m_corners = 0;
+    std::uint64_t m_morphed = 0;
     std::size_t m_done = 0;
     std::size_t m_total = 0;
     std::size_t m_undrawn = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 
 namespace crowd::model::gltf {
@@ -13,14 +13,14 @@ public:
     [[nodiscard]] std::string unique(const std::string& name)
     {
         std::string candidate = name;
-        for (int number = 2; !m_names.insert(candidate).second; ++number) {
-            candidate = name + " " + std::to_string(number);
+        while (!m_uses.try_emplace(candidate, 1).second) {
+            candidate = name + " " + std::to_string(++m_uses[name]);
         }
         return candidate;
     }
 
 private:
-    std::set<std::string> m_names;
+    std::map<std::string, int> m_uses; ///< how often each was asked for
 };
 
 } // namespace crowd::model::gltf

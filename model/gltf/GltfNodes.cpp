@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -138,20 +139,28 @@ private:
     {
         for (std::size_t i = 0; i < m_scene.fileNode.size(); ++i) {
             const int skin = m_model.nodes[static_cast<std::size_t>(m_scene.fileNode[i])].skin;
-            if (skin < 0) {
+            if (skin < 0 || !m_skins.insert(skin).second) {
                 continue;
             }
-            for (int joint : m_model.skins[static_cast<std::size_t>(skin)].joints) {
-                while (m_parents[static_cast<std::size_t>(joint)] >= 0) {
-                    joint = m_parents[static_cast<std::size_t>(joint)];
+            for (const int joint : m_model.skins[static_cast<std::size_t>(skin)].joints) {
+                if (m_scene.ofFileNode[static_cast<std::size_t>(joint)] < 0) {
+                    addTree(rootOf(joint), -1, false);
                 }
-                addTree(joint, -1, false);
             }
         }
     }
 
+    int rootOf(int node) const
+    {
+        while (m_parents[static_cast<std::size_t>(node)] >= 0) {
+            node = m_parents[static_cast<std::size_t>(node)];
+        }
+        return node;
+    }
+
     const tinygltf::Model& m_model;
     std::vector<int> m_parents;
+    std::set<int> m_skins; ///< whose joints are there
     SceneNodes m_scene;
 };
 

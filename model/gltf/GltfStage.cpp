@@ -32,20 +32,29 @@ public:
 
     void run()
     {
-        for (std::size_t slot = 0; slot < m_stage.materials.size(); ++slot) {
-            addMaterial(static_cast<int>(slot));
+        std::vector<std::vector<const Submesh*>> ofSlot(m_stage.materials.size());
+        for (const Submesh& submesh : m_mesh.submeshes) {
+            ofSlot[static_cast<std::size_t>(submesh.slot)].push_back(&submesh);
+        }
+        m_newIndex.assign(m_mesh.positions.size(), kUnused);
+        for (std::size_t slot = 0; slot < ofSlot.size(); ++slot) {
+            addMaterial(static_cast<int>(slot), ofSlot[slot]);
         }
     }
 
 private:
-    void addMaterial(int slot)
+    void addMaterial(int slot, const std::vector<const Submesh*>& submeshes)
     {
         StageMesh out;
         out.material = slot;
-        m_newIndex.assign(m_mesh.positions.size(), kUnused);
-        for (const Submesh& submesh : m_mesh.submeshes) {
-            for (std::uint32_t i = 0; submesh.slot == slot && i < submesh.indexCount; ++i) {
-                addCorner(m_mesh.indices[submesh.firstIndex + i], out);
+        for (const Submesh* submesh : submeshes) {
+            for (std::uint32_t i = 0; i < submesh->indexCount; ++i) {
+                addCorner(m_mesh.indices[submesh->firstIndex + i], out);
+            }
+        }
+        for (const Submesh* submesh : submeshes) {
+            for (std::uint32_t i = 0; i < submesh->indexCount; ++i) {
+                m_newIndex[m_mesh.indices[submesh->firstIndex + i]] = kUnused;
             }
         }
         if (!out.indices.empty()) {
@@ -63,7 +72,7 @@ private:
             if (m_hasColors) {
                 out.colors.push_back(glm::vec4(m_mesh.colors[vertex]) / 255.0F);
             }
-            m_stage.bounds.add(m_positions[vertex]);
+            m_stage.bounds.addPlace(m_positions[vertex]);
         }
         out.indices.push_back(m_newIndex[vertex]);
     }

@@ -15,6 +15,8 @@ namespace crowd::model::gltf {
 namespace {
 
 constexpr std::size_t kMaxSamples = 512;   ///< vertices looked at
+constexpr std::size_t kMaxFeet = 4096;     ///< of the lowest ones
+constexpr double kMostWork = 2e8;          ///< nodes, keys and vertices, over all clips and poses
 constexpr float kMomentsPerSecond = 48.0F; ///< poses looked at for foot contact
 constexpr int kLeastMoments = 16;
 constexpr int kMaxMoments = 96;
@@ -48,6 +50,9 @@ std::vector<glm::vec3> pointsAt(const Template& asset, const Mesh& mesh, int cli
     evaluatePose(asset, clip, seconds, pose);
     std::vector<glm::vec3> points(mesh.positions.size());
     skin(mesh, pose.bones, points, {});
+    for (glm::vec3& point : points) {
+        point = Bounds::isPlace(point) ? point : glm::vec3(0.0F);
+    }
     return points;
 }
 
@@ -70,7 +75,7 @@ Mesh lowExcerpt(const Template& asset)
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const std::size_t kept =
-        std::min(order.size(), std::max<std::size_t>(kMaxSamples, order.size() / 16));
+        std::min(order.size(), std::clamp(order.size() / 16, kMaxSamples, kMaxFeet));
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
                       [&](std::size_t a, std::size_t b) {
                           return points[a].y < points[b].y || (points[a].y == points[b].y && a < b);
@@ -110,18 +115,18 @@ int commonAncestor(const Template& asset)
 {
     std::vector<std::size_t> below(asset.nodes.size(), 0);
     for (const Bone& bone : asset.bones) {
-        for (int node = bone.node; node >= 0;
-             node = asset.nodes[static_cast<std::size_t>(node)].parent) {
-            ++below[static_cast<std::size_t>(node)];
-        }
+        ++below[static_cast<std::size_t>(bone.node)];
     }
-    int common = -1;
-    for (std::size_t i = 0; i < below.size(); ++i) {
+    // Children come after their parents, so that the first one found from behind is the lowest.
+    for (std::size_t i = below.size(); i-- > 0;) {
         if (below[i] == asset.bones.size()) {
-            common = static_cast<int>(i); // children come after their parents
+            return static_cast<int>(i);
+        }
+        if (asset.nodes[i].parent >= 0) {
+            below[static_cast<std::size_t>(asset.nodes[i].parent)] += below[i];
         }
     }
-    return common;
+    return -1;
 }
 
 /// The shift of the node that carries the whole body, where one does: the mean over vertices also
@@ -262,11 +267,25 @@ bool canMove(const Template& asset, const Clip& clip)
     return clip.seconds > 0.1F && !clip.seatHeight && !asset.bones.empty() && asset.height > 0.0F;
 }
 
+/// What one pose of each clip costs: nodes, channels and vertices.
+double workOfAPose(const Template& asset)
+{
+    const std::size_t vertices =
+        std::clamp(asset.levels.front().positions.size() / 16, kMaxSamples, kMaxFeet);
+    double work = 0.0;
+    for (const Clip& clip : asset.clips) {
+        work += static_cast<double>(asset.nodes.size() + asset.bones.size() + clip.channels.size() +
+                                    vertices);
+    }
+    return work;
+}
+
 } // namespace
 
 glm::vec3 footVelocity(const Template& asset, int clip)
 {
-    if (!canMove(asset, asset.clips[static_cast<std::size_t>(clip)])) {
+    if (asset.levels.empty() || workOfAPose(asset) * kMaxMoments > kMostWork ||
+        !canMove(asset, asset.clips[static_cast<std::size_t>(clip)])) {
         return glm::vec3(0.0F);
     }
     Pose pose;
@@ -281,12 +300,16 @@ void findGroundSpeeds(Template& asset, bool removeRootMotion)
     const Mesh sample = evenExcerpt(asset.levels.front());
     const Mesh feet = lowExcerpt(asset);
     const int root = commonAncestor(asset);
+    const double work = workOfAPose(asset);
+    if (work * 4.0 > kMostWork) {
+        return; // no character has so many nodes and clips
+    }
     Pose pose;
     for (std::size_t i = 0; i < asset.clips.size(); ++i) {
         Clip& clip = asset.clips[i];
         const int index = static_cast<int>(i);
         if (!findRootMotion(asset, sample, index, root, removeRootMotion, pose) &&
-            !clip.hasSpeedExtra && canMove(asset, clip)) {
+            work * kMaxMoments < kMostWork && !clip.hasSpeedExtra && canMove(asset, clip)) {
             clip.speed = glm::length(footVelocityOf(asset, feet, index, pose));
         }
     }

@@ -20,6 +20,7 @@ namespace {
 constexpr float kSmallest = 0.1F; ///< metres: no proposal for what lies between
 constexpr float kLargest = 12.0F;
 constexpr float kTypical = 1.5F;
+constexpr std::size_t kMostClips = 256; ///< looked at for the way it walks
 constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
 
 float largest(const glm::vec3& size)
@@ -112,7 +113,8 @@ glm::vec3 towardsLeft(const Template& asset)
 /// The way it goes in the first clip that goes forwards, zero where there is none.
 glm::vec3 walkingWay(const Template& asset)
 {
-    for (std::size_t i = 0; i < asset.clips.size(); ++i) {
+    const std::size_t count = std::min(asset.clips.size(), kMostClips);
+    for (std::size_t i = 0; i < count; ++i) {
         std::string name = asset.clips[i].name;
         std::transform(name.begin(), name.end(), name.begin(), [](char c) {
             return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

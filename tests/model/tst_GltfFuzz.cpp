@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "model/gltf/GltfImport.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include <QtCore/QDir>
+#include <QtCore/QDirIterator>
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include "model/bake/ClipBaker.h"
+#include "model/gltf/ImportProposal.h"
+#include "tests/model/GltfBuilder.h"
+#include "tests/model/GltfMutator.h"
+
+using namespace crowd::model;
+
+/// Damaged files, some thousands of them, the same at every run: none may crash, hang or take the
+/// memory. For a longer hunt: CROWD_FUZZ_ROUNDS mutants of each file under CROWD_FUZZ_FOLDER, from
+/// CROWD_FUZZ_SEED on, each left in CROWD_FUZZ_KEEP while it is read.
+class tst_GltfFuzz : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void survivesDamage_data();
+    void survivesDamage();
+    void tookLittleMemory();
+
+private:
+    void tryMutant(const QString& path);
+
+    QTemporaryDir m_temporary;
+    QString m_folder;
+    QString m_scratch;
+    int m_rounds = 60;
+    quint64 m_seed = 1;
+};
+
+namespace {
+
+constexpr qint64 kMostMilliseconds = 5000;
+
+std::string nameOf(const QString& path)
+{
+    return QFileInfo(path).fileName().toStdString();
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+void tst_GltfFuzz::initTestCase()
+{
+    m_folder = qEnvironmentVariable("CROWD_FUZZ_FOLDER", QStringLiteral(CROWD_RESOURCES));
+    m_rounds = qEnvironmentVariable("CROWD_FUZZ_ROUNDS", QStringLiteral("60")).toInt();
+    m_seed = qEnvironmentVariable("CROWD_FUZZ_SEED", QStringLiteral("1")).toULongLong();
+    m_scratch = qEnvironmentVariable("CROWD_FUZZ_KEEP", m_temporary.path());
+}
+
+void tst_GltfFuzz::survivesDamage_data()
+{
+    QTest::addColumn<QString>("file");
+    const QDir folder(m_folder);
+    QDirIterator files(m_folder, {QStringLiteral("*.glb"), QStringLiteral("*.gltf")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString file = files.next();
+        QTest::newRow(folder.relativeFilePath(file).toUtf8().constData()) << file;
+    }
+}
+
+void tst_GltfFuzz::survivesDamage()
+{
+    QFETCH(const QString, file);
+    const QByteArray whole = contentOf(file);
+    const QString suffix = QFileInfo(file).suffix();
+    const QDir beside = QFileInfo(file).dir();
+    const bool hasFiles = suffix == QStringLiteral("gltf");
+    for (const QFileInfo& other : beside.entryInfoList(QDir::Files)) {
+        if (hasFiles && other.size() < 20'000'000) {
+            QFile::copy(other.filePath(), m_scratch + u'/' + other.fileName());
+        }
+    }
+    const QString path = m_scratch + QStringLiteral("/mutant.") + suffix;
+    for (int round = 0; round < m_rounds; ++round) {
+        GltfMutator mutator(m_seed + static_cast<quint64>(round));
+        writeFile(path, mutator.mutate(whole));
+        tryMutant(path);
+        if (QTest::currentTestFailed()) {
+            QFile::copy(path, m_scratch + QStringLiteral("/failed_%1.%2").arg(round).arg(suffix));
+            return;
+        }
+    }
+}
+
+void tst_GltfFuzz::tryMutant(const QString& path)
+{
+    QElapsedTimer timer;
+    timer.start();
+    const Result<TemplatePtr> asset = importTemplate(path.toStdString());
+    if (asset) {
+        QVERIFY(std::isfinite(asset.value()->height));
+        (void)proposeImport(*asset.value());
+        (void)bakeClip(*asset.value(), asset.value()->defaultClip, 1);
+    } else {
+        const std::string& message = asset.error().message;
+        QVERIFY2(message.starts_with(nameOf(path) + ": "), message.c_str());
+        QVERIFY2(message.size() < 2000, message.c_str());
+    }
+    const Result<StagePtr> stage = importStage(path.toStdString());
+    QCOMPARE(stage.isOk(), asset.isOk());
+    const qint64 took = timer.elapsed();
+    QVERIFY2(took < kMostMilliseconds, qPrintable(QStringLiteral("took %1 ms").arg(took)));
+}
+
+void tst_GltfFuzz::tookLittleMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const long megabytes = usage.ru_maxrss / 1024;
+    QVERIFY2(megabytes < 2048, qPrintable(QStringLiteral("took %1 MiB").arg(megabytes)));
+}
+
+QTEST_GUILESS_MAIN(tst_GltfFuzz)
+#include "tst_GltfFuzz.moc"
