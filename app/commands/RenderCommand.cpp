@@ -12,9 +12,8 @@
 
 #include "app/commands/OptionText.h"
 #include "app/commands/PictureFile.h"
+#include "app/commands/PictureMaker.h"
 #include "app/commands/SceneSource.h"
-#include "render/OffscreenContext.h"
-#include "render/Renderer.h"
 
 namespace crowd::app {
 
@@ -142,78 +141,57 @@ QString fileForFrame(const std::string& pattern, int frame)
         QStringLiteral("%1").arg(frame, static_cast<int>(end - first), 10, QLatin1Char('0')));
 }
 
-/// A scene with the context and the renderer that draw it.
-class PictureMaker
+/// A scene with what draws it.
+class ScenePictures
 {
 public:
-    PictureMaker(model::Scene scene, const model::Camera& camera, const Plan& plan)
-        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_camera(camera), m_plan(plan),
+    ScenePictures(model::Scene scene, const model::Camera& camera, const Plan& plan)
+        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()),
           m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(m_scene.templates))
     {
+        m_request.stages = m_scene.stages;
+        m_request.seats = m_seats;
+        m_request.lighting = m_scene.lighting;
+        m_request.camera = camera;
+        m_request.size = plan.size;
+        m_request.look = plan.look;
     }
-    ~PictureMaker()
-    {
-        if (m_context && m_context->makeCurrent()) {
-            m_renderer.destroy();
-        }
-    }
-    PictureMaker(const PictureMaker&) = delete;
-    PictureMaker& operator=(const PictureMaker&) = delete;
+    ScenePictures(const ScenePictures&) = delete;
+    ScenePictures& operator=(const ScenePictures&) = delete;
 
     [[nodiscard]] model::Result<void> open()
     {
-        auto context = render::OffscreenContext::create();
-        if (!context) {
-            return context.error();
+        auto maker = PictureMaker::create(m_keyframes);
+        if (!maker) {
+            return maker.error();
         }
-        m_context = std::move(context).value();
-        return m_renderer.initialize();
+        m_maker = std::move(maker).value();
+        return {};
     }
 
     [[nodiscard]] model::Result<void> write(double seconds, const QString& path)
     {
-        const render::RenderInput input = inputAt(seconds);
-        auto drawn = m_renderer.draw(input);
-        // The first picture asks for the clips; it is drawn again when they are complete.
-        if (drawn && m_renderer.statistics().areKeyframesMissing) {
-            m_keyframes.waitForAll();
-            drawn = m_renderer.draw(input);
-        }
-        if (!drawn) {
+        auto frame = std::make_shared<model::CrowdFrame>();
+        frame->population = m_scene.population;
+        frame->templates = m_templates;
+        frame->seconds = seconds;
+        m_request.frame = frame;
+        if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
         if (m_keyframes.progress().isBudgetReached) {
             std::fprintf(stderr, "The memory for keyframes is used up: some clips stand still.\n");
         }
-        return writePicture(path, m_renderer.readPixels(), m_renderer.size());
+        return writePicture(path, m_maker->pixels(), m_maker->size());
     }
 
 private:
-    [[nodiscard]] render::RenderInput inputAt(double seconds)
-    {
-        render::RenderInput input(model::View(m_camera, glm::vec2(m_plan.size)), m_keyframes);
-        auto frame = std::make_shared<model::CrowdFrame>();
-        frame->population = m_scene.population;
-        frame->templates = m_templates;
-        frame->seconds = seconds;
-        input.frame = frame;
-        input.pixelSize = m_plan.size;
-        input.stages = m_scene.stages;
-        input.seats = m_seats;
-        input.seatsVersion = 1;
-        input.lighting = m_scene.lighting;
-        input.look = m_plan.look;
-        return input;
-    }
-
     model::Scene m_scene;
     std::vector<model::WorldSeat> m_seats;
-    model::Camera m_camera;
-    Plan m_plan;
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
-    std::unique_ptr<render::OffscreenContext> m_context;
-    render::Renderer m_renderer;
+    PictureRequest m_request;
+    std::unique_ptr<PictureMaker> m_maker;
 };
 
 int fail(const model::Error& error, int code = kFailed)
@@ -256,8 +234,8 @@ int runRender(const RenderOptions& options)
         return fail(camera.error());
     }
     warnOfMissing(scene.value());
-    PictureMaker maker(std::move(scene).value(), camera.value(), plan.value());
-    if (auto opened = maker.open(); !opened) {
+    ScenePictures pictures(std::move(scene).value(), camera.value(), plan.value());
+    if (auto opened = pictures.open(); !opened) {
         return fail(opened.error());
     }
     for (int frame = plan.value().firstFrame; frame <= plan.value().lastFrame; ++frame) {
@@ -265,7 +243,7 @@ int runRender(const RenderOptions& options)
             options.time +
             (plan.value().isSequence ? static_cast<double>(frame) / options.framesPerSecond : 0.0);
         const QString path = fileForFrame(options.output, frame);
-        if (auto written = maker.write(seconds, path); !written) {
+        if (auto written = pictures.write(seconds, path); !written) {
             return fail(written.error());
         }
         std::printf("%s\n", qPrintable(path));

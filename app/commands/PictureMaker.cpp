@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/PictureMaker.h"
+
+namespace crowd::app {
+
+namespace {
+
+render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore& keyframes)
+{
+    render::RenderInput input(model::View(request.camera, glm::vec2(request.size)), keyframes);
+    input.frame = request.frame;
+    input.pixelSize = request.size;
+    input.stages = request.stages;
+    input.seats = request.seats;
+    input.seatsVersion = request.seatsVersion;
+    input.lighting = request.lighting;
+    input.look = request.look;
+    input.levels.hysteresis = 0.0F; // a picture does not depend on the one before
+    return input;
+}
+
+} // namespace
+
+model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create(model::KeyframeStore& keyframes)
+{
+    auto context = render::OffscreenContext::create();
+    if (!context) {
+        return context.error();
+    }
+    std::unique_ptr<PictureMaker> maker(new PictureMaker(keyframes));
+    maker->m_context = std::move(context).value();
+    if (auto ready = maker->m_renderer.initialize(); !ready) {
+        return ready.error();
+    }
+    return maker;
+}
+
+PictureMaker::~PictureMaker()
+{
+    if (m_context && m_context->makeCurrent()) {
+        m_renderer.destroy();
+    }
+}
+
+model::Result<void> PictureMaker::draw(const PictureRequest& request)
+{
+    if (!m_context->makeCurrent()) {
+        return model::Error{"The graphics context for pictures was lost. Start the program again."};
+    }
+    const render::RenderInput input = inputOf(request, m_keyframes);
+    auto drawn = m_renderer.draw(input);
+    // The first picture asks for the clips; it is drawn again when they are complete.
+    if (drawn && m_renderer.statistics().areKeyframesMissing) {
+        m_keyframes.waitForAll();
+        drawn = m_renderer.draw(input);
+    }
+    return drawn;
+}
+
+} // namespace crowd::app

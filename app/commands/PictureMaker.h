@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "model/base/Result.h"
+#include "model/scene/CrowdFrame.h"
+#include "render/OffscreenContext.h"
+#include "render/Renderer.h"
+
+namespace crowd::app {
+
+/// What a picture without a window shows. The spans outlive the call that gets them.
+struct PictureRequest
+{
+    model::CrowdFramePtr frame;
+    std::span<const model::StageEntry> stages;
+    std::span<const model::WorldSeat> seats;
+    std::uint64_t seatsVersion = 1; ///< grows when the seats are others
+    model::Lighting lighting;
+    model::Camera camera;
+    glm::ivec2 size{1280, 720}; ///< pixels
+    render::Look look = render::Look::Lit;
+};
+
+/// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it.
+class PictureMaker
+{
+public:
+    /// The store outlives it.
+    [[nodiscard]] static model::Result<std::unique_ptr<PictureMaker>>
+    create(model::KeyframeStore& keyframes);
+    ~PictureMaker();
+    PictureMaker(const PictureMaker&) = delete;
+    PictureMaker& operator=(const PictureMaker&) = delete;
+
+    /// Waits until all clips in the picture are baked.
+    [[nodiscard]] model::Result<void> draw(const PictureRequest& request);
+    /// The last picture: RGBA8, sRGB, rows from the top.
+    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
+    [[nodiscard]] glm::ivec2 size() const { return m_renderer.size(); }
+
+private:
+    explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
+
+    model::KeyframeStore& m_keyframes;
+    std::unique_ptr<render::OffscreenContext> m_context;
+    render::Renderer m_renderer;
+};
+
+} // namespace crowd::app
