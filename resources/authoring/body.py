@@ -55,7 +55,7 @@ def man():
     return Body(
         name="man", is_woman=False,
         trunk={
-            "crotch": Ring(.865, .163, .092, .118, .012, 2.2),
+            "crotch": Ring(.865, .163, .092, .108, .012, 2.2),
             "pelvis": Ring(.928, .157, .096, .110, .010, 2.3),
             "hem": Ring(.915, .168, .104, .122, .010, 2.3),
             "waist": Ring(1.09, .146, .100, .088, .006, 2.3),
@@ -76,7 +76,7 @@ def woman():
     return Body(
         name="woman", is_woman=True,
         trunk={
-            "crotch": Ring(.815, .168, .090, .124, .012, 2.1),
+            "crotch": Ring(.815, .166, .090, .111, .012, 2.1),
             "pelvis": Ring(.914, .155, .090, .108, .010, 2.1),
             "hem": Ring(.880, .170, .100, .122, .010, 2.1),
             "waist": Ring(1.035, .118, .084, .076, .004, 2.1),

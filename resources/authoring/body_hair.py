@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from body_head import BACK, SIDE, TOP, column_u
-from geometry import lerp, smoothstep, vec
+from geometry import lerp, smoothstep, unit, vec
 
 
 @dataclass(frozen=True)
@@ -21,11 +21,12 @@ class Style:
 STYLES = {
     "short": Style((6.02, 5.92, 5.25, 3.75, 3.55, 2.0, 1.75), (), .006, .022, .026, .018),
     "bob": Style((5.96, 5.8, 4.7, None, None, None, None),
-                 ((.370, -.075, .06), (.400, .150, .02), (.285, .405, 0), (0, .470, 0)),
-                 .010, .028, .024, .010),
+                 ((.300, -.120, .07), (.345, .120, .00), (.235, .340, -.07), (0, .395, -.09)),
+                 .010, .028, .024, .012),
 }
 SEGMENTS = (4, 3, 2, 1)
-HANGING_ROWS = ((2.2, 4.6, 5.95), (2.6, 4.9), (3.6,), ())
+HANGING_ROWS = ((3.4, 5.3), (3.6,), (3.6,), ())
+FULLNESS = .030  # of the hanging hair, half-way down
 SHELL_END = 7.0
 
 
@@ -45,10 +46,24 @@ class HairShell:
                               self.u, (.15 + .7 * row / count, .15 + .7 * (row + 1) / count),
                               mirrors_uv=True)
         top = self.surface.add(self.shape.grid(TOP, 0) + vec(0, 0, self.style.top), {"head": 1})
+        if self.detail.level < 2:
+            self._round_off(columns, top)
         self.surface.band([c[-1] for c in columns], [top] * len(columns), "hair", self.u,
                           (.85, 1), mirrors_uv=True)
         if self.detail.is_finest:
             self._add_rim([c[0] for c in columns])
+
+    def _round_off(self, columns, top):
+        """One more ring between the shell and the crown's middle."""
+        peak, ring = self.surface.positions[top], []
+        for column in columns:
+            point = lerp(self.surface.positions[column[-1]], peak, .52)
+            point[2] = lerp(self.surface.positions[column[-1]][2], peak[2], .84)
+            ring.append(self.surface.add(point, {"head": 1}))
+        self.surface.band([c[-1] for c in columns], ring, "hair", self.u, (.85, .93),
+                          mirrors_uv=True)
+        for column, i in zip(columns, ring):
+            column.append(i)
 
     def _on_shell(self, column, row, thickness):
         point = self.shape.between(row, column)
@@ -85,10 +100,13 @@ class HairShell:
     def _hanging(self, column):
         end = self.shape.absolute(*self.style.hang[column - SIDE])
         points = [(end, {"head": .9, "neck": .1})]
-        for row in HANGING_ROWS[self.detail.level]:
-            bulge = 1.15 if row < 4 else 1.0
-            points.append((self._on_shell(column, row, self.style.thickness * bulge),
-                           {"head": 1}))
+        rows = HANGING_ROWS[self.detail.level]
+        if self.detail.level < 2:
+            middle = lerp(end, self._on_shell(column, rows[0], self.style.thickness), .45)
+            outwards = (middle - self.centre) * vec(0 if column == BACK else 1, 1, 0)
+            points.append((middle + unit(outwards) * FULLNESS, {"head": 1}))
+        for row in rows:
+            points.append((self._on_shell(column, row, self.style.thickness), {"head": 1}))
         return points
 
     def _add_rim(self, edge):

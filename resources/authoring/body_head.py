@@ -10,11 +10,11 @@ from geometry import lerp, vec
 HEAD_SHAPE = (
     ((0, -.15, .00), (.075, -.14, .00), (.160, -.08, .02), (.215, .06, .06), (.20, .16, .08),
      (.125, .250, .08), (0, .275, .08)),
-    ((0, -.405, .035), (.10, -.385, .045), (.205, -.24, .105), (.268, -.02, .215),
+    ((0, -.422, .040), (.10, -.390, .045), (.205, -.24, .105), (.268, -.02, .215),
      (.255, .14, .20), (.165, .275, .18), (0, .315, .18)),
-    ((0, -.432, .185), (.125, -.392, .190), (.248, -.255, .225), (.312, -.02, .31),
+    ((0, -.447, .190), (.125, -.398, .190), (.248, -.255, .225), (.312, -.02, .31),
      (.305, .17, .30), (.205, .335, .28), (0, .385, .28)),
-    ((0, -.508, .345), (.085, -.422, .335), (.268, -.285, .375), (.330, -.02, .44),
+    ((0, -.502, .340), (.085, -.424, .335), (.268, -.285, .375), (.330, -.02, .44),
      (.325, .20, .41), (.225, .38, .39), (0, .435, .39)),
     ((0, -.418, .500), (.120, -.388, .495), (.275, -.280, .500), (.336, -.02, .54),
      (.332, .21, .53), (.232, .405, .51), (0, .460, .51)),
@@ -41,7 +41,7 @@ class HeadShape:
 
     def __init__(self, body, detail):
         self.head = body.head
-        self.widen = {5: 1.0, 4: 1.06}.get(len(detail.head_columns), 1.0)
+        self.widen = {4: 1.06, 3: 1.06}.get(len(detail.head_columns), 1.0)
 
     def absolute(self, x, y, z):
         head = self.head
@@ -99,7 +99,7 @@ def _add_neck(surface, body, detail, trunk, jaw):
     v = chart_v("head", 0), chart_v("head", .08)
     collar = trunk.rings["collar"]
     if detail.level == 3:
-        _bridge(surface, collar, jaw, u, v)
+        surface.band(collar, jaw, "skin", u, v, mirrors_uv=True)
         return
     angles = trunk_angles(detail)
     radius = body.neck * detail.inflation
@@ -116,23 +116,12 @@ def _add_neck(surface, body, detail, trunk, jaw):
                  mirrors_uv=True)
 
 
-def _bridge(surface, collar, jaw, u, v):
-    """Collar of three points to a jaw of four."""
-    for ids, own_u in (((collar[0], jaw[1], jaw[0]), (u[0], u[1], u[0])),
-                       ((collar[0], collar[1], jaw[1]), (u[0], u[1], u[1])),
-                       ((collar[1], jaw[2], jaw[1]), (u[1], u[2], u[1])),
-                       ((collar[1], collar[2], jaw[2]), (u[2], u[3], u[2])),
-                       ((collar[2], jaw[3], jaw[2]), (u[3], u[3], u[2]))):
-        surface.face(ids, "skin", [(x, v[0] if i in collar else v[1])
-                                   for i, x in zip(ids, own_u)], True)
-
-
 def _add_ear(surface, body, detail, shape):
     top, low = shape.between(4.30, SIDE) + vec(-.004, 0, 0), \
         shape.between(2.85, SIDE) + vec(-.004, .004, 0)
     size = body.head.size / .24
-    places = (top, low, top + vec(.018, .030, .006) * size, low + vec(.011, .020, .004) * size,
-              top + vec(-.002, .034, 0) * size, low + vec(-.004, .026, 0) * size)
+    places = (top, low, top + vec(.024, .040, .010) * size, low + vec(.014, .026, .004) * size,
+              top + vec(-.002, .044, .004) * size, low + vec(-.004, .032, 0) * size)
     e = [surface.add(p, {"head": 1}) for p in places]
     high, bottom = ((.5 + COLUMN_U[SIDE], shape.v(p[2])) for p in (top, low))
     surface.face((e[0], e[1], e[3], e[2]), "skin", (high, bottom, bottom, high), True)

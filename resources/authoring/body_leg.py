@@ -7,16 +7,14 @@ import numpy as np
 from geometry import lerp, smoothstep, vec
 
 LEG_GROWTH = {8: 1, 6: 1.03, 5: 1.07, 4: 1.15}
-SHOE_GROWTH = {8: 1, 6: 1.04, 5: 1.08, 4: 1.1}
+SHOE_GROWTH = {8: 1, 6: 1.04, 5: 1.08}
 # Outlines of the shoe by angle, (x, y) in shoe sizes: the sole and the opening at the ankle.
 SOLE = {-42: (-.031, -.168), 5: (.002, -.196), 47: (.041, -.150), 90: (.043, -.062),
         133: (.031, .048), 175: (.002, .074), 222: (-.027, .052), 270: (-.034, -.062)}
 OPENING = {-42: (-.027, -.048), 5: (.001, -.066), 47: (.031, -.044), 90: (.041, -.004),
            133: (.030, .050), 175: (.001, .068), 222: (-.027, .052), 270: (-.035, -.004)}
-COARSE_SOLE = {0: (0, -.19), 90: (.045, -.05), 180: (0, .074), 270: (-.040, -.05)}
 SOLE_FACES = {8: ((0, 2, 1), (0, 7, 3, 2), (7, 6, 4, 3), (6, 5, 4)),
-              6: ((0, 2, 1), (0, 5, 2), (5, 3, 2), (5, 4, 3)), 5: ((0, 2, 1), (0, 4, 2), (4, 3, 2)),
-              4: ()}
+              6: ((0, 2, 1), (0, 5, 2), (5, 3, 2), (5, 4, 3)), 5: ((0, 2, 1), (0, 4, 2), (4, 3, 2))}
 
 
 class Leg:
@@ -26,8 +24,8 @@ class Leg:
         self.u = [i / len(self.angles) for i in range(len(self.angles) + 1)]
         hip, knee, ankle = body.hip[2], body.knee[2], body.ankle[2]
         self.profile = (  # height, radius to the side, front, back
-            (hip - .03, .074, .086, .098), (hip - .14, .069, .082, .086),
-            (hip - .26, .061, .070, .066), (knee + .06, .056, .060, .054),
+            (hip - .03, .074, .086, .098), (hip - .14, .069, .082, .097),
+            (hip - .26, .061, .070, .074), (knee + .06, .056, .060, .054),
             (knee, .052, .056, .050), (knee - .06, .049, .047, .058),
             (knee - .14, .050, .044, .064), (knee - .24, .040, .037, .044),
             (ankle + .03, .033, .034, .036))
@@ -73,7 +71,8 @@ class Leg:
     def _heights(self):
         hip, knee = self.body.hip[2], self.body.knee[2]
         return ((hip - .125, hip - .25, knee + .055, knee - .005, knee - .06, knee - .17, .060),
-                (hip - .14, knee + .05, knee - .05, .055), (hip - .15, knee, .055),
+                (hip - .13, hip - .25, knee + .045, knee - .045, knee - .17, .055),
+                (hip - .15, knee, .055),
                 (knee, .03))[self.detail.level]
 
     def _add_trousers(self):
@@ -110,20 +109,16 @@ class Leg:
     def _shoe_rows(self):
         """Rings of ids, the ankle first, the sole last."""
         level, add = self.detail.level, self.surface.add_ring
-        sole = COARSE_SOLE if level == 3 else SOLE
         rows = []
         if level == 0:
             rows.append(add(self._ankle_points(), lambda p: {"shin_L": .6, "foot_L": .4}))
-        if level == 3:
-            rows.append(add(self._outline(sole, .75, lambda y: .085), self._shoe_weights))
-        else:
-            rows.append(add(self._outline(OPENING, 1.0 if level < 2 else .9, lambda y: .092),
-                            lambda p: {"foot_L": 1}))
+        rows.append(add(self._outline(OPENING, 1.0 if level < 2 else .9, lambda y: .092),
+                        lambda p: {"foot_L": 1}))
         if level <= 1:
             rows.append(add(self._outline(
-                sole, 1.0, lambda y: .050 - .012 * min(1, max(0, (-.1 - y) / .09))),
+                SOLE, 1.0, lambda y: .050 - .012 * min(1, max(0, (-.1 - y) / .09))),
                 self._shoe_weights))
-        rows.append(add(self._outline(sole, .985, lambda y: 0 if y > -.15 else .004),
+        rows.append(add(self._outline(SOLE, .985, lambda y: 0 if y > -.15 else .004),
                         self._shoe_weights))
         return rows
 
@@ -133,7 +128,19 @@ class Leg:
         return [vec(ankle[0] + .041 * girth * math.sin(t), ankle[1] - .043 * girth * math.cos(t)
                     - .002, ankle[2] + .042) for t in turns]
 
+    def _add_wedge(self):
+        """Coarsest shoe: a heel and a toe."""
+        size, x = self.body.foot, self.body.ankle[0] + .002
+        places = (vec(x, -.02 * size, .10), vec(x + .050 * size, .02 * size, 0),
+                  vec(x - .045 * size, .02 * size, 0), vec(x, -.19 * size, 0))
+        top, left, right, toe = self.surface.add_ring(places, self._shoe_weights)
+        for ids in ((top, toe, left), (top, right, toe), (top, left, right)):
+            self.surface.face(ids, "shoes", [(.5, .6), (.5, .1), (.5, .1)])
+
     def _add_shoe(self):
+        if self.detail.level == 3:
+            self._add_wedge()
+            return
         rows = self._shoe_rows()
         height = [min(1, float(np.mean([self.surface.positions[i][2] for i in row]))
                       / (.13 * self.body.foot)) for row in rows]

@@ -17,7 +17,7 @@ from skeleton import make_bones
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "templates")
 LEVELS = 4
 SMOOTH_DEGREES = 75
-OCCLUSION = (.70, .70, .60, .25)  # blotchy on few vertices
+OCCLUSION = (.52, .52, .45, .20)  # blotchy on few vertices
 
 
 def build_level(body, level):

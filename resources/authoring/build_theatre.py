@@ -25,7 +25,9 @@ def build_surface():
     buildings.add_outer_wall(surface)
     buildings.add_stage_building(surface)
     buildings.add_wings(surface)
-    buildings.add_cypresses(surface, 22)
+    buildings.add_trees(surface)
+    buildings.add_hills(surface)
+    buildings.add_banners(surface)
     return surface, seats
 
 

@@ -22,7 +22,7 @@ def idle_pose(body, bones, phase):
     pose = Pose(body, bones)
     shift, breath = sine(phase), sine(phase, times=2)
     roll = -(3.6 if body.is_woman else 2.6) * shift
-    pose.offset = vec(.022 * shift + .004, .004 * sine(phase, .7), -.010 - .0035 * shift ** 2)
+    pose.offset = vec(.022 * shift + .004, .004 * sine(phase, .7), -.004 - .0025 * shift ** 2)
     pose.local.update({
         "hips": rot_y(roll) @ rot_z(1.8 * sine(phase, .5)),
         "spine": rot_y(-roll * .7) @ rot_x(-.6 + .8 * breath),

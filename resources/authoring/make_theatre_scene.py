@@ -17,6 +17,10 @@ RESOURCES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 STAGE_ID = 1
 EMPTY_WEDGES = (4, 5)
 OCCUPANCY = .955
+LIGHT = {"sunAzimuth": .95, "sunElevation": .72, "sunColor": [1.0, .95, .84], "sunStrength": 1.1,
+         "ambientColor": [.70, .74, .84], "ambientStrength": .62,
+         "skyZenith": [.28, .50, .80], "skyHorizon": [.86, .90, .93],
+         "ground": [.70, .64, .48], "groundGrid": False}
 COLUMNS = ["id", "template", "position", "heading", "height", "girth", "tint1", "tint2", "tint3",
            "tint4", "choices", "clip", "phase", "speed", "seat", "seed"]
 
@@ -24,7 +28,8 @@ COLUMNS = ["id", "template", "position", "heading", "height", "girth", "tint1", 
 CALM_TOPS = [(238, 234, 224), (208, 214, 220), (176, 190, 204), (126, 150, 178), (94, 112, 138),
              (196, 184, 164), (164, 176, 156), (128, 144, 122), (206, 190, 180), (150, 136, 128),
              (112, 108, 112), (78, 82, 94), (216, 206, 182), (170, 160, 178)]
-ACCENT_TOPS = [(196, 84, 70), (226, 176, 88), (60, 118, 134), (182, 104, 118), (88, 132, 96)]
+ACCENT_TOPS = [(206, 84, 66), (236, 184, 88), (56, 126, 146), (190, 104, 124), (84, 140, 96),
+               (246, 240, 228), (92, 128, 190), (222, 132, 76)]
 BOTTOMS = [(196, 186, 168), (150, 140, 126), (112, 112, 118), (92, 100, 120), (134, 124, 104),
            (220, 214, 202)]
 SHOES = [(150, 126, 104), (110, 100, 96), (226, 222, 214)]
@@ -76,7 +81,7 @@ def clothing(rng):
     skin, hair = weighted(SKIN_CHOICES, rng), weighted(HAIR_CHOICES, rng)
     if skin >= 3:
         hair = rng.choice((0, 1, 1, 1, 4))
-    top = rng.choice(ACCENT_TOPS if rng.random() < .13 else CALM_TOPS)
+    top = rng.choice(ACCENT_TOPS if rng.random() < .30 else CALM_TOPS)
     trousers = rng.choices((0, 1, 2), (55, 25, 20))[0]
     choices = [skin, hair, 1 if rng.random() < .10 else 0, trousers,
                1 if rng.random() < .45 else 0, 0, 0, 0]
@@ -94,7 +99,7 @@ def individual(identifier, index, seat, clips, mood, rng):
     is_woman = rng.random() < .5
     tints, choices = clothing(rng)
     clip = choose_clip(mood.at(seat["position"]), rng)
-    height = min(1.06, max(.93, rng.gauss(1.0, .032)))
+    height = min(1.04, max(.98, rng.gauss(1.008, .018)))  # soles stay near the floor
     return [identifier, 2 if is_woman else 1, seat["position"],
             rounded(seat["headingRadians"] + rng.gauss(0, .07)), rounded(height),
             rounded(min(1.10, max(.93, height * rng.gauss(1.0, .035)))), *tints, choices,
@@ -117,7 +122,7 @@ def camera(name, position, target, field_degrees):
 
 
 CAMERAS = [
-    camera("Audience", (0, 6.8, 3.4), (0, 2.7, -13.5), 47),
+    camera("Audience", (7.5, 5.6, 2.0), (-2.6, 2.6, -12.5), 42),
     camera("From the stage", (-4.0, 3.0, 8.6), (2.5, 2.6, -12), 48),
     camera("Whole theatre", (34, 24, 14), (0, .5, -3), 40),
     camera("Back row", (3.5, 7.6, -20.2), (-.5, 3.2, 10), 50),
@@ -142,7 +147,7 @@ def write_scene(path):
         file.write('{\n"format": "crowdbrush-scene",\n"version": 1,\n"name": "Theatre",\n'
                    f'"seed": 1,\n"nextId": {len(rows) + 1},\n'
                    f'"templates": {lines(templates)},\n"stages": {lines([stage])},\n'
-                   f'"cameras": {lines(CAMERAS)},\n'
+                   f'"cameras": {lines(CAMERAS)},\n"lighting": {compact(LIGHT)},\n'
                    '"individuals": {\n'
                    f'"columns": {compact(COLUMNS)},\n"rows": {lines(rows)}}}\n}}\n')
     print(f"{os.path.normpath(path)}: {len(rows)} people")

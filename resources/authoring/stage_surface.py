@@ -6,9 +6,11 @@ import numpy as np
 
 MATERIALS = {  # 0..255 sRGB; weathered limestone and earth
     "stone": (206, 192, 164), "stone_dark": (176, 161, 134), "marble": (222, 216, 202),
-    "roof": (168, 104, 78), "earth": (178, 160, 126), "leaf": (70, 94, 62),
-    "trunk": (98, 78, 60), "sand": (196, 180, 146)}
-ROUNDED = ("leaf", "trunk")
+    "roof": (182, 108, 78), "earth": (178, 164, 122), "leaf": (66, 96, 62),
+    "trunk": (98, 78, 60), "sand": (206, 188, 150), "pine": (92, 118, 70),
+    "hill": (124, 138, 96), "hill_far": (142, 158, 156), "banner": (164, 48, 44),
+    "banner_light": (222, 178, 86)}
+ROUNDED = ("leaf", "trunk", "pine", "hill", "hill_far")
 
 
 def polar(radius, angle, z):

@@ -150,12 +150,62 @@ def add_wings(surface):
                     True)
 
 
-def add_cypresses(surface, count):
+def add_trees(surface):
+    """Cypresses close to the wall, umbrella pines further out."""
     random = np.random.default_rng(4)
+    for i in range(26):
+        angle = -2.45 + 4.9 * i / 25 + random.uniform(-.06, .06)
+        _add_cypress(surface, polar(OUTER_RADIUS + 4 + random.uniform(0, 7), angle, 0), random)
+    for i in range(22):
+        angle = -2.3 + 4.6 * i / 21 + random.uniform(-.1, .1)
+        _add_pine(surface, polar(OUTER_RADIUS + 11 + random.uniform(0, 22), angle, 0), random)
+
+
+def _add_cypress(surface, place, random):
+    x, y, _ = place
+    height, girth = random.uniform(7, 11), random.uniform(.85, 1.15)
+    surface.turned(x, y, [(.18, 0), (.15, 1.1)], 5, "trunk")
+    outline = ((.30, .08), (.95, .17), (1.08, .34), (.92, .58), (.55, .80), (.22, .94), (.02, 1))
+    surface.turned(x, y, [(r * girth, z * height) for r, z in outline], 7, "leaf")
+
+
+def _add_pine(surface, place, random):
+    x, y, _ = place
+    height, girth = random.uniform(8, 12), random.uniform(2.4, 3.6)
+    surface.turned(x, y, [(.28, 0), (.20, height * .74)], 5, "trunk")
+    outline = ((.05, .62), (.72, .66), (1.0, .75), (.90, .86), (.52, .96), (.02, 1))
+    surface.turned(x, y, [(r * girth, z * height) for r, z in outline], 8, "pine")
+
+
+def add_hills(surface):
+    """Two ridges on the horizon."""
+    random = np.random.default_rng(11)
+    for radius, start, height, material in ((150, 61, 16, "hill"), (270, 130, 46, "hill_far")):
+        steps = 56
+        waves = random.uniform(0, 2 * math.pi, 4)
+        heights = [height * (.55 + .22 * math.sin(3 * a + waves[0]) + .16 * math.sin(7 * a + waves[1])
+                             + .10 * math.sin(13 * a + waves[2]) + .06 * math.sin(23 * a + waves[3]))
+                   for a in (2 * math.pi * i / steps for i in range(steps))]
+        turns = [2 * math.pi * i / steps for i in range(steps)]
+        foot, crest = ([polar(r, a, z) for a, z in zip(turns, levels)] for r, levels in (
+            (start, [.01] * steps), (radius, heights)))
+        low, high = surface.points(foot), surface.points(crest)
+        for i in range(steps):
+            j = (i + 1) % steps
+            surface.face((low[i], low[j], high[j], high[i]), material, 1.0)
+
+
+def add_banners(surface):
+    """Masts with hanging cloth on the rim of the audience."""
+    count = 18
     for i in range(count):
-        angle = -2.55 + 5.1 * i / (count - 1) + random.uniform(-.05, .05)
-        x, y, _ = polar(OUTER_RADIUS + 4 + random.uniform(0, 6), angle, 0)
-        height, girth = random.uniform(6, 10), random.uniform(.85, 1.1)
-        surface.turned(x, y, [(.18, 0), (.15, 1.1)], 5, "trunk")
-        surface.turned(x, y, [(.3, .9), (1.0 * girth, 2.0), (.92 * girth, height * .5),
-                              (.5 * girth, height * .8), (.02, height)], 7, "leaf")
+        angle = -HALF_ANGLE + 2 * HALF_ANGLE * (i + .5) / count
+        x, y, z = polar(OUTER_RADIUS - .25, angle, TOP_LEVEL + .9)
+        surface.turned(x, y, [(.06, z), (.05, z + 3.6)], 5, "trunk")
+        cloth = []
+        for side, level in ((-.55, 3.4), (.55, 3.4), (.55, 1.5), (0, 1.15), (-.55, 1.5)):
+            px, py, _ = polar(OUTER_RADIUS - .36, angle + side / OUTER_RADIUS, 0)
+            cloth.append(surface.point(px, py, z + level))
+        material = "banner" if i % 2 else "banner_light"
+        surface.face(cloth, material, 1.0)
+        surface.face(cloth[::-1], material, 1.0)

@@ -19,9 +19,9 @@ class Look:
     rgb: tuple
 
 
-SKIN_TONES = (("", (222, 172, 140)), ("Skin fair", (234, 194, 164)),
-              ("Skin olive", (198, 150, 112)), ("Skin brown", (150, 102, 72)),
-              ("Skin deep", (104, 70, 52)))
+SKIN_TONES = (("", (230, 184, 154)), ("Skin fair", (242, 208, 182)),
+              ("Skin olive", (208, 162, 124)), ("Skin brown", (162, 112, 82)),
+              ("Skin deep", (112, 76, 58)))
 WHITE = (255, 255, 255)
 
 
