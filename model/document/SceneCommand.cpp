@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/SceneCommand.h"
 
-#include <cassert>
 #include <utility>
 
 #include "model/document/SceneDocument.h"
@@ -9,29 +8,26 @@
 namespace crowd::model {
 
 SceneCommand::SceneCommand(SceneDocument& document, SceneDelta delta, const QString& text)
-    : QUndoCommand(text), m_document(document), m_delta(std::move(delta))
+    : QUndoCommand(text), m_document(document), m_delta(document.m_undoMemory, std::move(delta))
 {
 }
 
 void SceneCommand::undo()
 {
-    apply(DeltaDirection::Undo);
-    m_isApplied = false;
+    bringTo(false);
 }
 
 void SceneCommand::redo()
 {
-    if (!m_isApplied) {
-        apply(DeltaDirection::Redo);
-        m_isApplied = true;
-    }
+    bringTo(true);
 }
 
-void SceneCommand::apply(DeltaDirection direction)
+void SceneCommand::bringTo(bool isApplied)
 {
-    assert(!m_document.isEditOpen());
-    applyDelta(m_document.m_scene, m_delta, direction,
-               [this](const SceneChange& change) { m_document.announce(change); });
+    if (isApplied != m_isApplied &&
+        m_document.applyStep(m_delta, isApplied ? DeltaDirection::Redo : DeltaDirection::Undo)) {
+        m_isApplied = isApplied;
+    }
 }
 
 } // namespace crowd::model

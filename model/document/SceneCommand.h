@@ -3,14 +3,15 @@
 
 #include <QtGui/QUndoCommand>
 
-#include "model/document/SceneDelta.h"
+#include "model/document/UndoMemory.h"
 
 namespace crowd::model {
 
 class SceneDocument;
 
 /// One undo step: a delta that was already applied when it was pushed, so the redo() that push()
-/// calls does nothing. Undo and redo are the same swap.
+/// calls does nothing. Undo and redo are the same swap. A step that cannot be done (see
+/// SceneDocument::undoRefused) leaves the scene alone and stays on the side it was on.
 class SceneCommand : public QUndoCommand
 {
 public:
@@ -18,13 +19,14 @@ public:
 
     void undo() override;
     void redo() override;
-    [[nodiscard]] std::size_t bytes() const { return m_delta.bytes(); }
+    [[nodiscard]] bool isApplied() const { return m_isApplied; }
+    [[nodiscard]] const StoredDelta& delta() const { return m_delta; }
 
 private:
-    void apply(DeltaDirection direction);
+    void bringTo(bool isApplied);
 
     SceneDocument& m_document;
-    SceneDelta m_delta;
+    StoredDelta m_delta;
     bool m_isApplied = true;
 };
 

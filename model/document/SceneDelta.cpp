@@ -18,6 +18,49 @@ std::size_t bytesOf(const IndividualRows& rows)
     return total;
 }
 
+std::size_t bytesOf(const TemplateEntry& entry)
+{
+    std::size_t total = sizeof(entry) + entry.name.size() + entry.path.size() +
+                        entry.problem.size() + entry.unknownMembers.size() +
+                        entry.import.unknownMembers.size() +
+                        entry.clipSpeeds.size() * sizeof(float);
+    for (const std::string& name : entry.clipNames) {
+        total += sizeof(name) + name.size();
+    }
+    return total;
+}
+
+std::size_t bytesOf(const StageEntry& entry)
+{
+    return sizeof(entry) + entry.name.size() + entry.path.size() + entry.problem.size() +
+           entry.unknownMembers.size();
+}
+
+std::size_t bytesOf(const std::vector<NamedCamera>& cameras)
+{
+    std::size_t total = 0;
+    for (const NamedCamera& named : cameras) {
+        total += sizeof(named) + named.name.size() + named.unknownMembers.size();
+    }
+    return total;
+}
+
+std::size_t bytesOf(const Lighting& lighting)
+{
+    return sizeof(lighting) + lighting.unknownMembers.size();
+}
+
+template<class Entry>
+std::size_t bytesOf(const std::vector<EntryDelta<Entry>>& deltas)
+{
+    std::size_t total = 0;
+    for (const EntryDelta<Entry>& delta : deltas) {
+        total += delta.before ? bytesOf(*delta.before) : sizeof(Entry);
+        total += delta.after ? bytesOf(*delta.after) : sizeof(Entry);
+    }
+    return total;
+}
+
 void swapIndividuals(Scene& scene, const IndividualRows& leaving, const IndividualRows& coming,
                      const Announce& announce)
 {
@@ -89,12 +132,24 @@ bool SceneDelta::isEmpty() const
            stages.empty() && !cameras && !lighting;
 }
 
+std::size_t SceneDelta::bulkBytes() const
+{
+    std::size_t total = bytesOf(added) + bytesOf(removed);
+    for (const ColumnDelta& change : columns) {
+        total += sizeof(ColumnDelta) + change.ids.size() * sizeof(IndividualId) +
+                 change.before.size() + change.after.size();
+    }
+    return total;
+}
+
 std::size_t SceneDelta::bytes() const
 {
-    std::size_t total = sizeof(SceneDelta) + bytesOf(added) + bytesOf(removed);
-    for (const ColumnDelta& change : columns) {
-        total +=
-            change.ids.size() * sizeof(IndividualId) + change.before.size() + change.after.size();
+    std::size_t total = sizeof(SceneDelta) + bulkBytes() + bytesOf(templates) + bytesOf(stages);
+    if (cameras) {
+        total += bytesOf(cameras->before) + bytesOf(cameras->after);
+    }
+    if (lighting) {
+        total += bytesOf(lighting->before) + bytesOf(lighting->after);
     }
     return total;
 }

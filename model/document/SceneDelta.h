@@ -51,6 +51,8 @@ struct SceneDelta
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).
     [[nodiscard]] std::size_t bytes() const;
+    /// The part of it that grows with the number of individuals: added, removed and columns.
+    [[nodiscard]] std::size_t bulkBytes() const;
 };
 
 enum class DeltaDirection { Undo, Redo };

@@ -2,7 +2,9 @@
 #include "model/document/SceneDocument.h"
 
 #include <cassert>
+#include <utility>
 
+#include "model/document/SceneCommand.h"
 #include "model/document/SceneEdit.h"
 
 namespace crowd::model {
@@ -12,6 +14,7 @@ SceneDocument::SceneDocument(QObject* parent) : QObject(parent)
     qRegisterMetaType<SceneChange>();
     connect(&m_undoStack, &QUndoStack::cleanChanged, this,
             [this](bool isClean) { Q_EMIT modifiedChanged(!isClean); });
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, &SceneDocument::settleRefusal);
 }
 
 SceneDocument::~SceneDocument()
@@ -21,9 +24,24 @@ SceneDocument::~SceneDocument()
     m_undoStack.blockSignals(true);
 }
 
+void SceneDocument::setUndoLimits(const UndoLimits& limits)
+{
+    m_undoStack.clear();
+    m_undoMemory.setLimits(limits);
+    m_isMemoryExceeded = false;
+}
+
+void SceneDocument::interruptEdit()
+{
+    if (isEditOpen()) {
+        Q_EMIT editInterrupted();
+    }
+    assert(!isEditOpen());
+}
+
 void SceneDocument::replaceScene(Scene scene, const QString& path)
 {
-    assert(!isEditOpen());
+    interruptEdit();
     m_scene = std::move(scene);
     m_path = path;
     m_undoStack.clear();
@@ -81,8 +99,66 @@ CrowdFramePtr SceneDocument::frame(double seconds) const
     return frame;
 }
 
+void SceneDocument::push(SceneDelta delta, const QString& text)
+{
+    m_undoStack.push(new SceneCommand(*this, std::move(delta), text));
+    watchUndoMemory();
+}
+
+bool SceneDocument::applyStep(StoredDelta& stored, DeltaDirection direction)
+{
+    if (m_refusal) {
+        return false;
+    }
+    if (isEditOpen()) {
+        m_refusal = tr("Finish or cancel (Esc) what you are doing first.");
+        return false;
+    }
+    const Result<const SceneDelta*> delta = stored.use();
+    if (!delta) {
+        m_refusal = tr("This step cannot be taken: %1. The scene is unharmed; save it. What was "
+                       "done since can still be undone and redone.")
+                        .arg(QString::fromStdString(delta.error().message));
+        return false;
+    }
+    applyDelta(m_scene, *delta.value(), direction,
+               [this](const SceneChange& change) { announce(change); });
+    watchUndoMemory();
+    return true;
+}
+
+void SceneDocument::settleRefusal()
+{
+    if (!m_refusal) {
+        return;
+    }
+    const QString why = *std::exchange(m_refusal, std::nullopt);
+    // The stack has moved its index although the step was not taken: back to what is applied.
+    int applied = 0;
+    while (applied < m_undoStack.count() &&
+           dynamic_cast<const SceneCommand&>(*m_undoStack.command(applied)).isApplied()) {
+        ++applied;
+    }
+    m_undoStack.setIndex(applied);
+    Q_EMIT undoRefused(why);
+}
+
+void SceneDocument::watchUndoMemory()
+{
+    const std::string& problem = m_undoMemory.problem();
+    if (!problem.empty() && !m_isMemoryExceeded) {
+        Q_EMIT undoMemoryExceeded(
+            tr("Undo takes %1 MB of memory and cannot use the disk: %2. Nothing is lost; make room "
+               "there, or save and reopen the scene to forget its undo steps.")
+                .arg(m_undoMemory.bytes() >> 20U)
+                .arg(QString::fromStdString(problem)));
+    }
+    m_isMemoryExceeded = !problem.empty();
+}
+
 void SceneDocument::announce(const SceneChange& change)
 {
+    ++m_revision;
     if (std::holds_alternative<TemplatesChanged>(change) ||
         std::holds_alternative<SceneReplaced>(change)) {
         m_sharedTemplates.reset();

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
 #include <QtGui/QUndoStack>
 
 #include "model/document/SceneChange.h"
+#include "model/document/UndoMemory.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
 
@@ -16,7 +18,9 @@ namespace crowd::model {
 class SceneEdit;
 
 /// The open document: owns the scene with its undo stack, path and modified flag. Reading is free;
-/// writing goes through SceneEdit, whose commit() makes one undo step. Main thread only.
+/// writing goes through SceneEdit, whose commit() makes one undo step. Steps that exceed the memory
+/// for undo go to a temporary file. An undo or redo that cannot be done (its step cannot be read
+/// back, or an edit is open) is refused: scene and stack stay as they were. Main thread only.
 class SceneDocument : public QObject
 {
     Q_OBJECT
@@ -30,8 +34,13 @@ public:
     [[nodiscard]] const QUndoStack& undoStack() const { return m_undoStack; }
     [[nodiscard]] QString path() const { return m_path; } ///< empty: never saved
     [[nodiscard]] bool isModified() const { return !m_undoStack.isClean(); }
+    /// Grows with every change of the scene; never the same for two states.
+    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+    [[nodiscard]] const UndoMemory& undoMemory() const { return m_undoMemory; }
+    /// Forgets all undo steps.
+    void setUndoLimits(const UndoLimits& limits);
 
-    /// Takes another scene (New, Open); clears the undo stack.
+    /// Takes another scene (New, Open); clears the undo stack and interrupts an open edit.
     void replaceScene(Scene scene, const QString& path);
     /// After a successful save.
     void markSaved(const QString& path);
@@ -43,6 +52,8 @@ public:
     /// Starts an edit. One at a time: asserts when another is open.
     [[nodiscard]] std::unique_ptr<SceneEdit> beginEdit();
     [[nodiscard]] bool isEditOpen() const { return m_openEdit != nullptr; }
+    /// Asks whoever holds an open edit to drop it, which takes it back.
+    void interruptEdit();
 
     /// Snapshot for the given transport time.
     [[nodiscard]] CrowdFramePtr frame(double seconds) const;
@@ -51,15 +62,30 @@ Q_SIGNALS:
     void changed(const crowd::model::SceneChange& change);
     void pathChanged();
     void modifiedChanged(bool isModified);
+    /// Holders of an open edit destroy it now.
+    void editInterrupted();
+    /// An undo or redo could not be done; `why` is for the artist. Nothing has changed.
+    void undoRefused(const QString& why);
+    /// Undo steps cannot go to disk any more and take more memory than they should; said once.
+    void undoMemoryExceeded(const QString& why);
 
 private:
     friend class SceneEdit;
     friend class SceneCommand;
 
     void announce(const SceneChange& change);
+    void push(SceneDelta delta, const QString& text);
+    /// False: refused, and so are all further steps of the same move along the stack.
+    [[nodiscard]] bool applyStep(StoredDelta& stored, DeltaDirection direction);
+    void settleRefusal();
+    void watchUndoMemory();
 
     Scene m_scene;
+    UndoMemory m_undoMemory; ///< outlives the stack, whose commands are kept in it
     QUndoStack m_undoStack;
+    std::optional<QString> m_refusal; ///< why the current move along the stack has ended
+    bool m_isMemoryExceeded = false;
+    std::uint64_t m_revision = 0;
     QString m_path;
     SceneEdit* m_openEdit = nullptr;
     mutable std::shared_ptr<const std::vector<TemplateEntry>> m_sharedTemplates;

@@ -3,133 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <cstring>
-#include <map>
+#include <limits>
 #include <numeric>
 
-#include "model/document/SceneCommand.h"
-#include "model/document/SceneDelta.h"
+#include "model/document/EditRecord.h"
 
 namespace crowd::model {
 
 namespace {
-
-using Ids = std::vector<IndividualId>;
-
-Ids minus(std::span<const IndividualId> a, std::span<const IndividualId> b)
-{
-    Ids difference;
-    std::ranges::set_difference(a, b, std::back_inserter(difference));
-    return difference;
-}
-
-Ids united(std::span<const IndividualId> a, std::span<const IndividualId> b)
-{
-    Ids all;
-    std::ranges::set_union(a, b, std::back_inserter(all));
-    return all;
-}
-
-/// Values of one column before the edit, kept at first touch.
-class FirstTouch
-{
-public:
-    /// `values` in the order of `ids`; ids already known are left alone.
-    void remember(std::span<const IndividualId> ids, std::span<const std::byte> values,
-                  std::size_t stride)
-    {
-        const Ids merged = united(m_ids, ids);
-        std::vector<std::byte> bytes(merged.size() * stride);
-        std::size_t known = 0;
-        std::size_t fresh = 0;
-        for (std::size_t i = 0; i < merged.size(); ++i) {
-            const bool isKnown = known < m_ids.size() && m_ids[known] == merged[i];
-            const std::byte* from = isKnown ? &m_bytes[known * stride] : &values[fresh * stride];
-            std::memcpy(&bytes[i * stride], from, stride);
-            known += isKnown ? 1 : 0;
-            fresh += fresh < ids.size() && ids[fresh] == merged[i] ? 1 : 0;
-        }
-        m_ids = merged;
-        m_bytes = std::move(bytes);
-    }
-
-    /// Takes the values of those of `ids` that are known out of here and into `rows`.
-    void moveInto(std::span<const IndividualId> ids, std::span<std::byte> rows, std::size_t stride)
-    {
-        Ids keptIds;
-        std::vector<std::byte> keptBytes;
-        std::size_t row = 0;
-        for (std::size_t i = 0; i < m_ids.size(); ++i) {
-            const auto from = m_bytes.begin() + static_cast<std::ptrdiff_t>(i * stride);
-            while (row < ids.size() && ids[row] < m_ids[i]) {
-                ++row;
-            }
-            if (row < ids.size() && ids[row] == m_ids[i]) {
-                std::copy_n(from, stride, rows.begin() + static_cast<std::ptrdiff_t>(row * stride));
-            } else {
-                keptIds.push_back(m_ids[i]);
-                keptBytes.insert(keptBytes.end(), from, from + static_cast<std::ptrdiff_t>(stride));
-            }
-        }
-        m_ids = std::move(keptIds);
-        m_bytes = std::move(keptBytes);
-    }
-
-    [[nodiscard]] const Ids& ids() const { return m_ids; }
-    [[nodiscard]] const std::vector<std::byte>& bytes() const { return m_bytes; }
-
-private:
-    Ids m_ids;
-    std::vector<std::byte> m_bytes;
-};
-
-IndividualRows mergedRows(const IndividualRows& a, const IndividualRows& b)
-{
-    Population both;
-    both.add(a);
-    both.add(b);
-    return both.rows(both.ids());
-}
-
-void keepOnceIfUniform(std::vector<std::byte>& bytes, std::size_t stride)
-{
-    for (std::size_t i = stride; i < bytes.size(); i += stride) {
-        if (std::memcmp(bytes.data(), &bytes[i], stride) != 0) {
-            return;
-        }
-    }
-    bytes.resize(std::min(bytes.size(), stride));
-    bytes.shrink_to_fit();
-}
-
-/// What differs between the remembered values and today's.
-ColumnDelta changedValues(ColumnId column, const FirstTouch& touched, const Population& population)
-{
-    const std::size_t stride = columnInfo(column).stride;
-    const std::vector<std::byte> now = population.values(column, touched.ids());
-    ColumnDelta delta;
-    delta.column = column;
-    for (std::size_t i = 0; i < touched.ids().size(); ++i) {
-        const std::byte* before = &touched.bytes()[i * stride];
-        const std::byte* after = &now[i * stride];
-        if (std::memcmp(before, after, stride) != 0) {
-            delta.ids.push_back(touched.ids()[i]);
-            delta.before.insert(delta.before.end(), before, before + stride);
-            delta.after.insert(delta.after.end(), after, after + stride);
-        }
-    }
-    keepOnceIfUniform(delta.before, stride);
-    keepOnceIfUniform(delta.after, stride);
-    return delta;
-}
-
-template<class Entry>
-std::optional<Entry> entryOf(const std::vector<Entry>& entries, decltype(Entry::id) id)
-{
-    const auto found = std::ranges::find(entries, id, &Entry::id);
-    return found == entries.end() ? std::nullopt : std::optional<Entry>(*found);
-}
 
 template<class Entry>
 void putEntry(std::vector<Entry>& entries, const Entry& entry)
@@ -142,104 +23,31 @@ void putEntry(std::vector<Entry>& entries, const Entry& entry)
     }
 }
 
+/// One above the highest; the lowest gap when that is the highest there can be; 0 when all are
+/// taken.
 template<class Entry>
 decltype(Entry::id) freeId(const std::vector<Entry>& entries)
 {
     using Id = decltype(Entry::id);
-    return static_cast<Id>(entries.empty() ? 1 : entries.back().id + 1);
-}
-
-bool isSameSpeed(float a, float b)
-{
-    return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-bool isSame(const TemplateEntry& a, const TemplateEntry& b)
-{
-    return a.name == b.name && a.path == b.path && a.import == b.import &&
-           a.clipNames == b.clipNames && a.asset == b.asset && a.problem == b.problem &&
-           std::ranges::equal(a.clipSpeeds, b.clipSpeeds, isSameSpeed);
-}
-
-bool isSame(const StageEntry& a, const StageEntry& b)
-{
-    return a.name == b.name && a.path == b.path && a.position == b.position &&
-           a.headingRadians == b.headingRadians && a.scale == b.scale && a.asset == b.asset &&
-           a.problem == b.problem;
-}
-
-bool isSame(const NamedCamera& a, const NamedCamera& b)
-{
-    return a.name == b.name && a.camera == b.camera;
-}
-
-/// First-touch values of the entries against today's, by id.
-template<class Entry>
-std::vector<EntryDelta<Entry>>
-entryDeltas(const std::map<decltype(Entry::id), std::optional<Entry>>& before,
-            const std::vector<Entry>& entries)
-{
-    std::vector<EntryDelta<Entry>> deltas;
-    for (const auto& [id, entry] : before) {
-        EntryDelta<Entry> delta{entry, entryOf(entries, id)};
-        const bool wasThere = delta.before.has_value();
-        const bool isThere = delta.after.has_value();
-        if (wasThere != isThere || (wasThere && !isSame(*delta.before, *delta.after))) {
-            deltas.push_back(std::move(delta));
-        }
+    if (entries.empty() || entries.back().id < std::numeric_limits<Id>::max()) {
+        return static_cast<Id>(entries.empty() ? 1 : entries.back().id + 1);
     }
-    return deltas;
+    Id id = 1;
+    for (const Entry& entry : entries) {
+        if (entry.id != id) {
+            return id;
+        }
+        ++id;
+    }
+    return 0;
 }
 
 } // namespace
 
-struct SceneEdit::Private
-{
-    IndividualId nextIdBefore = 1;
-    Ids added; ///< ascending, all present
-    IndividualRows removed = IndividualRows::withDefaults({});
-    std::array<FirstTouch, kColumnCount> touched;
-    std::map<TemplateId, std::optional<TemplateEntry>> templates;
-    std::map<std::uint8_t, std::optional<StageEntry>> stages;
-    std::optional<std::vector<NamedCamera>> cameras;
-    std::optional<Lighting> lighting;
-
-    [[nodiscard]] SceneDelta delta(const Scene& scene) const;
-};
-
-SceneDelta SceneEdit::Private::delta(const Scene& scene) const
-{
-    SceneDelta delta;
-    delta.added = scene.population.rows(added);
-    delta.removed = removed;
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        if (!touched[c].ids().empty()) {
-            ColumnDelta change =
-                changedValues(static_cast<ColumnId>(c), touched[c], scene.population);
-            if (!change.ids.empty()) {
-                delta.columns.push_back(std::move(change));
-            }
-        }
-    }
-    delta.nextIdBefore = nextIdBefore;
-    delta.nextIdAfter = scene.nextId;
-    delta.templates = entryDeltas(templates, scene.templates);
-    delta.stages = entryDeltas(stages, scene.stages);
-    if (cameras && !std::ranges::equal(*cameras, scene.cameras,
-                                       [](const auto& a, const auto& b) { return isSame(a, b); })) {
-        delta.cameras = ValueDelta<std::vector<NamedCamera>>{*cameras, scene.cameras};
-    }
-    if (lighting && !(*lighting == scene.lighting)) {
-        delta.lighting = ValueDelta<Lighting>{*lighting, scene.lighting};
-    }
-    return delta;
-}
-
 SceneEdit::SceneEdit(SceneDocument& document)
-    : m_document(document), m_private(std::make_unique<Private>())
+    : m_document(document), m_record(std::make_unique<EditRecord>(document.scene().nextId))
 {
     m_document.m_openEdit = this;
-    m_private->nextIdBefore = scene().nextId;
 }
 
 SceneEdit::~SceneEdit()
@@ -258,10 +66,11 @@ const Scene& SceneEdit::scene() const
 std::vector<IndividualId> SceneEdit::addIndividuals(IndividualRows rows)
 {
     Scene& target = m_document.m_scene;
+    assert(rows.ids.size() < std::numeric_limits<IndividualId>::max() - target.nextId);
     std::iota(rows.ids.begin(), rows.ids.end(), target.nextId);
+    m_record->addIndividuals(rows.ids);
     target.nextId += static_cast<IndividualId>(rows.ids.size());
     target.population.add(rows);
-    m_private->added.insert(m_private->added.end(), rows.ids.begin(), rows.ids.end());
     m_document.announce(IndividualsAdded{rows.ids});
     return rows.ids;
 }
@@ -271,16 +80,9 @@ void SceneEdit::removeIndividuals(std::span<const IndividualId> ids)
     if (ids.empty()) {
         return;
     }
-    const Ids old = minus(ids, m_private->added);
-    m_private->added = minus(m_private->added, ids);
-    IndividualRows originals = scene().population.rows(old);
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        m_private->touched[c].moveInto(old, originals.bytes[c],
-                                       columnInfo(static_cast<ColumnId>(c)).stride);
-    }
-    m_private->removed = mergedRows(m_private->removed, originals);
+    m_record->removeIndividuals(ids, scene().population);
     (void)m_document.m_scene.population.remove(ids);
-    m_document.announce(IndividualsRemoved{Ids(ids.begin(), ids.end())});
+    m_document.announce(IndividualsRemoved{{ids.begin(), ids.end()}});
 }
 
 void SceneEdit::setColumn(ColumnId column, std::span<const IndividualId> ids,
@@ -290,18 +92,19 @@ void SceneEdit::setColumn(ColumnId column, std::span<const IndividualId> ids,
         return;
     }
     Population& population = m_document.m_scene.population;
-    const Ids old = minus(ids, m_private->added);
-    m_private->touched[static_cast<std::size_t>(column)].remember(
-        old, population.values(column, old), columnInfo(column).stride);
+    m_record->touchColumn(column, ids, population);
     population.setValues(column, ids, bytes);
     m_document.announce(
-        ColumnsChanged{Ids(ids.begin(), ids.end()), 1U << static_cast<unsigned>(column)});
+        ColumnsChanged{{ids.begin(), ids.end()}, 1U << static_cast<unsigned>(column)});
 }
 
 TemplateId SceneEdit::addTemplate(TemplateEntry entry)
 {
     if (entry.id == 0) {
         entry.id = freeId(scene().templates);
+    }
+    if (entry.id == 0) {
+        return 0;
     }
     changeTemplate(entry);
     return entry.id;
@@ -310,7 +113,7 @@ TemplateId SceneEdit::addTemplate(TemplateEntry entry)
 void SceneEdit::removeTemplate(TemplateId id)
 {
     auto& templates = m_document.m_scene.templates;
-    m_private->templates.try_emplace(id, entryOf(templates, id));
+    m_record->touchTemplate(id, scene());
     std::erase_if(templates, [id](const TemplateEntry& entry) { return entry.id == id; });
     m_document.announce(TemplatesChanged{});
 }
@@ -318,7 +121,7 @@ void SceneEdit::removeTemplate(TemplateId id)
 void SceneEdit::changeTemplate(const TemplateEntry& entry)
 {
     auto& templates = m_document.m_scene.templates;
-    m_private->templates.try_emplace(entry.id, entryOf(templates, entry.id));
+    m_record->touchTemplate(entry.id, scene());
     putEntry(templates, entry);
     m_document.announce(TemplatesChanged{});
 }
@@ -328,6 +131,9 @@ std::uint8_t SceneEdit::addStage(StageEntry entry)
     if (entry.id == 0) {
         entry.id = freeId(scene().stages);
     }
+    if (entry.id == 0) {
+        return 0;
+    }
     changeStage(entry);
     return entry.id;
 }
@@ -335,7 +141,7 @@ std::uint8_t SceneEdit::addStage(StageEntry entry)
 void SceneEdit::removeStage(std::uint8_t id)
 {
     auto& stages = m_document.m_scene.stages;
-    m_private->stages.try_emplace(id, entryOf(stages, id));
+    m_record->touchStage(id, scene());
     std::erase_if(stages, [id](const StageEntry& entry) { return entry.id == id; });
     m_document.announce(StagesChanged{});
 }
@@ -343,48 +149,42 @@ void SceneEdit::removeStage(std::uint8_t id)
 void SceneEdit::changeStage(const StageEntry& entry)
 {
     auto& stages = m_document.m_scene.stages;
-    m_private->stages.try_emplace(entry.id, entryOf(stages, entry.id));
+    m_record->touchStage(entry.id, scene());
     putEntry(stages, entry);
     m_document.announce(StagesChanged{});
 }
 
 void SceneEdit::setCameras(std::vector<NamedCamera> cameras)
 {
-    if (!m_private->cameras) {
-        m_private->cameras = scene().cameras;
-    }
+    m_record->touchCameras(scene());
     m_document.m_scene.cameras = std::move(cameras);
     m_document.announce(CamerasChanged{});
 }
 
 void SceneEdit::setLighting(const Lighting& lighting)
 {
-    if (!m_private->lighting) {
-        m_private->lighting = scene().lighting;
-    }
+    m_record->touchLighting(scene());
     m_document.m_scene.lighting = lighting;
     m_document.announce(LightingChanged{});
 }
 
 void SceneEdit::rollback()
 {
-    const SceneDelta delta = m_private->delta(scene());
+    const SceneDelta delta = m_record->delta(scene());
     applyDelta(m_document.m_scene, delta, DeltaDirection::Undo,
                [this](const SceneChange& change) { m_document.announce(change); });
-    const IndividualId nextId = m_private->nextIdBefore;
-    *m_private = Private{};
-    m_private->nextIdBefore = nextId;
+    *m_record = EditRecord(m_record->nextIdBefore());
 }
 
 bool SceneEdit::commit(const QString& undoText)
 {
-    SceneDelta delta = m_private->delta(scene());
+    SceneDelta delta = m_record->delta(scene());
     m_document.m_openEdit = nullptr;
     if (delta.isEmpty()) {
-        m_document.m_scene.nextId = m_private->nextIdBefore;
+        m_document.m_scene.nextId = m_record->nextIdBefore();
         return false;
     }
-    m_document.m_undoStack.push(new SceneCommand(m_document, std::move(delta), undoText));
+    m_document.push(std::move(delta), undoText);
     return true;
 }
 

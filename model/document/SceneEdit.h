@@ -11,6 +11,8 @@
 
 namespace crowd::model {
 
+class EditRecord;
+
 /// A transaction on the document: every change is applied (and announced) at once, old values are
 /// kept at first touch. commit() pushes exactly one undo command holding ids with old and new
 /// values (columns, not whole individuals), already applied; or none when nothing changed in the
@@ -37,7 +39,7 @@ public:
         setColumn(key.id, ids, std::as_bytes(values));
     }
 
-    // Scene-level edits; ids of entries without id (0) are given out here.
+    // Scene-level edits; ids of entries without id (0) are given out here, 0 when none is left.
     TemplateId addTemplate(TemplateEntry entry);
     void removeTemplate(TemplateId id);              ///< no individual uses it
     void changeTemplate(const TemplateEntry& entry); ///< by id
@@ -57,8 +59,7 @@ private:
     explicit SceneEdit(SceneDocument& document);
 
     SceneDocument& m_document;
-    struct Private;
-    std::unique_ptr<Private> m_private;
+    std::unique_ptr<EditRecord> m_record;
 };
 
 } // namespace crowd::model

@@ -24,6 +24,7 @@ struct ImportSettings
     glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F}; ///< up-axis and facing
     float groundOffset = 0.0F;                  ///< metres added to Y after scale and rotation
     bool removeRootMotion = true;
+    std::string unknownMembers; ///< see Scene::unknownMembers
     friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
 };
 
@@ -38,7 +39,8 @@ struct TemplateEntry
     std::vector<std::string> clipNames; ///< what the clip column indexes
     std::vector<float> clipSpeeds;      ///< ground speed edited by the artist, NaN: the asset's
     TemplatePtr asset;
-    std::string problem; ///< why the asset is not there; empty otherwise
+    std::string problem;        ///< why the asset is not there; empty otherwise
+    std::string unknownMembers; ///< see Scene::unknownMembers
 };
 
 struct StageEntry
@@ -51,6 +53,7 @@ struct StageEntry
     float scale = 1.0F;
     StagePtr asset;
     std::string problem;
+    std::string unknownMembers; ///< see Scene::unknownMembers
 
     [[nodiscard]] glm::mat4 worldFromStage() const;
 };
@@ -59,6 +62,7 @@ struct NamedCamera
 {
     std::string name;
     Camera camera;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
 };
 
 /// A directional light, an ambient light, a sky; colours sRGB 0..1.
@@ -74,6 +78,7 @@ struct Lighting
     glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
     glm::vec3 ground{0.58F, 0.57F, 0.53F};
     bool showGroundGrid = true;
+    std::string unknownMembers; ///< see Scene::unknownMembers
     friend bool operator==(const Lighting&, const Lighting&) = default;
 };
 
@@ -103,10 +108,13 @@ struct Scene
     std::vector<NamedCamera> cameras;
     Lighting lighting;
     std::uint32_t seed = 1;
-    /// JSON text of top-level members of the project file that this version does not know; written
-    /// back unchanged.
+    /// JSON text of an object with those top-level members of the project file that this version
+    /// does not know, empty for none; written back unchanged. Entries keep theirs in the same way.
     std::string unknownMembers;
+    std::string unknownTableMembers; ///< of "individuals"
     std::vector<UnknownColumn> unknownColumns;
+    /// What was odd in the file that the scene was read from, for the artist; not saved.
+    std::vector<std::string> readWarnings;
 
     [[nodiscard]] const TemplateEntry* findTemplate(TemplateId id) const; ///< null: no such entry
     [[nodiscard]] TemplateEntry* findTemplate(TemplateId id);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/SceneDocument.h"
 
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <QtTest/QTest>
 
-#include "model/base/Random.h"
 #include "model/document/SceneCommand.h"
 #include "model/document/SceneEdit.h"
-#include "model/project/ProjectWriter.h"
+#include "tests/model/RandomEdits.h"
 
 using namespace crowd::model;
+using namespace crowd::testing;
 
 namespace {
 
@@ -28,84 +28,6 @@ void setHeading(SceneEdit& edit, std::span<const IndividualId> ids, float value)
     edit.setColumn(columns::heading, ids, std::span<const float>(&value, 1));
 }
 
-struct Snapshot
-{
-    Population population;
-    IndividualId nextId;
-    std::size_t templates;
-    std::size_t cameras;
-};
-
-Snapshot snapshotOf(const SceneDocument& document)
-{
-    const Scene& scene = document.scene();
-    return {scene.population, scene.nextId, scene.templates.size(), scene.cameras.size()};
-}
-
-bool isSame(const Snapshot& a, const Snapshot& b)
-{
-    return a.population == b.population && a.nextId == b.nextId && a.templates == b.templates &&
-           a.cameras == b.cameras;
-}
-
-/// A random subset of the ids, ascending.
-std::vector<IndividualId> someOf(std::span<const IndividualId> ids, std::uint64_t key)
-{
-    std::vector<IndividualId> chosen;
-    for (const IndividualId id : ids) {
-        if (hashKeys(key, id) % 7 == 0) {
-            chosen.push_back(id);
-        }
-    }
-    return chosen;
-}
-
-void randomStep(SceneEdit& edit, std::uint64_t key)
-{
-    const auto present = edit.scene().population.ids();
-    const std::vector<IndividualId> chosen = someOf(present, key);
-    switch (hashKeys(key, 1) % 8) {
-    case 0:
-        (void)edit.addIndividuals(
-            IndividualRows::withDefaults(std::vector<IndividualId>(1 + hashKeys(key, 2) % 9)));
-        break;
-    case 1:
-        edit.removeIndividuals(chosen);
-        break;
-    case 2:
-        setHeading(edit, chosen, unitFloat(hashKeys(key, 3)));
-        break;
-    case 3: {
-        std::vector<Tint> tints(chosen.size());
-        for (std::size_t i = 0; i < tints.size(); ++i) {
-            tints[i].red = static_cast<std::uint8_t>(hashKeys(key, i) % 256);
-        }
-        edit.setColumn(columns::tint(static_cast<int>(hashKeys(key, 4) % 8)), chosen,
-                       std::span<const Tint>(tints));
-        break;
-    }
-    case 4:
-        if (edit.scene().templates.size() < 5) {
-            edit.addTemplate(TemplateEntry{});
-        } else {
-            edit.removeTemplate(edit.scene().templates.front().id);
-        }
-        break;
-    case 5: {
-        auto cameras = edit.scene().cameras;
-        cameras.resize(hashKeys(key, 5) % 4);
-        edit.setCameras(cameras);
-        break;
-    }
-    default: {
-        std::vector<float> phases(chosen.size());
-        std::iota(phases.begin(), phases.end(), unitFloat(hashKeys(key, 6)));
-        edit.setColumn(columns::phase, chosen, std::span<const float>(phases));
-        break;
-    }
-    }
-}
-
 } // namespace
 
 class tst_SceneDocument : public QObject
@@ -116,7 +38,11 @@ private Q_SLOTS:
     void makesOneStepOfManyChanges();
     void makesNoStepWhenNothingChangesInTheEnd();
     void makesNoStepWhenTheSceneEndsAsItBegan();
+    void tellsZeroFromMinusZero();
+    void givesOutIdsOfEntriesUntilNoneIsLeft();
     void rollsBackWhatWasNotCommitted();
+    void refusesUndoWhileAnEditIsOpen();
+    void interruptsAnOpenEditForAnotherScene();
     void keepsOriginalValuesOfRemovedIndividuals();
     void keepsOnlyWhatChanged();
     void keepsAssetsThatCameMeanwhile();
@@ -183,6 +109,87 @@ void tst_SceneDocument::makesNoStepWhenTheSceneEndsAsItBegan()
     QCOMPARE(document.undoStack().count(), 1);
 }
 
+void tst_SceneDocument::tellsZeroFromMinusZero()
+{
+    SceneDocument document;
+    Lighting light;
+    light.sunAzimuthRadians = -0.0F;
+    {
+        const auto edit = document.beginEdit();
+        light.sunAzimuthRadians = 0.0F;
+        edit->setLighting(light);
+        StageEntry stage;
+        (void)edit->addStage(stage);
+        QVERIFY(edit->commit(QStringLiteral("Set up")));
+    }
+    const auto edit = document.beginEdit();
+    light.sunAzimuthRadians = -0.0F;
+    edit->setLighting(light);
+    QVERIFY(edit->commit(QStringLiteral("Turn the sun by nothing")));
+    StageEntry stage = document.scene().stages.front();
+    stage.headingRadians = -0.0F;
+    const auto second = document.beginEdit();
+    second->changeStage(stage);
+    QVERIFY(second->commit(QStringLiteral("Turn the stage by nothing")));
+    document.undoStack().setIndex(1);
+    QVERIFY(!std::signbit(document.scene().lighting.sunAzimuthRadians));
+    QVERIFY(!std::signbit(document.scene().stages.front().headingRadians));
+    document.undoStack().setIndex(3);
+    QVERIFY(std::signbit(document.scene().lighting.sunAzimuthRadians));
+    QVERIFY(std::signbit(document.scene().stages.front().headingRadians));
+}
+
+void tst_SceneDocument::givesOutIdsOfEntriesUntilNoneIsLeft()
+{
+    SceneDocument document;
+    const auto edit = document.beginEdit();
+    StageEntry last;
+    last.id = 255;
+    QCOMPARE(int{edit->addStage(last)}, 255);
+    for (int id = 1; id < 255; ++id) {
+        QCOMPARE(int{edit->addStage(StageEntry{})}, id);
+    }
+    QCOMPARE(int{edit->addStage(StageEntry{})}, 0);
+    QCOMPARE(document.scene().stages.size(), std::size_t{255});
+    edit->removeStage(7);
+    QCOMPARE(int{edit->addStage(StageEntry{})}, 7);
+}
+
+void tst_SceneDocument::refusesUndoWhileAnEditIsOpen()
+{
+    SceneDocument document;
+    const auto ids = addPeople(document, 2);
+    QString refusal;
+    connect(&document, &SceneDocument::undoRefused, this,
+            [&refusal](const QString& why) { refusal = why; });
+    auto edit = document.beginEdit();
+    setHeading(*edit, ids, 1.0F);
+    document.undoStack().undo();
+    QVERIFY(!refusal.isEmpty());
+    QCOMPARE(document.undoStack().index(), 1);
+    QCOMPARE(document.scene().population.size(), std::size_t{2});
+    edit.reset();
+    document.undoStack().undo();
+    QCOMPARE(document.scene().population.size(), std::size_t{0});
+}
+
+void tst_SceneDocument::interruptsAnOpenEditForAnotherScene()
+{
+    SceneDocument document;
+    const auto ids = addPeople(document, 2);
+    auto edit = document.beginEdit();
+    setHeading(*edit, ids, 1.0F);
+    float headingAtEnd = -1.0F;
+    connect(&document, &SceneDocument::editInterrupted, this, [&] {
+        edit.reset();
+        headingAtEnd = document.scene().population.column(columns::heading)[0];
+    });
+    document.replaceScene(Scene{}, QString());
+    QCOMPARE(headingAtEnd, 0.0F);
+    QVERIFY(document.scene().population.isEmpty());
+    QVERIFY(!document.isEditOpen());
+}
+
 void tst_SceneDocument::rollsBackWhatWasNotCommitted()
 {
     SceneDocument document;
@@ -229,7 +236,8 @@ void tst_SceneDocument::keepsOnlyWhatChanged()
     const auto& stack = document.undoStack();
     const auto* command = dynamic_cast<const SceneCommand*>(stack.command(stack.count() - 1));
     QVERIFY(command != nullptr);
-    QVERIFY2(command->bytes() < 1700000, qPrintable(QString::number(command->bytes())));
+    QVERIFY2(command->delta().bytes() < 1700000,
+             qPrintable(QString::number(command->delta().bytes())));
 }
 
 void tst_SceneDocument::keepsAssetsThatCameMeanwhile()
@@ -277,28 +285,22 @@ void tst_SceneDocument::announcesChangesAfterTheyAreDone()
 void tst_SceneDocument::undoesAndRedoesTenThousandRandomEdits()
 {
     SceneDocument document;
-    std::vector<Snapshot> states{snapshotOf(document)};
+    const Snapshot first = snapshotOf(document);
     for (std::uint64_t key = 0; key < 10000; ++key) {
-        const auto edit = document.beginEdit();
-        for (std::uint64_t step = 0; step <= hashKeys(key, 7) % 3; ++step) {
-            randomStep(*edit, hashKeys(key, step));
-        }
-        if (edit->commit(QStringLiteral("Random")) && key % 100 == 0) {
-            states.push_back(snapshotOf(document));
-        }
+        (void)randomEdit(document, key);
     }
     const Snapshot last = snapshotOf(document);
-    const std::string lastBytes = projectToText(document.scene()).value();
+    const std::string lastBytes = sceneText(document.scene());
     while (document.undoStack().canUndo()) {
         document.undoStack().undo();
     }
-    QVERIFY(isSame(snapshotOf(document), states.front()));
-    QCOMPARE(projectToText(document.scene()).value(), projectToText(Scene{}).value());
+    QVERIFY(isSame(snapshotOf(document), first));
+    QCOMPARE(sceneText(document.scene()), sceneText(Scene{}));
     while (document.undoStack().canRedo()) {
         document.undoStack().redo();
     }
     QVERIFY(isSame(snapshotOf(document), last));
-    QCOMPARE(projectToText(document.scene()).value(), lastBytes);
+    QCOMPARE(sceneText(document.scene()), lastBytes);
 }
 
 QTEST_GUILESS_MAIN(tst_SceneDocument)

@@ -32,6 +32,8 @@ LightForm::LightForm(EditorState& state, QWidget* parent) : QWidget(parent), m_s
                     refresh();
                 }
             });
+    connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
+            [this] { m_edit.reset(); });
     refresh();
 }
 

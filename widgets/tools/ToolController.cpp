@@ -36,6 +36,8 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
         refreshHint();
         refreshPicture();
     });
+    connect(&state.document(), &model::SceneDocument::editInterrupted, this,
+            &ToolController::cancel);
     connect(&state, &EditorState::viewOptionsChanged, this, &ToolController::refreshHint);
     connect(&state.document(), &model::SceneDocument::changed, this, [this] {
         m_isPreviewStale |= !m_session && m_pointer.has_value(); // what is under it may be gone

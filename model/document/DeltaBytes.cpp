@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "model/document/DeltaBytes.h"
+
+#include <cstring>
+
+namespace crowd::model {
+
+namespace {
+
+void put(std::vector<std::byte>& bytes, const void* from, std::size_t size)
+{
+    const auto* first = static_cast<const std::byte*>(from);
+    bytes.insert(bytes.end(), first, first + size);
+}
+
+/// Items with their number before them.
+template<class Item>
+void putList(std::vector<std::byte>& bytes, const std::vector<Item>& items)
+{
+    const std::uint64_t count = items.size();
+    put(bytes, &count, sizeof(count));
+    put(bytes, items.data(), items.size() * sizeof(Item));
+}
+
+void putRows(std::vector<std::byte>& bytes, const IndividualRows& rows)
+{
+    putList(bytes, rows.ids);
+    for (const std::vector<std::byte>& column : rows.bytes) {
+        putList(bytes, column);
+    }
+}
+
+/// Takes what was put, in the same order; once something does not fit, everything fails.
+class Source
+{
+public:
+    explicit Source(std::span<const std::byte> bytes) : m_rest(bytes) {}
+
+    std::uint64_t number()
+    {
+        std::uint64_t value = 0;
+        take(&value, sizeof(value));
+        return value;
+    }
+    template<class Item>
+    void list(std::vector<Item>& items)
+    {
+        const std::uint64_t count = number();
+        if (count > m_rest.size() / sizeof(Item)) {
+            m_isWhole = false;
+            return;
+        }
+        items.resize(count);
+        take(items.data(), items.size() * sizeof(Item));
+    }
+    void rows(IndividualRows& target)
+    {
+        list(target.ids);
+        for (std::size_t c = 0; c < kColumnCount; ++c) {
+            list(target.bytes[c]);
+            const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
+            m_isWhole = m_isWhole && target.bytes[c].size() == target.ids.size() * stride;
+        }
+    }
+    void column(ColumnDelta& target)
+    {
+        const std::uint64_t id = number();
+        m_isWhole = m_isWhole && id < kColumnCount;
+        target.column = static_cast<ColumnId>(id);
+        list(target.ids);
+        list(target.before);
+        list(target.after);
+    }
+    [[nodiscard]] bool isWhole() const { return m_isWhole; }
+    [[nodiscard]] bool isAtEnd() const { return m_rest.empty(); }
+
+private:
+    void take(void* to, std::size_t size)
+    {
+        if (!m_isWhole || size > m_rest.size()) {
+            m_isWhole = false;
+            return;
+        }
+        if (size > 0) {
+            std::memcpy(to, m_rest.data(), size);
+        }
+        m_rest = m_rest.subspan(size);
+    }
+
+    std::span<const std::byte> m_rest;
+    bool m_isWhole = true;
+};
+
+} // namespace
+
+std::vector<std::byte> bulkBytesOf(const SceneDelta& delta)
+{
+    std::vector<std::byte> bytes;
+    bytes.reserve(delta.bulkBytes() + 1024);
+    putRows(bytes, delta.added);
+    putRows(bytes, delta.removed);
+    const std::uint64_t columns = delta.columns.size();
+    put(bytes, &columns, sizeof(columns));
+    for (const ColumnDelta& change : delta.columns) {
+        const auto id = static_cast<std::uint64_t>(change.column);
+        put(bytes, &id, sizeof(id));
+        putList(bytes, change.ids);
+        putList(bytes, change.before);
+        putList(bytes, change.after);
+    }
+    return bytes;
+}
+
+Result<void> readBulk(std::span<const std::byte> bytes, SceneDelta& delta)
+{
+    Source source(bytes);
+    source.rows(delta.added);
+    source.rows(delta.removed);
+    const std::uint64_t columns = source.number();
+    for (std::uint64_t i = 0; i < columns && source.isWhole(); ++i) {
+        source.column(delta.columns.emplace_back());
+    }
+    if (!source.isWhole() || !source.isAtEnd()) {
+        dropBulk(delta);
+        return Error{"the temporary file holds something else than an undo step"};
+    }
+    return {};
+}
+
+void dropBulk(SceneDelta& delta)
+{
+    delta.added = {};
+    delta.removed = {};
+    delta.columns = {};
+    delta.columns.shrink_to_fit();
+}
+
+} // namespace crowd::model

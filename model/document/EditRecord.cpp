@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "model/document/EditRecord.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "model/document/EntryCompare.h"
+
+namespace crowd::model {
+
+namespace {
+
+using Ids = std::vector<IndividualId>;
+
+Ids minus(std::span<const IndividualId> a, std::span<const IndividualId> b)
+{
+    Ids difference;
+    std::ranges::set_difference(a, b, std::back_inserter(difference));
+    return difference;
+}
+
+IndividualRows mergedRows(const IndividualRows& a, const IndividualRows& b)
+{
+    Population both;
+    both.add(a);
+    both.add(b);
+    return both.rows(both.ids());
+}
+
+template<class Entry>
+std::optional<Entry> entryOf(const std::vector<Entry>& entries, decltype(Entry::id) id)
+{
+    const auto found = std::ranges::find(entries, id, &Entry::id);
+    return found == entries.end() ? std::nullopt : std::optional<Entry>(*found);
+}
+
+/// First-touch values of the entries against today's, by id.
+template<class Entry>
+std::vector<EntryDelta<Entry>>
+entryDeltas(const std::map<decltype(Entry::id), std::optional<Entry>>& before,
+            const std::vector<Entry>& entries)
+{
+    std::vector<EntryDelta<Entry>> deltas;
+    for (const auto& [id, entry] : before) {
+        EntryDelta<Entry> delta{entry, entryOf(entries, id)};
+        const bool wasThere = delta.before.has_value();
+        const bool isThere = delta.after.has_value();
+        if (wasThere != isThere || (wasThere && !isSame(*delta.before, *delta.after))) {
+            deltas.push_back(std::move(delta));
+        }
+    }
+    return deltas;
+}
+
+} // namespace
+
+void EditRecord::addIndividuals(std::span<const IndividualId> ids)
+{
+    m_added.insert(m_added.end(), ids.begin(), ids.end());
+}
+
+void EditRecord::removeIndividuals(std::span<const IndividualId> ids, const Population& population)
+{
+    const Ids old = minus(ids, m_added);
+    m_added = minus(m_added, ids);
+    IndividualRows originals = population.rows(old);
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        m_touched[c].moveInto(old, originals.bytes[c], columnInfo(static_cast<ColumnId>(c)).stride);
+    }
+    m_removed = mergedRows(m_removed, originals);
+}
+
+void EditRecord::touchColumn(ColumnId column, std::span<const IndividualId> ids,
+                             const Population& population)
+{
+    const Ids old = minus(ids, m_added);
+    m_touched[static_cast<std::size_t>(column)].remember(old, population.values(column, old),
+                                                         columnInfo(column).stride);
+}
+
+void EditRecord::touchTemplate(TemplateId id, const Scene& scene)
+{
+    m_templates.try_emplace(id, entryOf(scene.templates, id));
+}
+
+void EditRecord::touchStage(std::uint8_t id, const Scene& scene)
+{
+    m_stages.try_emplace(id, entryOf(scene.stages, id));
+}
+
+void EditRecord::touchCameras(const Scene& scene)
+{
+    if (!m_cameras) {
+        m_cameras = scene.cameras;
+    }
+}
+
+void EditRecord::touchLighting(const Scene& scene)
+{
+    if (!m_lighting) {
+        m_lighting = scene.lighting;
+    }
+}
+
+SceneDelta EditRecord::delta(const Scene& scene) const
+{
+    SceneDelta delta;
+    delta.added = scene.population.rows(m_added);
+    delta.removed = m_removed;
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        if (!m_touched[c].isEmpty()) {
+            ColumnDelta change = m_touched[c].changes(static_cast<ColumnId>(c), scene.population);
+            if (!change.ids.empty()) {
+                delta.columns.push_back(std::move(change));
+            }
+        }
+    }
+    delta.nextIdBefore = m_nextIdBefore;
+    delta.nextIdAfter = scene.nextId;
+    delta.templates = entryDeltas(m_templates, scene.templates);
+    delta.stages = entryDeltas(m_stages, scene.stages);
+    if (m_cameras && !isSame(*m_cameras, scene.cameras)) {
+        delta.cameras = ValueDelta<std::vector<NamedCamera>>{*m_cameras, scene.cameras};
+    }
+    if (m_lighting && !isSame(*m_lighting, scene.lighting)) {
+        delta.lighting = ValueDelta<Lighting>{*m_lighting, scene.lighting};
+    }
+    return delta;
+}
+
+} // namespace crowd::model

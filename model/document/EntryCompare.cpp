@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "model/document/EntryCompare.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace crowd::model {
+
+namespace {
+
+bool isSame(float a, float b)
+{
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+bool isSame(const glm::vec3& a, const glm::vec3& b)
+{
+    return isSame(a.x, b.x) && isSame(a.y, b.y) && isSame(a.z, b.z);
+}
+
+bool isSame(const glm::quat& a, const glm::quat& b)
+{
+    return isSame(a.x, b.x) && isSame(a.y, b.y) && isSame(a.z, b.z) && isSame(a.w, b.w);
+}
+
+bool isSame(const ImportSettings& a, const ImportSettings& b)
+{
+    return isSame(a.scale, b.scale) && isSame(a.rotation, b.rotation) &&
+           isSame(a.groundOffset, b.groundOffset) && a.removeRootMotion == b.removeRootMotion &&
+           a.unknownMembers == b.unknownMembers;
+}
+
+bool isSame(const Camera& a, const Camera& b)
+{
+    return isSame(a.position, b.position) && isSame(a.orientation, b.orientation) &&
+           a.projection == b.projection && isSame(a.fovYRadians, b.fovYRadians) &&
+           isSame(a.orthographicHeight, b.orthographicHeight) &&
+           isSame(a.pivotDistance, b.pivotDistance);
+}
+
+} // namespace
+
+bool isSame(const TemplateEntry& a, const TemplateEntry& b)
+{
+    return a.name == b.name && a.path == b.path && isSame(a.import, b.import) &&
+           a.clipNames == b.clipNames &&
+           std::ranges::equal(a.clipSpeeds, b.clipSpeeds,
+                              [](float left, float right) { return isSame(left, right); }) &&
+           a.asset == b.asset && a.problem == b.problem && a.unknownMembers == b.unknownMembers;
+}
+
+bool isSame(const StageEntry& a, const StageEntry& b)
+{
+    return a.name == b.name && a.path == b.path && isSame(a.position, b.position) &&
+           isSame(a.headingRadians, b.headingRadians) && isSame(a.scale, b.scale) &&
+           a.asset == b.asset && a.problem == b.problem && a.unknownMembers == b.unknownMembers;
+}
+
+bool isSame(const std::vector<NamedCamera>& a, const std::vector<NamedCamera>& b)
+{
+    return std::ranges::equal(a, b, [](const NamedCamera& left, const NamedCamera& right) {
+        return left.name == right.name && isSame(left.camera, right.camera) &&
+               left.unknownMembers == right.unknownMembers;
+    });
+}
+
+bool isSame(const Lighting& a, const Lighting& b)
+{
+    return isSame(a.sunAzimuthRadians, b.sunAzimuthRadians) &&
+           isSame(a.sunElevationRadians, b.sunElevationRadians) && isSame(a.sunColor, b.sunColor) &&
+           isSame(a.sunStrength, b.sunStrength) && isSame(a.ambientColor, b.ambientColor) &&
+           isSame(a.ambientStrength, b.ambientStrength) && isSame(a.skyZenith, b.skyZenith) &&
+           isSame(a.skyHorizon, b.skyHorizon) && isSame(a.ground, b.ground) &&
+           a.showGroundGrid == b.showGroundGrid && a.unknownMembers == b.unknownMembers;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+
+#include <QtCore/QString>
+
+#include "model/base/Result.h"
+#include "model/document/SceneDelta.h"
+#include "model/document/SpillFile.h"
+
+namespace crowd::model {
+
+/// How much memory undo may take, and where what exceeds it goes.
+struct UndoLimits
+{
+    std::size_t bytes = std::size_t{256} << 20U;
+    QString folder; ///< of the temporary file; empty: see SpillFile
+    /// Of the disk, kept free for work to be saved on.
+    std::uint64_t diskReserve = std::uint64_t{512} << 20U;
+};
+
+class StoredDelta;
+
+/// Keeps the deltas of all undo steps within a budget of memory: those used longest ago are written
+/// to a temporary file and read back when they are needed. Scene-level entries stay in memory and
+/// are counted; so does the delta used last. When the file cannot be written, deltas stay in memory
+/// beyond the budget and problem() says why. Main thread only.
+class UndoMemory
+{
+public:
+    explicit UndoMemory(UndoLimits limits = {});
+
+    /// Only while no delta is stored.
+    void setLimits(const UndoLimits& limits);
+    /// Held in memory by all deltas, without assets (they are shared).
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+    [[nodiscard]] std::uint64_t bytesOnDisk() const { return m_file->bytes(); }
+    /// Why the budget is exceeded; empty while it is kept.
+    [[nodiscard]] const std::string& problem() const { return m_problem; }
+
+private:
+    friend class StoredDelta;
+
+    void keepWithinBudget();
+
+    UndoLimits m_limits;
+    std::unique_ptr<SpillFile> m_file;
+    std::list<StoredDelta*> m_recent; ///< in memory and able to leave it; used last at the end
+    std::size_t m_bytes = 0;
+    std::string m_problem;
+};
+
+/// A delta that may lie on disk. Dies before its memory.
+class StoredDelta
+{
+public:
+    StoredDelta(UndoMemory& memory, SceneDelta delta);
+    ~StoredDelta();
+    StoredDelta(const StoredDelta&) = delete;
+    StoredDelta& operator=(const StoredDelta&) = delete;
+
+    /// The whole delta, read back where needed; valid until another delta is used. Fails when it
+    /// cannot be read back, and may be tried again.
+    [[nodiscard]] Result<const SceneDelta*> use();
+    /// Of the whole delta, wherever it lies.
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+    [[nodiscard]] bool isInMemory() const { return m_isInMemory; }
+
+private:
+    friend class UndoMemory;
+
+    [[nodiscard]] Result<void> leaveMemory();
+    void setInMemory(bool isInMemory);
+
+    UndoMemory& m_memory;
+    SceneDelta m_delta;
+    std::size_t m_bytes;
+    std::size_t m_bulkBytes; ///< of them, the part that can leave
+    bool m_isInMemory = false;
+    std::optional<SpillFile::Extent> m_extent; ///< stays valid when the delta is in memory again
+    std::list<StoredDelta*>::iterator m_place;
+};
+
+} // namespace crowd::model
