@@ -11,8 +11,8 @@
 
 #include "model/gltf/GltfImport.h"
 #include "model/gltf/ImportProposal.h"
-#include "model/project/AssetPaths.h"
 #include "model/project/ProjectFile.h"
+#include "model/project/SceneAssets.h"
 
 namespace crowd::app {
 
@@ -113,14 +113,14 @@ model::Result<Json> describeAsset(const InfoOptions& options)
 std::size_t checkAssets(const model::Scene& scene, Json& warnings)
 {
     for (const model::TemplateEntry& entry : scene.templates) {
-        const auto asset = model::importTemplate(model::assetFile(entry.path).toStdString());
+        const auto asset = model::loadTemplateAsset(entry);
         if (!asset) {
             warnings.push_back("Template \"" + entry.name + "\": " + asset.error().message);
         }
     }
     std::size_t seats = 0;
     for (const model::StageEntry& entry : scene.stages) {
-        const auto stage = model::importStage(model::assetFile(entry.path).toStdString());
+        const auto stage = model::loadStageAsset(entry);
         if (stage) {
             seats += stage.value()->seats.size();
         } else {
@@ -137,7 +137,7 @@ model::Result<Json> describeScene(const std::string& file)
         return read.error();
     }
     const model::Scene& scene = read.value();
-    Json warnings = Json::array();
+    Json warnings = scene.readWarnings;
     const std::size_t seats = checkAssets(scene, warnings);
     return Json{{"kind", "scene"},
                 {"name", scene.name},

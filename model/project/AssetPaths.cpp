@@ -42,8 +42,10 @@ QString assetFile(const std::string& assetPath)
     if (!isBuiltin(assetPath)) {
         return path;
     }
-    return builtinFolder() + QLatin1Char('/') +
-           path.mid(static_cast<qsizetype>(std::char_traits<char>::length(kBuiltinPrefix)));
+    const QString root = builtinFolder() + QLatin1Char('/');
+    const QString file = QDir::cleanPath(
+        root + path.mid(static_cast<qsizetype>(std::char_traits<char>::length(kBuiltinPrefix))));
+    return file.startsWith(QDir::cleanPath(root) + QLatin1Char('/')) ? file : QString();
 }
 
 std::string storedAssetPath(const std::string& assetPath, const QString& folder)
@@ -59,8 +61,12 @@ std::string absoluteAssetPath(const std::string& storedPath, const QString& fold
     if (isBuiltin(storedPath) || storedPath.empty()) {
         return storedPath;
     }
-    return QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(storedPath)))
-        .toStdString();
+    QString path =
+        QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(storedPath)));
+    while (path.startsWith(QStringLiteral("/../"))) {
+        path.remove(0, 3); // there is nothing above the root
+    }
+    return path.toStdString();
 }
 
 } // namespace crowd::model

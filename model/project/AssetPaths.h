@@ -14,7 +14,8 @@ namespace crowd::model {
 /// (the build tree's ../../resources, an installation's ../share/crowdbrush). Empty: none found.
 [[nodiscard]] QString builtinFolder();
 
-/// The file behind an asset path as entries hold it.
+/// The file behind an asset path as entries hold it. Empty for a built-in one that leads out of the
+/// built-in folder.
 [[nodiscard]] QString assetFile(const std::string& assetPath);
 
 /// As written in a project file in `folder`: relative to it, with '/', unless built in or on

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -15,7 +17,7 @@ namespace crowd::model {
 
 /// Reads members of one JSON object into typed variables and remembers the first thing that is
 /// wrong, with its place ("templates[2].path"). Missing members leave the variable as it is unless
-/// they are required. What was never asked for can be found by the caller through the object.
+/// they are required. What was never asked for is what this version does not know: unknown().
 class JsonFields
 {
 public:
@@ -42,11 +44,13 @@ public:
         }
         read(key, target);
     }
-    [[nodiscard]] const nlohmann::json* find(std::string_view key) const
+    /// Null when it is missing.
+    [[nodiscard]] const nlohmann::json* find(std::string_view key)
     {
         if (!m_object.is_object()) {
             return nullptr;
         }
+        m_asked.emplace_back(key);
         const auto found = m_object.find(std::string(key));
         return found == m_object.end() ? nullptr : &*found;
     }
@@ -61,11 +65,24 @@ public:
         }
     }
 
-private:
+    /// JSON text of an object with the members nobody asked for; empty when there are none.
+    [[nodiscard]] std::string unknown() const
+    {
+        nlohmann::json unknown = nlohmann::json::object();
+        for (const auto& [key, value] : m_object.items()) {
+            if (m_object.is_object() && std::ranges::find(m_asked, key) == m_asked.end()) {
+                unknown[key] = value;
+            }
+        }
+        return unknown.empty() ? std::string() : unknown.dump();
+    }
     static bool isFinite(const nlohmann::json& value)
     {
-        return value.is_number() && std::isfinite(static_cast<float>(value.get<double>()));
+        return value.is_number() &&
+               std::abs(value.get<double>()) <= double{std::numeric_limits<float>::max()};
     }
+
+private:
     static bool assign(const nlohmann::json& value, float& target)
     {
         if (!isFinite(value)) {
@@ -146,6 +163,7 @@ private:
     const nlohmann::json& m_object;
     std::string m_place;
     std::string& m_problem;
+    std::vector<std::string> m_asked;
 };
 
 } // namespace crowd::model

@@ -15,8 +15,8 @@ namespace crowd::model {
 
 namespace {
 
-/// Text that could hold a million people; anything larger is not one of our scenes.
-constexpr qint64 kMaxFileBytes = qint64{2} << 30;
+/// Text that holds four million people; anything larger is not one of our scenes.
+constexpr qint64 kMaxFileBytes = qint64{1} << 30;
 
 Error fileError(const QString& path, const QString& what)
 {
@@ -59,18 +59,27 @@ Result<void> saveProject(const Scene& scene, const QString& path)
 Result<Scene> readProject(const QString& path)
 {
     QFile file(path);
+    const QFileInfo info(path);
+    if (info.exists() && !info.isFile()) { // a pipe or a device might never end
+        return fileError(path, QStringLiteral("is not a file; choose a .crowd file."));
+    }
     if (!file.open(QIODevice::ReadOnly)) {
-        return fileError(path, QStringLiteral("could not be opened (%1).").arg(file.errorString()));
+        return fileError(path, QStringLiteral("could not be opened (%1). Check its name and that "
+                                              "you may read it.")
+                                   .arg(file.errorString()));
     }
     if (file.size() > kMaxFileBytes) {
-        return fileError(path, QStringLiteral("is larger than 2 GiB, too large for a scene."));
+        return fileError(path, QStringLiteral("is larger than 1 GiB, too large for a scene."));
     }
     const QByteArray bytes = file.readAll();
+    if (bytes.size() < file.size()) {
+        return fileError(
+            path, QStringLiteral("could not be read to its end (%1).").arg(file.errorString()));
+    }
     Result<Scene> scene = projectFromText(
         std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     if (!scene) {
-        return fileError(path, QStringLiteral("could not be read: %1.")
-                                   .arg(QString::fromStdString(scene.error().message)));
+        return fileError(path, QString::fromStdString(scene.error().message));
     }
     const QString folder = QFileInfo(path).absolutePath();
     changePaths(scene.value(),

@@ -17,10 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 10> kKnownMembers{
-    "format",    "version", "name",    "seed",     "nextId",
-    "templates", "stages",  "cameras", "lighting", "individuals"};
-
 /// A float as the shortest decimal that reads back as the same float (a double would drag digits).
 json number(float value)
 {
@@ -41,12 +37,23 @@ json numbers(const glm::quat& q)
     return {number(q.x), number(q.y), number(q.z), number(q.w)};
 }
 
+/// The members known here over those that were kept unread.
+json withUnknown(const std::string& unknownMembers, const json& known)
+{
+    if (unknownMembers.empty()) {
+        return known;
+    }
+    json object = json::parse(unknownMembers);
+    object.update(known);
+    return object;
+}
+
 json toJson(const ImportSettings& settings)
 {
-    return {{"scale", number(settings.scale)},
-            {"rotation", numbers(settings.rotation)},
-            {"groundOffset", number(settings.groundOffset)},
-            {"removeRootMotion", settings.removeRootMotion}};
+    return withUnknown(settings.unknownMembers, {{"scale", number(settings.scale)},
+                                                 {"rotation", numbers(settings.rotation)},
+                                                 {"groundOffset", number(settings.groundOffset)},
+                                                 {"removeRootMotion", settings.removeRootMotion}});
 }
 
 json toJson(const TemplateEntry& entry)
@@ -63,43 +70,44 @@ json toJson(const TemplateEntry& entry)
         }
         object["clipSpeeds"] = speeds;
     }
-    return object;
+    return withUnknown(entry.unknownMembers, object);
 }
 
 json toJson(const StageEntry& entry)
 {
-    return {{"id", entry.id},
-            {"name", entry.name},
-            {"path", entry.path},
-            {"position", numbers(entry.position)},
-            {"heading", number(entry.headingRadians)},
-            {"scale", number(entry.scale)}};
+    return withUnknown(entry.unknownMembers, {{"id", entry.id},
+                                              {"name", entry.name},
+                                              {"path", entry.path},
+                                              {"position", numbers(entry.position)},
+                                              {"heading", number(entry.headingRadians)},
+                                              {"scale", number(entry.scale)}});
 }
 
 json toJson(const NamedCamera& named)
 {
     const Camera& camera = named.camera;
-    return {{"name", named.name},
-            {"position", numbers(camera.position)},
-            {"orientation", numbers(camera.orientation)},
-            {"orthographic", camera.projection == Projection::Orthographic},
-            {"fovY", number(camera.fovYRadians)},
-            {"orthographicHeight", number(camera.orthographicHeight)},
-            {"pivotDistance", number(camera.pivotDistance)}};
+    return withUnknown(named.unknownMembers,
+                       {{"name", named.name},
+                        {"position", numbers(camera.position)},
+                        {"orientation", numbers(camera.orientation)},
+                        {"orthographic", camera.projection == Projection::Orthographic},
+                        {"fovY", number(camera.fovYRadians)},
+                        {"orthographicHeight", number(camera.orthographicHeight)},
+                        {"pivotDistance", number(camera.pivotDistance)}});
 }
 
 json toJson(const Lighting& light)
 {
-    return {{"sunAzimuth", number(light.sunAzimuthRadians)},
-            {"sunElevation", number(light.sunElevationRadians)},
-            {"sunColor", numbers(light.sunColor)},
-            {"sunStrength", number(light.sunStrength)},
-            {"ambientColor", numbers(light.ambientColor)},
-            {"ambientStrength", number(light.ambientStrength)},
-            {"skyZenith", numbers(light.skyZenith)},
-            {"skyHorizon", numbers(light.skyHorizon)},
-            {"ground", numbers(light.ground)},
-            {"groundGrid", light.showGroundGrid}};
+    return withUnknown(light.unknownMembers, {{"sunAzimuth", number(light.sunAzimuthRadians)},
+                                              {"sunElevation", number(light.sunElevationRadians)},
+                                              {"sunColor", numbers(light.sunColor)},
+                                              {"sunStrength", number(light.sunStrength)},
+                                              {"ambientColor", numbers(light.ambientColor)},
+                                              {"ambientStrength", number(light.ambientStrength)},
+                                              {"skyZenith", numbers(light.skyZenith)},
+                                              {"skyHorizon", numbers(light.skyHorizon)},
+                                              {"ground", numbers(light.ground)},
+                                              {"groundGrid", light.showGroundGrid}});
 }
 
 template<class Item>
@@ -122,7 +130,16 @@ ImportSettings readImport(JsonFields fields)
     if (settings.scale <= 0.0F) {
         fields.complain("scale", "must be above zero");
     }
+    settings.unknownMembers = fields.unknown();
     return settings;
+}
+
+void requirePath(JsonFields& fields, std::string& path)
+{
+    fields.require("path", path);
+    if (path.empty()) {
+        fields.complain("path", "must not be empty");
+    }
 }
 
 void readClips(JsonFields& fields, TemplateEntry& entry)
@@ -140,9 +157,9 @@ void readClips(JsonFields& fields, TemplateEntry& entry)
         return;
     }
     if (!speeds->is_array() || !std::ranges::all_of(*speeds, [](const json& speed) {
-            return speed.is_number() || speed.is_null();
+            return JsonFields::isFinite(speed) || speed.is_null();
         })) {
-        fields.complain("clipSpeeds", "must be a list of numbers or null");
+        fields.complain("clipSpeeds", "must be a list of finite numbers or null");
         return;
     }
     for (const json& speed : *speeds) {
@@ -155,18 +172,19 @@ void readItem(JsonFields fields, TemplateEntry& entry, const std::string& place,
               std::string& problem)
 {
     fields.require("id", entry.id);
-    fields.require("path", entry.path);
+    requirePath(fields, entry.path);
     fields.read("name", entry.name);
     readClips(fields, entry);
     if (const json* settings = fields.find("import")) {
         entry.import = readImport(JsonFields(*settings, place + ".import", problem));
     }
+    entry.unknownMembers = fields.unknown();
 }
 
 void readItem(JsonFields fields, StageEntry& entry, const std::string&, std::string&)
 {
     fields.require("id", entry.id);
-    fields.require("path", entry.path);
+    requirePath(fields, entry.path);
     fields.read("name", entry.name);
     fields.read("position", entry.position);
     fields.read("heading", entry.headingRadians);
@@ -174,6 +192,7 @@ void readItem(JsonFields fields, StageEntry& entry, const std::string&, std::str
     if (entry.scale <= 0.0F) {
         fields.complain("scale", "must be above zero");
     }
+    entry.unknownMembers = fields.unknown();
 }
 
 void readItem(JsonFields fields, NamedCamera& named, const std::string&, std::string&)
@@ -193,6 +212,7 @@ void readItem(JsonFields fields, NamedCamera& named, const std::string&, std::st
     if (named.camera.orthographicHeight <= 0.0F || named.camera.pivotDistance <= 0.0F) {
         fields.complain("", "must have heights and distances above zero");
     }
+    named.unknownMembers = fields.unknown();
 }
 
 Lighting readLighting(JsonFields fields)
@@ -208,6 +228,7 @@ Lighting readLighting(JsonFields fields)
     fields.read("skyHorizon", light.skyHorizon);
     fields.read("ground", light.ground);
     fields.read("groundGrid", light.showGroundGrid);
+    light.unknownMembers = fields.unknown();
     return light;
 }
 
@@ -243,40 +264,30 @@ void sortById(std::vector<Entry>& entries, const char* key, std::string& problem
     }
 }
 
-Result<void> checkVersion(const json& top)
+} // namespace
+
+Result<void> checkFormat(const json& top)
 {
     if (!top.is_object() || top.value("format", json()) != kProjectFormat) {
-        return Error{"this is not a Crowdbrush scene (there is no \"format\": \"" +
-                     std::string(kProjectFormat) + "\")"};
+        return Error{"This is not a Crowdbrush scene (there is no \"format\": \"" +
+                     std::string(kProjectFormat) +
+                     "\"). Models are brought in with Import, not opened."};
     }
     const json version = top.value("version", json());
     if (!version.is_number_unsigned() || version == 0U) {
-        return Error{"\"version\" must be a whole number above zero"};
+        return Error{"Its \"version\" must be a whole number above zero; restore an older copy."};
     }
     if (version > kProjectVersion) {
-        return Error{"it was written by a newer Crowdbrush (file version " + version.dump() +
+        return Error{"It was written by a newer Crowdbrush (file version " + version.dump() +
                      ", this program reads up to " + std::to_string(kProjectVersion) +
-                     "); update Crowdbrush to open it"};
+                     "). Update Crowdbrush to open it."};
     }
     return {};
 }
 
-std::string unknownMembersOf(const json& top)
-{
-    json unknown = json::object();
-    for (const auto& [key, value] : top.items()) {
-        if (std::ranges::find(kKnownMembers, key) == kKnownMembers.end()) {
-            unknown[key] = value;
-        }
-    }
-    return unknown.empty() ? std::string() : unknown.dump();
-}
-
-} // namespace
-
 json headerToJson(const Scene& scene)
 {
-    json top = scene.unknownMembers.empty() ? json::object() : json::parse(scene.unknownMembers);
+    json top = withUnknown(scene.unknownMembers, json::object());
     top["format"] = kProjectFormat;
     top["version"] = kProjectVersion;
     top["name"] = scene.name;
@@ -291,27 +302,35 @@ json headerToJson(const Scene& scene)
 
 Result<Scene> headerFromJson(const json& top)
 {
-    if (const Result<void> version = checkVersion(top); !version) {
-        return version.error();
-    }
     Scene scene;
     std::string problem;
     JsonFields fields(top, "", problem);
     fields.read("name", scene.name);
     fields.read("seed", scene.seed);
     fields.read("nextId", scene.nextId);
+    if (scene.nextId == 0 || scene.nextId > kMaxIndividualId) {
+        fields.complain("nextId", "must be above zero and at most 4000000000");
+    }
     scene.templates = readList<TemplateEntry>(fields, "templates", problem);
     scene.stages = readList<StageEntry>(fields, "stages", problem);
     scene.cameras = readList<NamedCamera>(fields, "cameras", problem);
     if (const json* lighting = fields.find("lighting")) {
         scene.lighting = readLighting(JsonFields(*lighting, "lighting", problem));
     }
+    if (const json* table = fields.find("individuals")) {
+        JsonFields tableFields(*table, "individuals", problem);
+        (void)tableFields.find("columns");
+        scene.unknownTableMembers = tableFields.unknown();
+    }
     sortById(scene.templates, "templates", problem);
     sortById(scene.stages, "stages", problem);
     if (!problem.empty()) {
         return Error{problem};
     }
-    scene.unknownMembers = unknownMembersOf(top);
+    for (const char* known : {"format", "version"}) {
+        (void)fields.find(known);
+    }
+    scene.unknownMembers = fields.unknown();
     return scene;
 }
 

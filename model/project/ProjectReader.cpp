@@ -2,6 +2,7 @@
 #include "model/project/ProjectReader.h"
 
 #include <algorithm>
+#include <new>
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 64;
+/// Of values outside of the rows; what a file of ours has is a few thousand.
+constexpr std::size_t kMaxHeaderValues = 2'000'000;
+constexpr std::size_t kMaxIndividuals = 4'000'000;
 
 /// Builds a small tree from events: the header, and cells of unknown columns.
 class TreeBuilder
@@ -32,7 +36,15 @@ public:
     {
         return m_root.is_object() && m_root.contains(name) ? &m_root[name] : nullptr;
     }
-    void key(std::string name) { m_key = std::move(name); }
+    /// What was built so far.
+    [[nodiscard]] const json& root() const { return m_root; }
+    [[nodiscard]] std::size_t valueCount() const { return m_values; }
+    /// False when the open object has this member already.
+    [[nodiscard]] bool key(std::string name)
+    {
+        m_key = std::move(name);
+        return !m_open.back()->contains(m_key);
+    }
     void value(json item)
     {
         place(std::move(item));
@@ -48,6 +60,7 @@ public:
 private:
     json& place(json item)
     {
+        ++m_values;
         if (m_open.empty()) {
             m_root = std::move(item);
             return m_root;
@@ -65,14 +78,34 @@ private:
     json m_root;
     std::vector<json*> m_open;
     std::string m_key;
+    std::size_t m_values = 0;
     bool m_isComplete = false;
 };
+
+Error damaged(const std::string& what)
+{
+    return Error{"The file is damaged or was edited wrongly: " + what +
+                 ". Correct this place in a text editor, or restore an older copy."};
+}
+
+/// "line 3, column 7" of a byte in the text.
+std::string placeIn(std::string_view text, std::size_t byte)
+{
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto lines = std::ranges::count(before, '\n');
+    const auto lineStart = before.rfind('\n');
+    const std::size_t column =
+        lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1;
+    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column);
+}
 
 /// Events of the whole file. The header is built as a tree; the rows of the individuals' table go
 /// straight into columns.
 class ProjectHandler : public nlohmann::json_sax<json>
 {
 public:
+    explicit ProjectHandler(std::string_view text) : m_text(text) {}
+
     bool null() override
     {
         return value({CellValue::Kind::Null, 0, {}}, [] { return json(nullptr); });
@@ -108,8 +141,7 @@ public:
     bool key(string_t& name) override
     {
         if (m_where == Where::Cell) {
-            m_tree.key(name);
-            return true;
+            return m_tree.key(name) || failTwice(name);
         }
         if (m_depth == 1) {
             m_isInIndividuals = name == "individuals";
@@ -117,20 +149,26 @@ public:
         if (m_isInIndividuals && m_depth == 2) {
             m_tableKey = name;
         }
-        m_header.key(name);
-        return true;
+        return m_header.key(name) || failTwice(name);
     }
 
-    bool parse_error(std::size_t, const std::string&, const json::exception& error) override
+    bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override
     {
         const std::string text = error.what();
-        const auto place = text.find("at line");
-        return fail("it is not valid JSON " +
-                    (place == std::string::npos ? text : text.substr(place)));
+        const std::string place = placeIn(m_text, byte);
+        if (text.find("unexpected end of input") != std::string::npos) {
+            return fail("it ends too early, at " + place);
+        }
+        if (text.find("number overflow") != std::string::npos) {
+            return fail("there is a number that is too large at " + place);
+        }
+        const auto reason = text.find(": ");
+        return fail("it is not valid JSON at " + place +
+                    (reason == std::string::npos ? "" : text.substr(reason)));
     }
 
     [[nodiscard]] Result<Scene> finish();
-    [[nodiscard]] const std::string& problem() const { return m_problem; }
+    [[nodiscard]] Error problem() const;
 
 private:
     enum class Where : std::uint8_t { Header, Rows, Row, Vector, Cell };
@@ -141,6 +179,10 @@ private:
             m_problem = std::move(what);
         }
         return false;
+    }
+    bool failTwice(const std::string& name)
+    {
+        return fail("\"" + name + "\" stands twice in the same object");
     }
     bool failCell(const std::string& expected)
     {
@@ -158,7 +200,7 @@ private:
                 return fail("the file must hold a JSON object");
             }
             m_header.value(make());
-            return true;
+            return hasRoom();
         case Where::Rows:
             return fail("row " + std::to_string(m_rows.rowCount() + 1) +
                         " of the individuals must be a list");
@@ -212,7 +254,7 @@ private:
                 return beginRows();
             }
             m_header.open(std::move(container));
-            return true;
+            return hasRoom();
         case Where::Rows:
             m_where = Where::Row;
             m_cell = 0;
@@ -263,7 +305,8 @@ private:
             }
             m_rows.endRow();
             m_where = Where::Rows;
-            return true;
+            return m_rows.rowCount() <= kMaxIndividuals ||
+                   fail("it holds more than " + std::to_string(kMaxIndividuals) + " individuals");
         case Where::Vector:
             if (m_component != 3) {
                 return failCell("a list of three finite numbers");
@@ -282,6 +325,13 @@ private:
         return false;
     }
 
+    bool hasRoom()
+    {
+        return m_header.valueCount() <= kMaxHeaderValues ||
+               fail("it holds more than " + std::to_string(kMaxHeaderValues) +
+                    " values beside the individuals");
+    }
+
     bool beginRows()
     {
         if (m_seenRows) {
@@ -289,8 +339,16 @@ private:
         }
         m_seenRows = true;
         m_where = Where::Rows;
+        // A newer version may have another kind of table: say so rather than what is odd in it.
+        if (m_header.root().contains("version")) {
+            if (const Result<void> format = checkFormat(m_header.root()); !format) {
+                m_isForeign = true;
+                return fail(format.error().message);
+            }
+        }
         const json* table = m_header.peek("individuals");
-        const json names = table == nullptr ? json() : table->value("columns", json());
+        const json names =
+            table == nullptr || !table->is_object() ? json() : table->value("columns", json());
         if (!names.is_array() ||
             !std::ranges::all_of(names, [](const json& name) { return name.is_string(); })) {
             return fail("individuals.columns must be a list of names and stand before the rows");
@@ -299,6 +357,7 @@ private:
         return columns ? true : fail(columns.error().message);
     }
 
+    std::string_view m_text;
     TreeBuilder m_header;
     TreeBuilder m_tree;
     RowParser m_rows;
@@ -308,21 +367,31 @@ private:
     std::size_t m_component = 0;
     bool m_isInIndividuals = false;
     bool m_seenRows = false;
+    bool m_isForeign = false; ///< not damaged, but not for this program
     std::string m_tableKey;
     std::string m_problem;
 };
 
+Error ProjectHandler::problem() const
+{
+    return m_isForeign ? Error{m_problem} : damaged(m_problem);
+}
+
 Result<Scene> ProjectHandler::finish()
 {
-    Result<Scene> scene = headerFromJson(m_header.take());
+    const json top = m_header.take();
+    if (const Result<void> format = checkFormat(top); !format) {
+        return format.error();
+    }
+    Result<Scene> scene = headerFromJson(top);
     if (!scene) {
-        return scene;
+        return damaged(scene.error().message);
     }
     if (!m_seenRows) {
-        return Error{"\"individuals\" with \"columns\" and \"rows\" is missing"};
+        return damaged("\"individuals\" with \"columns\" and \"rows\" is missing");
     }
     if (const Result<void> rows = m_rows.finish(scene.value()); !rows) {
-        return rows.error();
+        return damaged(rows.error().message);
     }
     return scene;
 }
@@ -331,11 +400,17 @@ Result<Scene> ProjectHandler::finish()
 
 Result<Scene> projectFromText(std::string_view text)
 {
-    ProjectHandler handler;
-    if (!json::sax_parse(text.begin(), text.end(), &handler)) {
-        return Error{handler.problem()};
+    try {
+        ProjectHandler handler(text);
+        if (!json::sax_parse(text.begin(), text.end(), &handler)) {
+            return handler.problem();
+        }
+        return handler.finish();
+    } catch (const std::bad_alloc&) {
+        return Error{"It needs more memory than there is; close other programs and try again."};
+    } catch (const json::exception& error) {
+        return damaged(error.what());
     }
-    return handler.finish();
 }
 
 } // namespace crowd::model

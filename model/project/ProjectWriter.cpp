@@ -125,19 +125,50 @@ Result<void> checkFinite(const Population& population)
     return {};
 }
 
-/// Members in a fixed order that a reader of the file would choose, one a line.
-void appendHeader(std::string& text, const Scene& scene)
+Result<void> checkTemplates(const Scene& scene)
 {
-    nlohmann::json header = headerToJson(scene);
+    const auto used = scene.population.column(columns::templateId);
+    TemplateId known = 0; // 0 is nobody's
+    for (std::size_t row = 0; row < used.size(); ++row) {
+        if (used[row] != known && scene.findTemplate(used[row]) == nullptr) {
+            return Error{"Individual " + std::to_string(scene.population.ids()[row]) +
+                         " uses the template " + std::to_string(used[row]) +
+                         ", which the scene does not have; undo the last change, or give the "
+                         "individual another template."};
+        }
+        known = used[row];
+    }
+    return {};
+}
+
+/// What the reader would refuse must not be written: nobody could open it again.
+Result<void> checkHeader(const nlohmann::json& header)
+{
+    if (const Result<Scene> read = headerFromJson(header); !read) {
+        return Error{"There is a value that cannot be saved: " + read.error().message +
+                     ". Undo the last change or give it a new value."};
+    }
+    return {};
+}
+
+/// As dump(), but bytes that are not UTF-8 are replaced rather than refused.
+std::string dumped(const nlohmann::json& value)
+{
+    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Members in a fixed order that a reader of the file would choose, one a line.
+void appendHeader(std::string& text, nlohmann::json header)
+{
     const auto append = [&](const std::string& key) {
-        text += nlohmann::json(key).dump() + ": ";
+        text += dumped(key) + ": ";
         const nlohmann::json& value = header[key];
         if (!value.is_array() || value.empty()) {
-            text += value.dump();
+            text += dumped(value);
         } else {
             text += '[';
             for (std::size_t i = 0; i < value.size(); ++i) {
-                text += (i == 0 ? "\n" : ",\n") + value[i].dump();
+                text += (i == 0 ? "\n" : ",\n") + dumped(value[i]);
             }
             text += "\n]";
         }
@@ -150,6 +181,17 @@ void appendHeader(std::string& text, const Scene& scene)
     }
     while (!header.empty()) {
         append(std::string(header.begin().key()));
+    }
+}
+
+void appendUnknownTableMembers(std::string& text, const std::string& members)
+{
+    if (members.empty()) {
+        return;
+    }
+    const nlohmann::json table = nlohmann::json::parse(members);
+    for (const auto& [key, value] : table.items()) {
+        text += dumped(key) + ": " + dumped(value) + ",\n";
     }
 }
 
@@ -216,10 +258,19 @@ Result<std::string> projectToText(const Scene& scene)
     if (const Result<void> finite = checkFinite(scene.population); !finite) {
         return finite.error();
     }
+    if (const Result<void> templates = checkTemplates(scene); !templates) {
+        return templates.error();
+    }
+    nlohmann::json header = headerToJson(scene);
+    if (const Result<void> sound = checkHeader(header); !sound) {
+        return sound.error();
+    }
     std::string text = "{\n";
-    appendHeader(text, scene);
+    appendHeader(text, std::move(header));
     RowWriter rows(scene);
-    text += "\"individuals\": {\n\"columns\": ";
+    text += "\"individuals\": {\n";
+    appendUnknownTableMembers(text, scene.unknownTableMembers);
+    text += "\"columns\": ";
     rows.appendColumnNames(text);
     text += ",\n\"rows\": [";
     text.reserve(text.size() + scene.population.size() * 160);

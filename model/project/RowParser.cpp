@@ -7,6 +7,9 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
+
+#include "model/project/ProjectHeader.h"
 
 namespace crowd::model {
 
@@ -34,8 +37,14 @@ bool toFloat(const CellValue& value, float& target)
     if (value.kind != CellValue::Kind::Float) {
         return false;
     }
-    const auto result =
-        std::from_chars(value.text.data(), value.text.data() + value.text.size(), target);
+    const char* end = value.text.data() + value.text.size();
+    const auto result = std::from_chars(value.text.data(), end, target);
+    if (result.ec == std::errc::result_out_of_range) {
+        double wide = 0.0; // too small is zero, too large is wrong
+        const auto wider = std::from_chars(value.text.data(), end, wide);
+        target = 0.0F;
+        return wider.ec == std::errc() && std::abs(wide) < 1.0;
+    }
     return result.ec == std::errc() && std::isfinite(target);
 }
 
@@ -121,6 +130,35 @@ const char* convert(const ColumnInfo& info, const CellValue& value, std::byte* b
     return "a list of three finite numbers";
 }
 
+/// Two on one seat happens when two people's work is merged: the seat stays with the lower id, the
+/// other keeps his place without it.
+void freeSharedSeats(IndividualRows& rows, std::vector<std::string>& warnings)
+{
+    constexpr std::size_t kMaxWarnings = 10;
+    const std::span<SeatId> seats = rows.column(columns::seat);
+    std::unordered_map<SeatId, IndividualId> taken;
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < seats.size(); ++i) {
+        if (seats[i] == kNoSeat) {
+            continue;
+        }
+        const auto [owner, isFree] = taken.try_emplace(seats[i], rows.ids[i]);
+        if (isFree) {
+            continue;
+        }
+        seats[i] = kNoSeat;
+        if (++shared <= kMaxWarnings) {
+            warnings.push_back("Individual " + std::to_string(rows.ids[i]) +
+                               " had the same seat as individual " + std::to_string(owner->second) +
+                               " and has none now; move one of them.");
+        }
+    }
+    if (shared > kMaxWarnings) {
+        warnings.push_back(std::to_string(shared - kMaxWarnings) +
+                           " more shared a seat and have none now.");
+    }
+}
+
 } // namespace
 
 Result<void> RowParser::setColumns(const std::vector<std::string>& names)
@@ -178,8 +216,8 @@ const char* RowParser::put(std::size_t cell, const CellValue& value)
     const Cell& target = m_cells[cell];
     if (target.column < 0) {
         IndividualId id = 0;
-        if (!fits(value, id) || id == 0) {
-            return "a whole number above zero";
+        if (!fits(value, id) || id == 0 || id > kMaxIndividualId) {
+            return "a whole number above zero and at most 4000000000";
         }
         m_ids.push_back(id);
         return nullptr;
@@ -231,6 +269,20 @@ Result<IndividualRows> RowParser::sortedRows(std::vector<std::size_t>& order)
     return rows;
 }
 
+void RowParser::keepUnknown(Scene& scene, std::span<const IndividualId> ids,
+                            std::span<const std::size_t> order)
+{
+    for (std::size_t u = 0; u < m_unknown.size(); ++u) {
+        for (std::size_t i = 0; i < m_rows; ++i) {
+            std::string& text = m_unknownTexts[u][order[i]];
+            if (text != "null") {
+                m_unknown[u].values.emplace_back(ids[i], std::move(text));
+            }
+        }
+    }
+    scene.unknownColumns = std::move(m_unknown);
+}
+
 Result<void> RowParser::finish(Scene& scene)
 {
     std::vector<std::size_t> order;
@@ -238,34 +290,16 @@ Result<void> RowParser::finish(Scene& scene)
     if (!rows) {
         return rows.error();
     }
-    const IndividualRows& table = rows.value();
-    std::vector<std::pair<SeatId, IndividualId>> seated;
+    IndividualRows& table = rows.value();
     for (std::size_t i = 0; i < table.ids.size(); ++i) {
         const TemplateId templateId = table.column(columns::templateId)[i];
         if (scene.findTemplate(templateId) == nullptr) {
             return Error{"individual " + std::to_string(table.ids[i]) + " uses the template " +
                          std::to_string(templateId) + ", which the file does not list"};
         }
-        if (const SeatId seat = table.column(columns::seat)[i]; seat != kNoSeat) {
-            seated.emplace_back(seat, table.ids[i]);
-        }
     }
-    std::ranges::sort(seated);
-    const auto twice =
-        std::ranges::adjacent_find(seated, {}, &std::pair<SeatId, IndividualId>::first);
-    if (twice != seated.end()) {
-        return Error{"individuals " + std::to_string(twice->second) + " and " +
-                     std::to_string(std::next(twice)->second) + " sit on the same seat"};
-    }
-    for (std::size_t u = 0; u < m_unknown.size(); ++u) {
-        for (std::size_t i = 0; i < m_rows; ++i) {
-            std::string& text = m_unknownTexts[u][order[i]];
-            if (text != "null") {
-                m_unknown[u].values.emplace_back(table.ids[i], std::move(text));
-            }
-        }
-    }
-    scene.unknownColumns = std::move(m_unknown);
+    freeSharedSeats(table, scene.readWarnings);
+    keepUnknown(scene, table.ids, order);
     if (!table.ids.empty()) {
         scene.nextId = std::max(scene.nextId, table.ids.back() + 1);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,8 @@ public:
     void endRow() { ++m_rows; }
     [[nodiscard]] std::size_t rowCount() const { return m_rows; }
 
-    /// Sorts by id, checks ids, templates and seats, and moves everything into the scene.
+    /// Sorts by id, checks ids and templates, frees seats that are taken twice (with a warning),
+    /// and moves everything into the scene.
     [[nodiscard]] Result<void> finish(Scene& scene);
 
 private:
@@ -52,6 +54,8 @@ private:
         int unknown = -1; ///< index into m_unknown, -1: known
     };
 
+    void keepUnknown(Scene& scene, std::span<const IndividualId> ids,
+                     std::span<const std::size_t> order);
     [[nodiscard]] Result<IndividualRows> sortedRows(std::vector<std::size_t>& order);
     void putBytes(const Cell& cell, const void* value, std::size_t size);
 

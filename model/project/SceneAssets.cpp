@@ -79,17 +79,33 @@ TemplateEntry builtinTemplate(TemplateId id, const char* name)
     return entry;
 }
 
+/// The file to read, or why there can be none.
+Result<std::string> fileOf(const std::string& path)
+{
+    const QString file = assetFile(path);
+    if (isBuiltin(path) && builtinFolder().isEmpty()) {
+        return Error{path + ": the built-in models were not found. Install them beside the program "
+                            "or name their folder in CROWDBRUSH_RESOURCES."};
+    }
+    if (file.isEmpty()) {
+        return Error{path + ": there is no such built-in model. Locate a file instead."};
+    }
+    return file.toStdString();
+}
+
 } // namespace
 
 Result<TemplatePtr> loadTemplateAsset(const TemplateEntry& entry, const LoadProgress& progress)
 {
-    return importTemplate(assetFile(entry.path).toStdString(), entry.import,
-                          importProgress(progress, entry.name));
+    const Result<std::string> file = fileOf(entry.path);
+    return file ? importTemplate(file.value(), entry.import, importProgress(progress, entry.name))
+                : file.error();
 }
 
 Result<StagePtr> loadStageAsset(const StageEntry& entry, const LoadProgress& progress)
 {
-    return importStage(assetFile(entry.path).toStdString(), importProgress(progress, entry.name));
+    const Result<std::string> file = fileOf(entry.path);
+    return file ? importStage(file.value(), importProgress(progress, entry.name)) : file.error();
 }
 
 void attachAsset(TemplateEntry& entry, TemplatePtr asset)

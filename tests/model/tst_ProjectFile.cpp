@@ -2,7 +2,11 @@
 #include "model/project/ProjectFile.h"
 
 #include <cmath>
+#include <csignal>
+#include <functional>
 #include <limits>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -10,11 +14,14 @@
 #include <QtTest/QTest>
 
 #include "model/base/Random.h"
-#include "model/project/Autosave.h"
+#include "model/project/AssetPaths.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "model/project/SceneAssets.h"
 
 using namespace crowd::model;
+
+Q_DECLARE_METATYPE(std::function<void(crowd::model::Scene&)>)
 
 namespace {
 
@@ -82,14 +89,27 @@ class tst_ProjectFile : public QObject
 private Q_SLOTS:
     void readsWhatItWrote();
     void keepsWhatItDoesNotKnow();
+    void keepsUnknownMembersWhereTheyStood();
     void refusesBadInputWithItsPlace_data();
     void refusesBadInputWithItsPlace();
+    void saysFirstThatAVersionIsNewer();
+    void refusesTextThatIsNotUtf8();
+    void refusesHugeHeaders();
+    void freesSeatsTakenTwice();
+    void readsOddButValidFiles();
     void refusesEveryTruncation();
     void refusesToWriteWhatIsNotANumber();
+    void refusesToWriteWhatItCouldNotRead_data();
+    void refusesToWriteWhatItCouldNotRead();
+    void refusesWhatIsNotAFile();
+    void findsAssetsWhereverTheyAre_data();
+    void findsAssetsWhereverTheyAre();
+    void builtinPathsStayInTheirFolder();
+    void keepsLinkAndPermissionsOnSaving();
+    void leavesTheOldFileOnAFullDisk();
     void storesAssetsRelativeToTheFile();
     void leavesTheOldFileWhenSavingFails();
     void readsTheFirstVersion();
-    void offersARecoveryOnlyWhenItIsNewer();
 };
 
 void tst_ProjectFile::readsWhatItWrote()
@@ -118,6 +138,83 @@ void tst_ProjectFile::keepsWhatItDoesNotKnow()
     QCOMPARE(projectToText(projectFromText(written).value()).value(), written);
 }
 
+void tst_ProjectFile::keepsUnknownMembersWhereTheyStood()
+{
+    std::string text = changed("\"clips\":", "\"mood\": \"glad\", \"clips\":");
+    text.replace(text.find("\"templates\":"), 11,
+                 R"("stages": [{"id": 1, "path": "a.glb", "fog": 0.5}],
+"cameras": [{"name": "a", "position": [0,0,0], "orientation": [0,0,0,1], "lens": {"f": 50}}],
+"lighting": {"moon": true}, "templates")");
+    text.replace(text.find("\"columns\""), 9, "\"sorted\": false, \"columns\"");
+    text.replace(text.find("[\"idle\"]"), 8, "[\"idle\"], \"import\": {\"flip\": [1,2]}");
+    const Result<Scene> scene = projectFromText(text);
+    QVERIFY2(scene.isOk(), scene ? "" : scene.error().message.c_str());
+    const std::string written = projectToText(scene.value()).value();
+    for (const char* kept : {"\"mood\":\"glad\"", "\"fog\":0.5", "\"lens\":{\"f\":50}",
+                             "\"moon\":true", "\"sorted\": false", "\"flip\":[1,2]"}) {
+        QVERIFY2(written.find(kept) != std::string::npos, kept);
+    }
+    QCOMPARE(projectToText(projectFromText(written).value()).value(), written);
+}
+
+void tst_ProjectFile::saysFirstThatAVersionIsNewer()
+{
+    std::string text = changed("\"version\": 1", "\"version\": 2");
+    text.replace(text.find("[4,1,"), 5, "[{},");
+    const Result<Scene> read = projectFromText(text);
+    QVERIFY(!read.isOk());
+    QVERIFY2(read.error().message.find("Update Crowdbrush") != std::string::npos,
+             read.error().message.c_str());
+}
+
+void tst_ProjectFile::refusesTextThatIsNotUtf8()
+{
+    const Result<Scene> read = projectFromText(changed("man.glb", "m\xff\xfe.glb"));
+    QVERIFY(!read.isOk());
+    QVERIFY2(read.error().message.find("not valid JSON at line 3") != std::string::npos,
+             read.error().message.c_str());
+}
+
+void tst_ProjectFile::refusesHugeHeaders()
+{
+    std::string many = "\"x\": [0";
+    for (int i = 0; i < 2'100'000; ++i) {
+        many += ",0";
+    }
+    const Result<Scene> read =
+        projectFromText(changed("\"templates\":", (many + "], \"templates\":").c_str()));
+    QVERIFY(!read.isOk());
+    QVERIFY(read.error().message.find("more than 2000000 values") != std::string::npos);
+}
+
+void tst_ProjectFile::freesSeatsTakenTwice()
+{
+    const Result<Scene> read = projectFromText(changed("4294967295", "16777217"));
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    const Scene& scene = read.value();
+    QCOMPARE(scene.population.column(columns::seat)[0], SeatId{16777217});
+    QCOMPARE(scene.population.column(columns::seat)[1], kNoSeat);
+    QCOMPARE(scene.readWarnings.size(), std::size_t{1});
+    QVERIFY(scene.readWarnings.front().find("Individual 7") != std::string::npos);
+    QVERIFY(projectFromText(projectToText(scene).value()).value().readWarnings.empty());
+}
+
+void tst_ProjectFile::readsOddButValidFiles()
+{
+    // Ids out of order, windows line ends, a byte-order mark, an exponent, a tiny number.
+    std::string text = changed("[7,1,[1,0,2e1]", "[2,1,[1E0,1e-60,-0.0]");
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) {
+        text.replace(at, 1, "\r\n");
+    }
+    const Result<Scene> read = projectFromText("\xEF\xBB\xBF" + text);
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    const Population& people = read.value().population;
+    QCOMPARE(people.ids()[0], IndividualId{2});
+    QCOMPARE(people.column(columns::position)[0], glm::vec3(1.0F, 0.0F, 0.0F));
+    QVERIFY(std::signbit(people.column(columns::position)[0].z));
+    QCOMPARE(read.value().nextId, IndividualId{5});
+}
+
 void tst_ProjectFile::refusesBadInputWithItsPlace_data()
 {
     QTest::addColumn<QString>("text");
@@ -125,7 +222,7 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     const auto row = [](const char* name, const std::string& text, const char* message) {
         QTest::newRow(name) << QString::fromStdString(text) << QString::fromLatin1(message);
     };
-    row("empty file", "", "not valid JSON");
+    row("empty file", "", "ends too early, at line 1");
     row("not JSON", "hello", "line 1");
     row("a list", "[]", "not a Crowdbrush scene");
     row("a number", "5", "JSON object");
@@ -148,7 +245,6 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     row("a short row", changed(",4294967295]", "]"), "row 1 of the individuals must have 5");
     row("a long row", changed(",4294967295]", ",1,1,1]"), "row 1 of the individuals must have 5");
     row("a seat too large", changed("16777217", "99999999999"), "column \"seat\"");
-    row("a seat taken twice", changed("4294967295", "16777217"), "the same seat");
     row("a column twice", changed("\"seat\"]", "\"tint0\"]"), "\"tint0\" twice");
     row("no id column", changed("\"id\",\"template\"", "\"template\",\"id\""),
         "begins with \"id\"");
@@ -160,6 +256,50 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
                     .c_str()),
         "nested");
     row("rows before columns", changed("\"columns\"", "\"colums\""), "before the rows");
+    row("a number beyond all floats", changed("2e1", "2e999"), "too large at line 6");
+    row("not a number", changed("2e1", "NaN"), "not valid JSON at line 6");
+    row("a boolean for a number", changed("0.5", "true"), "column \"position\"");
+    row("a negative seat", changed("16777217", "-1"), "column \"seat\"");
+    row("a fraction for a seat", changed("16777217", "1.5"), "column \"seat\"");
+    row("an id that leaves none for others", changed("[7,1,", "[4294967295,1,"),
+        "row 2 of the individuals, column \"id\"");
+    row("a next id that leaves none",
+        changed("\"version\": 1", "\"version\": 1, \"nextId\": 4294967295"), "nextId");
+    row("a next id of zero", changed("\"version\": 1", "\"version\": 1, \"nextId\": 0"), "nextId");
+    row("an empty path", changed("man.glb", ""), "templates[0].path must not be empty");
+    row("a template id twice",
+        changed("[{\"id\": 1,", "[{\"id\": 1, \"path\": \"b.glb\"}, {\"id\": 1,"),
+        "id 1 is given twice");
+    row("a template id too large", changed("\"id\": 1", "\"id\": 65536"), "templates[0].id");
+    row("a negative template id", changed("\"id\": 1", "\"id\": -1"), "templates[0].id");
+    row("templates as an object",
+        changed("[{\"id\": 1, \"path\": \"man.glb\", \"clips\": [\"idle\"]}]", "{}"),
+        "templates must be a list");
+    row("a template as a number",
+        changed("[{\"id\": 1, \"path\": \"man.glb\", \"clips\": [\"idle\"]}]", "[3]"),
+        "templates[0] must be an object");
+    row("clips that are numbers", changed("[\"idle\"]", "[1]"), "templates[0].clips");
+    row("a clip speed beyond all floats",
+        changed("[\"idle\"]", "[\"idle\"], \"clipSpeeds\": [1e300]"), "templates[0].clipSpeeds");
+    row("an import scale of zero", changed("[\"idle\"]", "[\"idle\"], \"import\": {\"scale\": 0}"),
+        "templates[0].import.scale must be above zero");
+    row("an import rotation that is none",
+        changed("[\"idle\"]", "[\"idle\"], \"import\": {\"rotation\": [0,0,0,0]}"),
+        "templates[0].import.rotation");
+    row("a camera without width",
+        changed("\"templates\":", "\"cameras\": [{\"name\": \"a\", \"position\": [0,0,0], "
+                                  "\"orientation\": [0,0,0,1], \"fovY\": 0}], \"templates\":"),
+        "cameras[0].fovY");
+    row("a light that is text",
+        changed("\"templates\":", "\"lighting\": {\"sunStrength\": \"much\"}, \"templates\":"),
+        "lighting.sunStrength");
+    row("a member twice", changed("\"templates\":", "\"version\": 1, \"templates\":"),
+        "\"version\" stands twice");
+    row("two tables", changed("]}}", "]}, \"individuals\": {\"columns\": [\"id\"]}}"),
+        "\"individuals\" stands twice");
+    row("columns again after the rows",
+        changed("16777217]\n]", "16777217]\n], \"columns\": [\"id\"]"), "\"columns\" stands twice");
+    row("something behind the end", std::string(kSmall) + "x", "not valid JSON at line 7");
     row("an object as row", changed("[4,1,[0,0.5,-1],\"#ff000080\",4294967295]", "{}"), "row 1");
 }
 
@@ -191,6 +331,147 @@ void tst_ProjectFile::refusesToWriteWhatIsNotANumber()
     const Result<std::string> text = projectToText(scene);
     QVERIFY(!text.isOk());
     QVERIFY(text.error().message.find("Individual 3 has a heading") != std::string::npos);
+}
+
+void tst_ProjectFile::refusesToWriteWhatItCouldNotRead_data()
+{
+    using Spoil = std::function<void(Scene&)>;
+    const float nan = std::nanf("");
+    QTest::addColumn<Spoil>("spoil");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const Spoil& spoil, const char* message) {
+        QTest::newRow(name) << spoil << QString::fromLatin1(message);
+    };
+    row(
+        "a camera nowhere", [nan](Scene& s) { s.cameras.front().camera.position.x = nan; },
+        "cameras[0].position");
+    row(
+        "a camera without width", [](Scene& s) { s.cameras.front().camera.fovYRadians = 0.0F; },
+        "cameras[0].fovY");
+    row(
+        "an endless light", [](Scene& s) { s.lighting.sunStrength = INFINITY; },
+        "lighting.sunStrength");
+    row(
+        "a stage without size", [](Scene& s) { s.stages.front().scale = 0.0F; }, "stages[0].scale");
+    row(
+        "an endless clip speed", [](Scene& s) { s.templates.front().clipSpeeds[1] = INFINITY; },
+        "templates[0].clipSpeeds");
+    row(
+        "a template that is gone", [](Scene& s) { s.templates.clear(); },
+        "Individual 1 uses the template 3");
+}
+
+void tst_ProjectFile::refusesToWriteWhatItCouldNotRead()
+{
+    QFETCH(std::function<void(Scene&)>, spoil);
+    QFETCH(QString, message);
+    Scene scene = variedScene(2);
+    spoil(scene);
+    const Result<std::string> text = projectToText(scene);
+    QVERIFY(!text.isOk());
+    const QString said = QString::fromStdString(text.error().message);
+    QVERIFY2(said.contains(message), qPrintable(said));
+}
+
+void tst_ProjectFile::refusesWhatIsNotAFile()
+{
+    QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe.crowd"));
+    QCOMPARE(::mkfifo(qPrintable(pipe), 0600), 0);
+    for (const QString& path : {pipe, folder.path(), QStringLiteral("/dev/zero"),
+                                folder.filePath(QStringLiteral("none.crowd"))}) {
+        const Result<Scene> read = readProject(path);
+        QVERIFY(!read.isOk());
+        QVERIFY2(QString::fromStdString(read.error().message).startsWith(path),
+                 read.error().message.c_str());
+    }
+}
+
+void tst_ProjectFile::findsAssetsWhereverTheyAre_data()
+{
+    QTest::addColumn<QString>("written");
+    QTest::addColumn<QString>("found"); // %1 is the folder of the scene
+    QTest::newRow("beside it") << QStringLiteral("fox.glb") << QStringLiteral("%1/fox.glb");
+    QTest::newRow("below it") << QStringLiteral("a/./b/fox.glb")
+                              << QStringLiteral("%1/a/b/fox.glb");
+    QTest::newRow("above it") << QStringLiteral("../fox.glb") << QString();
+    QTest::newRow("absolute") << QStringLiteral("/somewhere/fox.glb")
+                              << QStringLiteral("/somewhere/fox.glb");
+    QTest::newRow("beyond the root")
+        << QStringLiteral("../../../../../../../../../../../etc/fox.glb")
+        << QStringLiteral("/etc/fox.glb");
+    QTest::newRow("not ASCII") << QStringLiteral("füchse/狐.glb")
+                               << QStringLiteral("%1/füchse/狐.glb");
+    QTest::newRow("built in") << QStringLiteral("builtin:templates/man.glb")
+                              << QStringLiteral("builtin:templates/man.glb");
+}
+
+void tst_ProjectFile::findsAssetsWhereverTheyAre()
+{
+    QFETCH(QString, written);
+    QFETCH(QString, found);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.crowd"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(changed("man.glb", written.toUtf8().constData())));
+    file.close();
+    const Result<Scene> read = readProject(path);
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    const QString expected =
+        found.isEmpty() ? QFileInfo(folder.path()).absolutePath() + QStringLiteral("/fox.glb")
+                        : found.replace(QStringLiteral("%1"), folder.path());
+    QCOMPARE(QString::fromStdString(read.value().templates.front().path), expected);
+    QVERIFY(saveProject(read.value(), path).isOk());
+    QCOMPARE(readProject(path).value().templates.front().path, read.value().templates.front().path);
+}
+
+void tst_ProjectFile::builtinPathsStayInTheirFolder()
+{
+    QCOMPARE(assetFile("builtin:../../../etc/passwd"), QString());
+    QVERIFY(assetFile("builtin:templates/man.glb").endsWith(QStringLiteral("/templates/man.glb")));
+    TemplateEntry entry;
+    entry.path = "builtin:../secret.glb";
+    const Result<TemplatePtr> asset = loadTemplateAsset(entry);
+    QVERIFY(!asset.isOk());
+    QVERIFY(asset.error().message.find("builtin:../secret.glb") != std::string::npos);
+}
+
+void tst_ProjectFile::keepsLinkAndPermissionsOnSaving()
+{
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("real")));
+    const QString real = folder.filePath(QStringLiteral("real/a.crowd"));
+    const QString link = folder.filePath(QStringLiteral("link.crowd"));
+    QVERIFY(saveProject(variedScene(1), real).isOk());
+    const auto shared = QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::WriteGroup;
+    QVERIFY(QFile::setPermissions(real, shared));
+    QVERIFY(QFile::link(QStringLiteral("real/a.crowd"), link));
+    QVERIFY(saveProject(variedScene(7), link).isOk());
+    QVERIFY(QFileInfo(link).isSymLink());
+    QCOMPARE(readProject(real).value().population.size(), std::size_t{7});
+    QCOMPARE(QFile::permissions(real) & ~(QFile::ReadUser | QFile::WriteUser), shared);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 2);
+    QCOMPARE(QDir(folder.filePath(QStringLiteral("real"))).entryList(QDir::Files).size(), 1);
+}
+
+void tst_ProjectFile::leavesTheOldFileOnAFullDisk()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.crowd"));
+    QVERIFY(saveProject(variedScene(3), path).isOk());
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit full{10000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    const Result<void> saved = saveProject(variedScene(5000), path);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    QVERIFY(!saved.isOk());
+    QVERIFY2(saved.error().message.find("was not saved") != std::string::npos,
+             saved.error().message.c_str());
+    QCOMPARE(readProject(path).value().population.size(), std::size_t{3});
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
 }
 
 void tst_ProjectFile::storesAssetsRelativeToTheFile()
@@ -232,25 +513,6 @@ void tst_ProjectFile::readsTheFirstVersion()
         readProject(QStringLiteral(CROWD_TEST_DATA "/project/version-1.crowd"));
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QVERIFY(read.value().population == variedScene(20).population);
-}
-
-void tst_ProjectFile::offersARecoveryOnlyWhenItIsNewer()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("a.crowd"));
-    QVERIFY(saveProject(variedScene(1), path).isOk());
-    QVERIFY(findRecovery(path).isEmpty());
-    QVERIFY(writeAutosave(variedScene(2), path).isOk());
-    QVERIFY(!findRecovery(path).isEmpty());
-    QVERIFY(readProject(findRecovery(path)).value().population == variedScene(2).population);
-    QFile recovery(autosavePath(path));
-    QVERIFY(recovery.open(QIODevice::ReadWrite));
-    recovery.setFileTime(QDateTime::currentDateTime().addDays(-1),
-                         QFileDevice::FileModificationTime);
-    recovery.close();
-    QVERIFY(findRecovery(path).isEmpty());
-    removeAutosave(path);
-    QVERIFY(!QFile::exists(autosavePath(path)));
 }
 
 QTEST_GUILESS_MAIN(tst_ProjectFile)
