@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/Autosave.h"
 
+#include <algorithm>
+
 #include <QtCore/QCoreApplication>
+#include <QtCore/QCryptographicHash>
+#include <QtCore/QDateTime>
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
@@ -13,64 +17,175 @@ namespace crowd::model {
 
 namespace {
 
-QString untitledFolder()
+const QString kSuffix = QStringLiteral(".autosave");
+const QString kUntitled = QStringLiteral("untitled.crowd");
+
+QString dataFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
            QStringLiteral("/unsaved");
 }
 
-bool isProcessAlive(const QString& processId)
+/// When a process was started, in ticks since the machine was (proc(5)); empty: there is none.
+QString startOf(const QString& processId)
 {
-    return QFileInfo::exists(QStringLiteral("/proc/") + processId);
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(processId));
+    if (!stat.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray text = stat.readAll();
+    constexpr int kStartAfterName = 20; // field 22; the name ends with the last ')'
+    return QString::fromLatin1(
+        text.mid(text.lastIndexOf(')') + 2).split(' ').value(kStartAfterName - 1));
+}
+
+/// Process ids come again, but not with the same start.
+QString ownName()
+{
+    const QString id = QString::number(QCoreApplication::applicationPid());
+    return id + QLatin1Char('-') + startOf(id);
+}
+
+bool isAlive(const QString& owner)
+{
+    const QString start = startOf(owner.section(QLatin1Char('-'), 0, 0));
+    return !start.isEmpty() && start == owner.section(QLatin1Char('-'), 1, 1);
+}
+
+/// Folder and first part of the name of a document's autosaves.
+struct Place
+{
+    QString folder;
+    QString name;
+
+    [[nodiscard]] QString fileOf(const QString& owner) const
+    {
+        return folder + QLatin1Char('/') + name + QLatin1Char('.') + owner + kSuffix;
+    }
+};
+
+Place placeBeside(const QString& projectPath)
+{
+    if (projectPath.isEmpty()) {
+        return {dataFolder(), kUntitled};
+    }
+    const QFileInfo project(projectPath);
+    return {project.absolutePath(), project.fileName()};
+}
+
+/// For a project in a folder that cannot be written.
+Place placeElsewhere(const QString& projectPath)
+{
+    const QByteArray path = QFileInfo(projectPath).absoluteFilePath().toUtf8();
+    return {dataFolder(),
+            QString::fromLatin1(
+                QCryptographicHash::hash(path, QCryptographicHash::Sha1).toHex().left(16)) +
+                QStringLiteral(".crowd")};
+}
+
+/// Autosaves at a place whose process is gone, newest first.
+QFileInfoList leftAt(const Place& place)
+{
+    QFileInfoList left;
+    const QString start = place.name + QLatin1Char('.');
+    for (const QFileInfo& file :
+         QDir(place.folder).entryInfoList(QDir::Files | QDir::Hidden, QDir::Time)) {
+        const QString name = file.fileName();
+        if (name.startsWith(start) && name.endsWith(kSuffix)) {
+            const QString owner =
+                name.mid(start.size(), name.size() - start.size() - kSuffix.size());
+            if (owner.contains(QLatin1Char('-')) && !isAlive(owner)) {
+                left << file;
+            }
+        }
+    }
+    return left;
+}
+
+QFileInfoList leftOf(const QString& projectPath)
+{
+    QFileInfoList left = leftAt(placeBeside(projectPath)) + leftAt(placeElsewhere(projectPath));
+    std::ranges::stable_sort(left, [](const QFileInfo& a, const QFileInfo& b) {
+        return a.lastModified() > b.lastModified();
+    });
+    return left;
+}
+
+bool isNewerThan(const QFileInfo& recovery, const QFileInfo& project)
+{
+    return !project.exists() || recovery.lastModified() >= project.lastModified();
+}
+
+Result<void> writeAt(const Place& place, const Scene& scene)
+{
+    if (!QDir().mkpath(place.folder)) {
+        return Error{place.folder.toStdString() +
+                     ": the folder could not be made; unsaved work is not kept."};
+    }
+    return saveProject(scene, place.fileOf(ownName()));
 }
 
 } // namespace
 
 QString autosavePath(const QString& projectPath)
 {
-    if (!projectPath.isEmpty()) {
-        return projectPath + QStringLiteral(".autosave");
-    }
-    return untitledFolder() +
-           QStringLiteral("/%1.crowd.autosave").arg(QCoreApplication::applicationPid());
+    return placeBeside(projectPath).fileOf(ownName());
 }
 
 Result<void> writeAutosave(const Scene& scene, const QString& projectPath)
 {
-    const QString path = autosavePath(projectPath);
-    if (!QDir().mkpath(QFileInfo(path).absolutePath())) {
-        return Error{path.toStdString() + ": the folder could not be made; autosave is off."};
+    const Result<void> beside = writeAt(placeBeside(projectPath), scene);
+    if (beside || projectPath.isEmpty()) {
+        return beside;
     }
-    return saveProject(scene, path);
+    return writeAt(placeElsewhere(projectPath), scene) ? Result<void>() : beside;
 }
 
 void removeAutosave(const QString& projectPath)
 {
-    QFile::remove(autosavePath(projectPath));
+    QFile::remove(placeBeside(projectPath).fileOf(ownName()));
+    if (!projectPath.isEmpty()) {
+        QFile::remove(placeElsewhere(projectPath).fileOf(ownName()));
+    }
 }
 
 QString findRecovery(const QString& projectPath)
 {
-    const QFileInfo recovery(autosavePath(projectPath));
-    if (projectPath.isEmpty() || !recovery.exists()) {
+    if (projectPath.isEmpty()) {
         return {};
     }
-    const QFileInfo project(projectPath);
-    const bool isNewer = !project.exists() || recovery.lastModified() >= project.lastModified();
-    return isNewer ? recovery.absoluteFilePath() : QString();
+    const QFileInfoList left = leftOf(projectPath);
+    const bool isUseful = !left.isEmpty() && isNewerThan(left.front(), QFileInfo(projectPath));
+    return isUseful ? left.front().absoluteFilePath() : QString();
 }
 
 QStringList findUntitledRecoveries()
 {
     QStringList found;
-    const QDir folder(untitledFolder());
-    for (const QFileInfo& file :
-         folder.entryInfoList({QStringLiteral("*.crowd.autosave")}, QDir::Files, QDir::Time)) {
-        if (!isProcessAlive(file.fileName().section(QLatin1Char('.'), 0, 0))) {
-            found << file.absoluteFilePath();
-        }
+    for (const QFileInfo& file : leftAt(placeBeside({}))) {
+        found << file.absoluteFilePath();
     }
     return found;
+}
+
+void adoptRecovery(const QString& recovery, const QString& projectPath)
+{
+    const Place place = QFileInfo(recovery).absolutePath() == placeBeside(projectPath).folder
+                            ? placeBeside(projectPath)
+                            : placeElsewhere(projectPath);
+    // Relative asset paths in it stay right: it stays in its folder.
+    QFile::remove(place.fileOf(ownName()));
+    QFile::rename(recovery, place.fileOf(ownName()));
+}
+
+void removeOldRecoveries(const QString& projectPath)
+{
+    const QFileInfo project(projectPath);
+    for (const QFileInfo& recovery : leftOf(projectPath)) {
+        if (!isNewerThan(recovery, project)) {
+            QFile::remove(recovery.absoluteFilePath());
+        }
+    }
 }
 
 } // namespace crowd::model

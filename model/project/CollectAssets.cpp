@@ -4,7 +4,9 @@
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
-#include <QtCore/QUrl>
+#include <QtCore/QHash>
+#include <QtCore/QSaveFile>
+#include <QtCore/QtEndian>
 
 #include <nlohmann/json.hpp>
 
@@ -18,12 +20,23 @@ using nlohmann::json;
 
 Error copyError(const QString& file, const QString& why)
 {
-    return Error{(file + QStringLiteral(": could not be copied (") + why + QStringLiteral(")."))
+    return Error{(file + QStringLiteral(": could not be copied (") + why +
+                  QStringLiteral("). Make room there or choose another place, then try again."))
                      .toStdString()};
 }
 
-/// Files that a .gltf names in its buffers and images, relative to it. A .glb has them inside, and
-/// what it still names is listed too.
+/// The JSON of a .gltf, or of a .glb's first chunk (12 bytes of header, then its length and kind).
+QByteArray jsonOf(const QByteArray& bytes)
+{
+    constexpr qsizetype kLengthAt = 12;
+    constexpr qsizetype kJsonAt = 20;
+    if (!bytes.startsWith("glTF") || bytes.size() < kJsonAt) {
+        return bytes;
+    }
+    return bytes.mid(kJsonAt, qFromLittleEndian<quint32>(bytes.constData() + kLengthAt));
+}
+
+/// Files that a model names in its buffers and images, relative to it.
 QStringList referencedFiles(const QString& asset)
 {
     QFile file(asset);
@@ -31,95 +44,159 @@ QStringList referencedFiles(const QString& asset)
     if (!file.open(QIODevice::ReadOnly)) {
         return names;
     }
-    QByteArray bytes = file.readAll();
-    if (bytes.startsWith("glTF")) {
-        constexpr qsizetype kHeader = 20;
-        bytes = bytes.mid(kHeader, bytes.indexOf("BIN", kHeader) - kHeader - 4);
-    }
-    const json top =
-        json::parse(bytes.constData(), bytes.constData() + bytes.size(), nullptr, false);
+    const QByteArray text = jsonOf(file.readAll());
+    const json top = json::parse(text.constData(), text.constData() + text.size(), nullptr, false);
     for (const char* list : {"buffers", "images"}) {
         if (!top.is_object() || !top.contains(list) || !top[list].is_array()) {
             continue;
         }
         for (const json& item : top[list]) {
-            const std::string uri = item.is_object() ? item.value("uri", std::string()) : "";
-            if (!uri.empty() && !uri.starts_with("data:")) {
-                names << QUrl::fromPercentEncoding(QByteArray::fromStdString(uri));
+            if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) {
+                continue;
+            }
+            const auto uri = QByteArray::fromStdString(item["uri"].get<std::string>());
+            if (!uri.isEmpty() && !uri.startsWith("data:")) {
+                names << QString::fromUtf8(QByteArray::fromPercentEncoding(uri));
             }
         }
     }
     return names;
 }
 
+/// Whole or not at all: an older copy is replaced only when the new one is complete.
 Result<void> copyFile(const QString& from, const QString& to)
 {
     if (QFileInfo(from) == QFileInfo(to)) {
         return {};
     }
+    QFile source(from);
+    QSaveFile target(to);
     if (!QDir().mkpath(QFileInfo(to).absolutePath())) {
         return copyError(from, QFileInfo(to).absolutePath());
     }
-    QFile::remove(to);
-    QFile source(from);
-    if (!source.copy(to)) {
+    if (!source.open(QIODevice::ReadOnly)) {
         return copyError(from, source.errorString());
     }
+    bool isWhole = target.open(QIODevice::WriteOnly);
+    constexpr qint64 kPiece = 1 << 20;
+    while (isWhole && !source.atEnd()) {
+        const QByteArray piece = source.read(kPiece);
+        isWhole = !piece.isEmpty() && target.write(piece) == piece.size();
+    }
+    if (!isWhole || !target.commit()) {
+        return copyError(from, to + QStringLiteral(": ") + target.errorString());
+    }
     return {};
 }
 
-/// The path of the copy.
-Result<std::string> collect(const std::string& assetPath, const QString& folder)
+bool haveSameBytes(const QString& a, const QString& b)
 {
-    const QFileInfo source(QString::fromStdString(assetPath));
-    QDir target(folder + QStringLiteral("/assets/") + source.completeBaseName());
-    const QString copy = target.absoluteFilePath(source.fileName());
-    if (const auto copied = copyFile(source.absoluteFilePath(), copy); !copied) {
-        return copied.error();
-    }
-    for (const QString& name : referencedFiles(source.absoluteFilePath())) {
-        const QString inside = QDir::cleanPath(target.absoluteFilePath(name));
-        if (!inside.startsWith(target.absolutePath() + QLatin1Char('/'))) {
-            return copyError(name, QStringLiteral("it lies outside the folder of its asset"));
-        }
-        if (const auto copied = copyFile(source.dir().absoluteFilePath(name), inside); !copied) {
-            return copied.error();
-        }
-    }
-    return copy.toStdString();
+    QFile first(a);
+    QFile second(b);
+    return first.open(QIODevice::ReadOnly) && second.open(QIODevice::ReadOnly) &&
+           first.size() == second.size() && first.readAll() == second.readAll();
 }
 
-template<class Entry>
-Result<void> collectEntries(const std::vector<Entry>& entries, const QString& folder,
-                            std::vector<Entry>& changed)
+class Collector
 {
-    for (Entry entry : entries) {
-        if (isBuiltin(entry.path) || !entry.asset) {
-            continue;
-        }
-        const Result<std::string> path = collect(entry.path, folder);
-        if (!path) {
-            return path.error();
-        }
-        if (path.value() != entry.path) {
-            entry.path = path.value();
+public:
+    explicit Collector(const QString& folder) : m_assets(folder + QStringLiteral("/assets")) {}
+
+    template<class Entry>
+    Result<void> collect(const std::vector<Entry>& entries, std::vector<Entry>& changed)
+    {
+        for (Entry entry : entries) {
+            const QString file = QString::fromStdString(entry.path);
+            if (isBuiltin(entry.path) || isCollected(file)) {
+                continue;
+            }
+            if (!QFileInfo(file).isFile()) {
+                m_leftBehind << file;
+                continue;
+            }
+            const Result<QString> copied = copyOf(file);
+            if (!copied) {
+                return copied.error();
+            }
+            entry.path = copied.value().toStdString();
             changed.push_back(std::move(entry));
         }
+        return {};
     }
-    return {};
-}
+    [[nodiscard]] const QStringList& leftBehind() const { return m_leftBehind; }
+
+private:
+    [[nodiscard]] bool isCollected(const QString& file) const
+    {
+        return QDir::cleanPath(file).startsWith(QDir::cleanPath(m_assets) + QLatin1Char('/'));
+    }
+
+    /// A folder that no other asset has, unless it holds the very same file from an earlier time.
+    [[nodiscard]] QString folderFor(const QFileInfo& source)
+    {
+        for (int number = 1;; ++number) {
+            QString name = source.completeBaseName();
+            if (number > 1) {
+                name += QLatin1Char('-') + QString::number(number);
+            }
+            const QString folder = m_assets + QLatin1Char('/') + name;
+            const QString earlier = folder + QLatin1Char('/') + source.fileName();
+            const bool isFree =
+                !QFileInfo::exists(folder) || haveSameBytes(source.absoluteFilePath(), earlier);
+            if (isFree && !m_taken.contains(folder)) {
+                m_taken << folder;
+                return folder;
+            }
+        }
+    }
+
+    Result<QString> copyOf(const QString& file)
+    {
+        if (const auto known = m_copies.constFind(file); known != m_copies.constEnd()) {
+            return *known;
+        }
+        const QFileInfo source(file);
+        const QDir target(folderFor(source));
+        for (const QString& name : referencedFiles(file)) {
+            const QString inside = QDir::cleanPath(target.absoluteFilePath(name));
+            const QString from = source.dir().absoluteFilePath(name);
+            // The importer does not follow names that lead out of the folder either.
+            if (!inside.startsWith(target.absolutePath() + QLatin1Char('/')) ||
+                !QFileInfo(from).isFile()) {
+                m_leftBehind << from;
+                continue;
+            }
+            if (const Result<void> copied = copyFile(from, inside); !copied) {
+                return copied.error();
+            }
+        }
+        const QString copy = target.absoluteFilePath(source.fileName());
+        if (const Result<void> copied = copyFile(file, copy); !copied) {
+            return copied.error();
+        }
+        m_copies.insert(file, copy);
+        return copy;
+    }
+
+    QString m_assets;
+    QStringList m_taken;
+    QHash<QString, QString> m_copies; ///< source → copy
+    QStringList m_leftBehind;
+};
 
 } // namespace
 
 Result<CollectedEntries> collectAssets(const Scene& scene, const QString& folder)
 {
     CollectedEntries collected;
-    if (const auto done = collectEntries(scene.templates, folder, collected.templates); !done) {
+    Collector collector(folder);
+    if (const auto done = collector.collect(scene.templates, collected.templates); !done) {
         return done.error();
     }
-    if (const auto done = collectEntries(scene.stages, folder, collected.stages); !done) {
+    if (const auto done = collector.collect(scene.stages, collected.stages); !done) {
         return done.error();
     }
+    collected.leftBehind = collector.leftBehind();
     return collected;
 }
 
