@@ -3,13 +3,11 @@
 
 #include <cstdio>
 
-#include <QtCore/QFileInfo>
 #include <QtCore/QTranslator>
 #include <QtWidgets/QApplication>
 
 #include "app/window/MainWindow.h"
 #include "app/window/PreferencesDialog.h"
-#include "model/project/AssetPaths.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 
@@ -36,25 +34,6 @@ void loadTranslation(QApplication& application)
     }
 }
 
-void openFiles(MainWindow& window, QStringList files)
-{
-    const QString ready = model::builtinFolder() + QStringLiteral("/scenes/theatre.crowd");
-    if (files.isEmpty() && QFileInfo::exists(ready)) {
-        files << ready;
-    }
-    if (files.isEmpty()) {
-        window.files().newTheatre();
-    }
-    for (const QString& file : files) {
-        if (QFileInfo(file).suffix().compare(QStringLiteral("crowd"), Qt::CaseInsensitive) == 0) {
-            window.files().openPath(file);
-        } else {
-            window.assets().bring(file, false);
-        }
-    }
-    window.files().offerUntitledRecovery();
-}
-
 } // namespace
 
 int runEditor(int& argc, char** argv, const QStringList& files)
@@ -78,7 +57,7 @@ int runEditor(int& argc, char** argv, const QStringList& files)
     MainWindow window;
     window.show();
     QMetaObject::invokeMethod(
-        &window, [&window, files] { openFiles(window, files); }, Qt::QueuedConnection);
+        &window, [&window, files] { window.queue().openAtStart(files); }, Qt::QueuedConnection);
     return QApplication::exec();
 }
 

@@ -13,6 +13,7 @@
 #include "model/gltf/ImportProposal.h"
 #include "model/project/SceneAssets.h"
 #include "widgets/dialogs/ImportDialog.h"
+#include "widgets/dialogs/MissingAssetsDialog.h"
 
 namespace crowd::app {
 
@@ -23,6 +24,14 @@ using model::Result;
 model::ImportProgress importProgress(const BackgroundTask::Progress& report, const QString& name)
 {
     return [report, name](float fraction) { return report(name, fraction); };
+}
+
+model::LoadProgress loadProgress(const BackgroundTask::Progress& report)
+{
+    return [report](const std::string& what, float fraction) {
+        return report(AssetController::tr("Reading %1…").arg(QString::fromStdString(what)),
+                      fraction);
+    };
 }
 
 QString fileName(const QString& path)
@@ -43,6 +52,21 @@ void paintWith(widgets::EditorState& state, model::TemplateId id)
     state.setBrush(brush);
 }
 
+QString modelFilter()
+{
+    return AssetController::tr("glTF models (*.glb *.gltf);;All files (*)");
+}
+
+/// The deepest folder on the way to a file that is still there.
+QString nearestFolder(const QString& path)
+{
+    QString folder = QFileInfo(path).path();
+    while (!QFileInfo(folder).isDir() && folder.contains(QLatin1Char('/')) && folder.size() > 1) {
+        folder = QFileInfo(folder).path();
+    }
+    return folder;
+}
+
 } // namespace
 
 AssetController::AssetController(widgets::EditorState& state, QWidget* window)
@@ -52,8 +76,7 @@ AssetController::AssetController(widgets::EditorState& state, QWidget* window)
 
 QString AssetController::askForModel(const QString& title)
 {
-    return QFileDialog::getOpenFileName(m_window, title, {},
-                                        tr("glTF models (*.glb *.gltf);;All files (*)"));
+    return QFileDialog::getOpenFileName(m_window, title, {}, modelFilter());
 }
 
 void AssetController::importTemplate()
@@ -201,79 +224,85 @@ void AssetController::removeTemplate(model::TemplateId id)
 
 void AssetController::locateTemplate(model::TemplateId id)
 {
-    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
-    if (entry == nullptr) {
-        return;
+    if (const model::TemplateEntry* entry = m_state.scene().findTemplate(id)) {
+        locate({false, id, entry->name, entry->path, entry->problem});
     }
-    const QString path = askForModel(tr("Locate “%1”").arg(QString::fromStdString(entry->name)));
-    if (path.isEmpty()) {
-        return;
-    }
-    model::TemplateEntry found = *entry;
-    found.path = path.toStdString();
-    Result<model::TemplatePtr> asset = model::loadTemplateAsset(found);
-    if (!asset) {
-        fail(tr("The template could not be read"), asset.error().message);
-        return;
-    }
-    model::attachAsset(found, asset.value());
-    const auto edit = m_state.document().beginEdit();
-    edit->changeTemplate(found);
-    edit->commit(tr("Locate Template"));
 }
 
 void AssetController::locateStage(std::uint8_t id)
 {
-    const model::StageEntry* entry = m_state.scene().findStage(id);
-    if (entry == nullptr) {
+    if (const model::StageEntry* entry = m_state.scene().findStage(id)) {
+        locate({true, id, entry->name, entry->path, entry->problem});
+    }
+}
+
+void AssetController::locate(const model::MissingAsset& asset)
+{
+    const QString was = QString::fromStdString(asset.path);
+    const QString path = QFileDialog::getOpenFileName(
+        m_window, tr("Locate “%1” (%2)").arg(QString::fromStdString(asset.name), fileName(was)),
+        nearestFolder(was), modelFilter());
+    if (!path.isEmpty()) {
+        locateAt(asset, path);
+    }
+}
+
+void AssetController::locateAt(const model::MissingAsset& asset, const QString& path)
+{
+    if (m_task.isRunning()) {
         return;
     }
-    const QString path = askForModel(tr("Locate “%1”").arg(QString::fromStdString(entry->name)));
-    if (path.isEmpty()) {
-        return;
-    }
-    model::StageEntry found = *entry;
-    found.path = path.toStdString();
-    const Result<model::StagePtr> asset = model::loadStageAsset(found);
-    if (!asset) {
-        fail(tr("The stage could not be read"), asset.error().message);
-        return;
-    }
-    found.asset = asset.value();
-    found.problem.clear();
+    const model::Scene scene = m_state.scene(); // columns and assets are shared
+    m_task.start(
+        tr("Reading %1…").arg(fileName(path)),
+        [scene, asset, path](const BackgroundTask::Progress& report) {
+            return findAssets(scene, asset, path.toStdString(), loadProgress(report));
+        },
+        [this](const Result<FoundAssets>& found) {
+            if (!found) {
+                fail(tr("The file could not be read"), found.error().message);
+                return;
+            }
+            take(found.value());
+        });
+}
+
+/// The entries may have changed while the files were read: only paths and assets are new.
+void AssetController::take(const FoundAssets& found)
+{
+    m_state.document().interruptEdit();
     const auto edit = m_state.document().beginEdit();
-    edit->changeStage(found);
-    edit->commit(tr("Locate Stage"));
+    for (const auto& [id, path, asset] : found.templates) {
+        if (const model::TemplateEntry* entry = m_state.scene().findTemplate(id)) {
+            model::TemplateEntry whole = *entry;
+            whole.path = path;
+            model::attachAsset(whole, asset);
+            edit->changeTemplate(whole);
+        }
+    }
+    for (const auto& [id, path, asset] : found.stages) {
+        if (const model::StageEntry* entry = m_state.scene().findStage(id)) {
+            model::StageEntry whole = *entry;
+            whole.path = path;
+            whole.asset = asset;
+            whole.problem.clear();
+            edit->changeStage(whole);
+        }
+    }
+    edit->commit(tr("Locate Assets"));
+    m_state.showStatus(tr("%n asset(s) found.", nullptr,
+                          static_cast<int>(found.templates.size() + found.stages.size())));
 }
 
 void AssetController::reportMissing()
 {
-    QStringList problems;
-    for (const model::TemplateEntry& entry : m_state.scene().templates) {
-        if (!entry.problem.empty()) {
-            problems << QString::fromStdString(entry.problem);
-        }
-    }
-    for (const model::StageEntry& entry : m_state.scene().stages) {
-        if (!entry.problem.empty()) {
-            problems << QString::fromStdString(entry.problem);
-        }
-    }
-    if (problems.isEmpty()) {
+    if (model::missingAssets(m_state.scene()).empty()) {
         return;
     }
-    auto* box = new QMessageBox(
-        QMessageBox::Warning, tr("Missing Assets"),
-        tr("%n asset(s) of this scene could not be loaded. The scene is intact and can be saved "
-           "without loss; what they draw is not shown.",
-           nullptr, static_cast<int>(problems.size())) +
-            QStringLiteral("\n\n") + problems.join(QLatin1Char('\n')) + QStringLiteral("\n\n") +
-            tr("To point the scene at a file that has moved, choose Locate in the Templates or the "
-               "Scene panel."),
-        QMessageBox::Ok, m_window);
-    box->setObjectName(QStringLiteral("missingAssets"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    auto* dialog = new widgets::MissingAssetsDialog(m_state, m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &widgets::MissingAssetsDialog::locateRequested, this, &AssetController::locate);
+    dialog->open();
 }
 
 void AssetController::fail(const QString& title, const std::string& message)

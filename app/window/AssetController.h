@@ -5,6 +5,7 @@
 #include <QtCore/QStringList>
 
 #include "app/window/BackgroundTask.h"
+#include "app/window/FoundAssets.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 #include "widgets/state/EditorState.h"
@@ -35,6 +36,8 @@ public:
     void addTemplate(const QString& path, const model::ImportSettings& settings,
                      const std::vector<float>& clipSpeeds = {});
     void addStage(const QString& path);
+    /// Reads a missing asset from `path`, and others that are missing from near it: one undo step.
+    void locateAt(const model::MissingAsset& asset, const QString& path);
     [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
 
 Q_SIGNALS:
@@ -44,6 +47,8 @@ Q_SIGNALS:
 private:
     void proposeTemplate(const QString& path);
     void put(model::TemplateEntry entry, const model::TemplatePtr& asset, const QString& undoText);
+    void locate(const model::MissingAsset& asset); ///< asks for the file
+    void take(const FoundAssets& found);
     void fail(const QString& title, const std::string& message);
     [[nodiscard]] QString askForModel(const QString& title);
 

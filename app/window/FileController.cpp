@@ -4,10 +4,12 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSettings>
+#include <QtCore/QLocale>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
 
+#include "app/window/RecentFiles.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/Autosave.h"
 #include "model/project/CollectAssets.h"
@@ -18,9 +20,7 @@ namespace crowd::app {
 
 namespace {
 
-constexpr int kMaxRecentFiles = 10;
-const QString kRecentKey = QStringLiteral("files/recent");
-const QString kSuffix = QStringLiteral(".crowd");
+const QString kSuffix = QStringLiteral("crowd");
 
 QString sceneFilter()
 {
@@ -36,24 +36,53 @@ model::LoadProgress loadProgress(const BackgroundTask::Progress& report)
     };
 }
 
+/// Where the artist was last.
+QString usualFolder(const QString& documentPath)
+{
+    if (!documentPath.isEmpty()) {
+        return QFileInfo(documentPath).absolutePath();
+    }
+    const QStringList recent = recentFiles();
+    return recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
+}
+
 } // namespace
 
 FileController::FileController(widgets::EditorState& state, QWidget* window)
-    : QObject(window), m_state(state), m_window(window), m_task(window)
+    : QObject(window), m_state(state), m_window(window), m_task(window), m_autosaver(state, this)
 {
-    connect(&m_autosave, &QTimer::timeout, this, &FileController::autosave);
+}
+
+FileController::FileStamp FileController::stampOf(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.exists() ? FileStamp{file.lastModified(), file.size()} : FileStamp{};
+}
+
+/// One thing at a time, and never in the middle of a stroke.
+bool FileController::mayStart()
+{
+    if (m_task.isRunning()) {
+        m_state.showStatus(tr("Another scene is being opened; wait for it or cancel it first."));
+        return false;
+    }
+    if (m_state.document().isEditOpen()) {
+        m_state.showStatus(tr("Finish or cancel (Esc) what you are doing first."));
+        return false;
+    }
+    return true;
 }
 
 void FileController::newTheatre()
 {
-    if (mayLeaveScene()) {
+    if (mayStart() && mayLeaveScene()) {
         showNew(model::newEmptyTheatre());
     }
 }
 
 void FileController::newGround()
 {
-    if (mayLeaveScene()) {
+    if (mayStart() && mayLeaveScene()) {
         showNew(model::newEmptyGround());
     }
 }
@@ -67,14 +96,16 @@ void FileController::showNew(model::Scene scene)
             model::loadAssets(loaded, loadProgress(report));
             return loaded;
         },
-        [this](model::Scene loaded) { take(std::move(loaded), {}, false); });
+        [this](model::Scene loaded) { take(std::move(loaded), {}, {}); });
 }
 
 void FileController::open()
 {
-    const QString folder = QFileInfo(m_state.document().path()).absolutePath();
-    const QString path =
-        QFileDialog::getOpenFileName(m_window, tr("Open Scene"), folder, sceneFilter());
+    if (!mayStart()) {
+        return;
+    }
+    const QString path = QFileDialog::getOpenFileName(
+        m_window, tr("Open Scene"), usualFolder(m_state.document().path()), sceneFilter());
     if (!path.isEmpty()) {
         openPath(path);
     }
@@ -82,57 +113,109 @@ void FileController::open()
 
 void FileController::openPath(const QString& path)
 {
-    if (m_task.isRunning() || !mayLeaveScene()) {
+    if (!mayStart()) {
         return;
     }
-    const QString recovery = recoveryToUse(path);
-    load(recovery.isEmpty() ? path : recovery, path, !recovery.isEmpty());
+    if (!QFileInfo::exists(path)) {
+        removeRecentFile(path);
+        reportFailure(tr("The scene could not be opened"),
+                      tr("%1 is not there any more. It was moved, renamed or deleted; choose "
+                         "File > Open to look for it.")
+                          .arg(path)
+                          .toStdString());
+        return;
+    }
+    if (!mayLeaveScene()) {
+        return;
+    }
+    for (QString recovery = model::findRecovery(path); !recovery.isEmpty();
+         recovery = model::findRecovery(path)) {
+        const RecoveryAnswer answer =
+            askForRecovery(tr("Crowdbrush kept unsaved changes of “%1” from %2. Recover "
+                              "them?\n\nThrown away, they "
+                              "are gone and the scene opens as it was saved.")
+                               .arg(QFileInfo(path).fileName()),
+                           recovery);
+        if (answer == RecoveryAnswer::Recover) {
+            load(path, recovery);
+        }
+        if (answer != RecoveryAnswer::ThrowAway) {
+            return;
+        }
+        if (!QFile::remove(recovery)) {
+            break;
+        }
+    }
+    load(path, {});
 }
 
-QString FileController::recoveryToUse(const QString& path)
+FileController::RecoveryAnswer FileController::askForRecovery(const QString& question,
+                                                              const QString& recovery)
 {
-    const QString recovery = model::findRecovery(path);
-    if (recovery.isEmpty()) {
-        return {};
+    const QString when =
+        QLocale().toString(QFileInfo(recovery).lastModified(), QLocale::ShortFormat);
+    QMessageBox box(QMessageBox::Question, tr("Recover Unsaved Work"), question.arg(when),
+                    QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, m_window);
+    box.button(QMessageBox::Yes)->setText(tr("&Recover"));
+    box.button(QMessageBox::No)->setText(tr("&Throw Away"));
+    box.setDefaultButton(QMessageBox::Yes);
+    box.setEscapeButton(QMessageBox::Cancel); // closing the question decides nothing
+    switch (box.exec()) {
+    case QMessageBox::Yes:
+        return RecoveryAnswer::Recover;
+    case QMessageBox::No:
+        return RecoveryAnswer::ThrowAway;
+    default:
+        return RecoveryAnswer::Cancel;
     }
-    const auto answer = QMessageBox::question(
-        m_window, tr("Recover Unsaved Work"),
-        tr("Crowdbrush kept unsaved changes of “%1” from %2. Open them?\n\nOtherwise they are "
-           "thrown away and the scene opens as it was saved.")
-            .arg(QFileInfo(path).fileName(),
-                 QLocale().toString(QFileInfo(recovery).lastModified(), QLocale::ShortFormat)));
-    if (answer == QMessageBox::Yes) {
-        return recovery;
-    }
-    QFile::remove(recovery);
-    return {};
 }
 
-void FileController::load(const QString& file, const QString& documentPath, bool isRecovered)
+bool FileController::offerUntitledRecovery()
 {
+    for (const QString& recovery : model::findUntitledRecoveries()) {
+        const RecoveryAnswer answer = askForRecovery(
+            tr("Crowdbrush kept a scene that was never saved, from %1. Recover it?\n\nThrown away, "
+               "it is gone."),
+            recovery);
+        if (answer == RecoveryAnswer::Recover && mayStart() && mayLeaveScene()) {
+            load({}, recovery);
+            return true;
+        }
+        if (answer == RecoveryAnswer::ThrowAway) {
+            QFile::remove(recovery);
+        }
+    }
+    return false;
+}
+
+void FileController::load(const QString& path, const QString& recovery)
+{
+    const QString file = recovery.isEmpty() ? path : recovery;
+    const FileStamp stamp = stampOf(path);
     m_task.start(
-        tr("Opening %1…").arg(QFileInfo(documentPath).fileName()),
+        tr("Opening %1…").arg(QFileInfo(path).fileName()),
         [file](const BackgroundTask::Progress& report) {
             return model::loadScene(file, loadProgress(report));
         },
-        [this, documentPath, isRecovered](model::Result<model::Scene> scene) {
+        [this, path, recovery, stamp](model::Result<model::Scene> scene) {
             if (!scene) {
                 reportFailure(tr("The scene could not be opened"), scene.error().message);
                 return;
             }
-            take(std::move(scene).value(), documentPath, isRecovered);
+            take(std::move(scene).value(), path, recovery);
+            m_stamp = stamp;
         });
 }
 
-void FileController::take(model::Scene scene, const QString& path, bool isRecovered)
+void FileController::take(model::Scene scene, const QString& path, const QString& recovery)
 {
-    model::removeAutosave(m_state.document().path() == path ? QString()
-                                                            : m_state.document().path());
+    m_autosaver.forget(); // of the scene that goes; the artist was asked
     m_state.selection().clear();
     m_state.document().replaceScene(std::move(scene), path);
-    m_isRecovered = isRecovered;
-    if (isRecovered) {
+    m_stamp = {};
+    if (!recovery.isEmpty()) {
         m_state.document().undoStack().resetClean(); // not what the file holds
+        m_autosaver.adopt(recovery);
     }
     if (!m_state.scene().cameras.empty()) {
         const model::NamedCamera& first = m_state.scene().cameras.front();
@@ -140,44 +223,104 @@ void FileController::take(model::Scene scene, const QString& path, bool isRecove
     }
     m_state.transport().rewind();
     if (!path.isEmpty()) {
-        remember(path);
+        addRecentFile(path);
     }
     Q_EMIT sceneOpened();
+    reportOddities();
+}
+
+void FileController::reportOddities()
+{
+    QStringList odd;
+    for (const std::string& warning : m_state.scene().readWarnings) {
+        odd << QString::fromStdString(warning);
+    }
+    if (odd.isEmpty()) {
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Open Scene"), odd.join(QLatin1Char('\n')),
+                                QMessageBox::Ok, m_window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 bool FileController::save()
 {
     const QString path = m_state.document().path();
-    return path.isEmpty() ? saveAs() : write(path);
+    if (path.isEmpty()) {
+        return saveAs();
+    }
+    return mayOverwrite(path) && write(path);
+}
+
+/// Another editor or program may have written the file since it was read.
+bool FileController::mayOverwrite(const QString& path)
+{
+    const FileStamp now = stampOf(path);
+    if (now.size < 0 || m_stamp.size < 0 || now == m_stamp) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Warning, tr("Changed on Disk"),
+                    tr("“%1” was changed by another program since it was opened here. Saving "
+                       "replaces that version.")
+                        .arg(QFileInfo(path).fileName()),
+                    QMessageBox::Save | QMessageBox::Cancel, m_window);
+    box.button(QMessageBox::Save)->setText(tr("&Replace It"));
+    box.setInformativeText(tr("To keep both, cancel and choose File > Save As."));
+    box.setDefaultButton(QMessageBox::Cancel);
+    return box.exec() == QMessageBox::Save;
+}
+
+QString FileController::askForSavePath()
+{
+    QString suggestion = m_state.document().path();
+    if (suggestion.isEmpty()) {
+        suggestion =
+            usualFolder({}) + QLatin1Char('/') + tr("Untitled") + QLatin1Char('.') + kSuffix;
+    }
+    QFileDialog dialog(m_window, tr("Save Scene As"), QFileInfo(suggestion).absolutePath(),
+                       sceneFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kSuffix);
+    dialog.selectFile(QFileInfo(suggestion).fileName());
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
+        return {};
+    }
+    const QString path = dialog.selectedFiles().front();
+    if (QFileInfo(path).suffix().compare(kSuffix, Qt::CaseInsensitive) == 0) {
+        return path;
+    }
+    // "scene.final" is a name, not a kind of file; the dialog has asked about another one.
+    const QString whole = path + QLatin1Char('.') + kSuffix;
+    const bool mayReplace =
+        !QFileInfo::exists(whole) ||
+        QMessageBox::question(
+            m_window, tr("Save Scene As"),
+            tr("“%1” exists already. Replace it?").arg(QFileInfo(whole).fileName()),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+    return mayReplace ? whole : QString();
 }
 
 bool FileController::saveAs()
 {
-    QString suggestion = m_state.document().path();
-    if (suggestion.isEmpty()) {
-        suggestion = tr("Untitled") + kSuffix;
-    }
-    QString path =
-        QFileDialog::getSaveFileName(m_window, tr("Save Scene As"), suggestion, sceneFilter());
-    if (path.isEmpty()) {
-        return false;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += kSuffix;
-    }
-    return write(path);
+    const QString path = mayStart() ? askForSavePath() : QString();
+    return !path.isEmpty() && write(path);
 }
 
 bool FileController::write(const QString& path)
 {
+    if (!mayStart()) {
+        return false;
+    }
     if (const auto saved = model::saveProject(m_state.scene(), path); !saved) {
         reportFailure(tr("The scene could not be saved"), saved.error().message);
         return false;
     }
-    model::removeAutosave(m_state.document().path());
-    m_isRecovered = false;
+    m_autosaver.forget();
+    m_stamp = stampOf(path);
     m_state.document().markSaved(path);
-    remember(path);
+    model::removeOldRecoveries(path);
+    addRecentFile(path);
     m_state.showStatus(tr("Saved %1").arg(QFileInfo(path).fileName()));
     return true;
 }
@@ -201,7 +344,15 @@ bool FileController::collectAssets()
         edit->changeStage(entry);
     }
     edit->commit(tr("Collect Assets"));
-    return save();
+    if (!save()) {
+        return false;
+    }
+    if (const QStringList& left = collected.value().leftBehind; !left.isEmpty()) {
+        QMessageBox::information(m_window, tr("Collect Assets"),
+                                 tr("These files are missing and could not be collected:") +
+                                     QStringLiteral("\n\n") + left.join(QLatin1Char('\n')));
+    }
+    return true;
 }
 
 bool FileController::mayLeaveScene()
@@ -223,68 +374,12 @@ bool FileController::mayLeaveScene()
 
 void FileController::forgetRecovery()
 {
-    model::removeAutosave(m_state.document().path());
-}
-
-void FileController::offerUntitledRecovery()
-{
-    for (const QString& recovery : model::findUntitledRecoveries()) {
-        const auto answer = QMessageBox::question(
-            m_window, tr("Recover Unsaved Work"),
-            tr("Crowdbrush kept a scene that was never saved, from %1. Open it?\n\nOtherwise it is "
-               "thrown away.")
-                .arg(QLocale().toString(QFileInfo(recovery).lastModified(), QLocale::ShortFormat)));
-        if (answer == QMessageBox::Yes) {
-            load(recovery, {}, true);
-            return;
-        }
-        QFile::remove(recovery);
-    }
-}
-
-QStringList FileController::recentFiles() const
-{
-    return QSettings().value(kRecentKey).toStringList();
-}
-
-void FileController::clearRecentFiles()
-{
-    QSettings().remove(kRecentKey);
-    Q_EMIT recentFilesChanged();
-}
-
-void FileController::remember(const QString& path)
-{
-    QStringList recent = recentFiles();
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    recent.removeAll(absolute);
-    recent.prepend(absolute);
-    QSettings().setValue(kRecentKey, QStringList(recent.mid(0, kMaxRecentFiles)));
-    Q_EMIT recentFilesChanged();
+    m_autosaver.forget();
 }
 
 void FileController::setAutosaveSeconds(int seconds)
 {
-    m_autosave.stop();
-    if (seconds > 0) {
-        m_autosave.start(seconds * 1000);
-    }
-}
-
-void FileController::autosave()
-{
-    const QUndoStack& stack = m_state.document().undoStack();
-    const QUndoCommand* top = stack.index() > 0 ? stack.command(stack.index() - 1) : nullptr;
-    const bool isUnchanged = top == m_savedAt && top != nullptr;
-    if (!m_state.document().isModified() || m_state.document().isEditOpen() || isUnchanged) {
-        return;
-    }
-    const auto saved = model::writeAutosave(m_state.scene(), m_state.document().path());
-    if (!saved) {
-        m_state.showStatus(QString::fromStdString(saved.error().message));
-        return;
-    }
-    m_savedAt = top;
+    m_autosaver.setSeconds(seconds);
 }
 
 void FileController::reportFailure(const QString& title, const std::string& message)

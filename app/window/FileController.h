@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QtCore/QDateTime>
 #include <QtCore/QObject>
 #include <QtCore/QStringList>
-#include <QtCore/QTimer>
 
+#include "app/window/Autosaver.h"
 #include "app/window/BackgroundTask.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
@@ -12,8 +13,8 @@
 
 namespace crowd::app {
 
-/// New, Open, Save, Save As, recent files, the question about unsaved changes, autosave and
-/// recovery. The scene is replaced only when the new one is whole. Main thread only.
+/// New, Open, Save, Save As, the question about unsaved changes, recovery after a crash. The scene
+/// is replaced only when the new one is whole. Main thread only.
 class FileController : public QObject
 {
     Q_OBJECT
@@ -25,7 +26,8 @@ public:
     void newGround();
     void open();
     void openPath(const QString& path);
-    /// Both: false when it was not saved (cancelled, or it could not be written: said in a dialog).
+    /// All three: false when it was not saved (cancelled, or it could not be written: said in a
+    /// dialog).
     bool save();
     bool saveAs();
     /// Copies every foreign asset beside the scene file, points the scene at the copies and saves.
@@ -34,35 +36,44 @@ public:
     [[nodiscard]] bool mayLeaveScene();
     /// The window closes for good: nothing to recover.
     void forgetRecovery();
-    /// After a crash: offers what was kept of documents that were never saved.
-    void offerUntitledRecovery();
+    /// After a crash: offers what was kept of documents that were never saved. True: one is being
+    /// opened.
+    bool offerUntitledRecovery();
 
-    [[nodiscard]] QStringList recentFiles() const;
-    void clearRecentFiles();
     void setAutosaveSeconds(int seconds); ///< 0: off
     [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
 
 Q_SIGNALS:
-    void recentFilesChanged();
     /// A scene stands in the window; entries without asset have their problem.
     void sceneOpened();
 
 private:
-    void load(const QString& file, const QString& documentPath, bool isRecovered);
+    /// How a file looked when it was read or written last.
+    struct FileStamp
+    {
+        QDateTime modified;
+        qint64 size = -1;
+        friend bool operator==(const FileStamp&, const FileStamp&) = default;
+    };
+    enum class RecoveryAnswer { Recover, ThrowAway, Cancel };
+
+    [[nodiscard]] static FileStamp stampOf(const QString& path);
+    [[nodiscard]] bool mayStart();
+    [[nodiscard]] RecoveryAnswer askForRecovery(const QString& question, const QString& recovery);
+    [[nodiscard]] QString askForSavePath();
+    [[nodiscard]] bool mayOverwrite(const QString& path);
+    void load(const QString& path, const QString& recovery);
     void showNew(model::Scene scene);
-    void take(model::Scene scene, const QString& path, bool isRecovered);
+    void take(model::Scene scene, const QString& path, const QString& recovery);
     bool write(const QString& path);
-    void remember(const QString& path);
-    void autosave();
+    void reportOddities();
     void reportFailure(const QString& title, const std::string& message);
-    [[nodiscard]] QString recoveryToUse(const QString& path);
 
     widgets::EditorState& m_state;
     QWidget* m_window;
     BackgroundTask m_task;
-    QTimer m_autosave;
-    const QUndoCommand* m_savedAt = nullptr; ///< top of the undo stack at the last autosave
-    bool m_isRecovered = false; ///< shown from a recovery: unsaved, whatever the undo stack says
+    Autosaver m_autosaver;
+    FileStamp m_stamp; ///< of the document's file
 };
 
 } // namespace crowd::app

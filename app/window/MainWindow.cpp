@@ -15,6 +15,7 @@
 
 #include "app/window/KeysDialog.h"
 #include "app/window/PreferencesDialog.h"
+#include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
 #include "app/window/WindowActions.h"
 #include "widgets/docks/Docks.h"
@@ -45,7 +46,7 @@ QStringList localFiles(const QMimeData* data)
 
 MainWindow::MainWindow()
     : m_state(m_document), m_actions(this), m_files(m_state, this), m_assets(m_state, this),
-      m_viewport(new widgets::ViewportWidget(m_state, this)),
+      m_queue(m_files, m_assets, this), m_viewport(new widgets::ViewportWidget(m_state, this)),
       m_status(new StatusPanel(m_state, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -162,6 +163,11 @@ void MainWindow::connectParts()
     connect(&m_files, &FileController::sceneOpened, &m_assets, &AssetController::reportMissing);
     connect(&m_document, &model::SceneDocument::pathChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::modifiedChanged, this, &MainWindow::refreshTitle);
+    connect(&m_document, &model::SceneDocument::undoRefused, this, [this](const QString& why) {
+        m_document.isEditOpen() ? m_state.showStatus(why) : warn(tr("Undo"), why);
+    });
+    connect(&m_document, &model::SceneDocument::undoMemoryExceeded, this,
+            [this](const QString& why) { warn(tr("Undo"), why); });
     const auto refresh = [this] { refreshActions(); };
     connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::toolChanged, this, refresh);
@@ -169,6 +175,13 @@ void MainWindow::connectParts()
     connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
     connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
+}
+
+void MainWindow::warn(const QString& title, const QString& message)
+{
+    auto* box = new QMessageBox(QMessageBox::Warning, title, message, QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 void MainWindow::refreshTitle()
@@ -211,8 +224,17 @@ void MainWindow::refreshActions()
 void MainWindow::fillRecentMenu()
 {
     m_recentMenu->clear();
-    for (const QString& path : m_files.recentFiles()) {
-        QAction* action = m_recentMenu->addAction(QFileInfo(path).fileName());
+    m_recentMenu->setToolTipsVisible(true);
+    const QStringList recent = recentFiles();
+    for (const QString& path : recent) {
+        const QFileInfo file(path);
+        const auto sameName = std::ranges::count_if(recent, [&file](const QString& other) {
+            return QFileInfo(other).fileName() == file.fileName();
+        });
+        QString text =
+            sameName > 1 ? tr("%1 in %2").arg(file.fileName(), file.path()) : file.fileName();
+        QAction* action =
+            m_recentMenu->addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")));
         action->setToolTip(path);
         action->setStatusTip(path);
         connect(action, &QAction::triggered, &m_files, [this, path] { m_files.openPath(path); });
@@ -222,8 +244,8 @@ void MainWindow::fillRecentMenu()
         return;
     }
     m_recentMenu->addSeparator();
-    connect(m_recentMenu->addAction(tr("&Clear This List")), &QAction::triggered, &m_files,
-            &FileController::clearRecentFiles);
+    connect(m_recentMenu->addAction(tr("&Clear This List")), &QAction::triggered, this,
+            [] { clearRecentFiles(); });
 }
 
 void MainWindow::fillCameraMenu()
@@ -334,18 +356,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     const QStringList files = localFiles(event->mimeData());
     // The drop must end before a dialog may open.
     QMetaObject::invokeMethod(
-        this,
-        [this, files] {
-            for (const QString& file : files) {
-                if (QFileInfo(file).suffix().compare(QStringLiteral("crowd"),
-                                                     Qt::CaseInsensitive) == 0) {
-                    m_files.openPath(file);
-                } else {
-                    m_assets.bring(file, true);
-                }
-            }
-        },
-        Qt::QueuedConnection);
+        this, [this, files] { m_queue.drop(files); }, Qt::QueuedConnection);
 }
 
 } // namespace crowd::app

@@ -8,6 +8,7 @@
 
 #include "app/window/AssetController.h"
 #include "app/window/FileController.h"
+#include "app/window/FileQueue.h"
 #include "model/document/SceneDocument.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -36,6 +37,7 @@ public:
     [[nodiscard]] widgets::ViewportWidget& viewport() { return *m_viewport; }
     [[nodiscard]] FileController& files() { return m_files; }
     [[nodiscard]] AssetController& assets() { return m_assets; }
+    [[nodiscard]] FileQueue& queue() { return m_queue; }
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
 
     /// Puts all docks back where they are in a new installation.
@@ -56,6 +58,7 @@ private:
     void buildMenus();
     void buildToolBar();
     void connectParts();
+    void warn(const QString& title, const QString& message);
     void refreshTitle();
     void refreshActions();
     void fillRecentMenu();
@@ -68,6 +71,7 @@ private:
     widgets::ActionRegistry m_actions;
     FileController m_files;
     AssetController m_assets;
+    FileQueue m_queue;
     widgets::ViewportWidget* m_viewport; ///< child
     StatusPanel* m_status;               ///< child
     QMenu* m_recentMenu = nullptr;

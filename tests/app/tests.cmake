@@ -3,3 +3,4 @@ target_compile_definitions(tst_CommandLine PRIVATE CROWD_PROGRAM="$<TARGET_FILE:
 target_link_libraries(tst_CommandLine PRIVATE crowd_options)
 add_dependencies(tst_CommandLine crowdbrush)
 crowd_add_test(ROOM app NAME tst_MainWindow LINK crowd_app)
+crowd_add_test(ROOM app NAME tst_SceneFiles LINK crowd_app)

@@ -20,49 +20,13 @@
 
 #include "app/window/MainWindow.h"
 #include "model/document/SceneEdit.h"
-#include "model/project/Autosave.h"
 #include "model/project/ProjectFile.h"
-#include "tests/app/WindowTools.h"
+#include "tests/app/SceneWindow.h"
 
 using namespace crowd;
 using namespace crowd::testing;
 
 namespace {
-
-constexpr int kPatienceMs = 10'000;
-
-/// Men on empty ground.
-model::Scene plainScene(std::size_t people)
-{
-    model::Scene scene;
-    scene.name = "plain";
-    scene.cameras.push_back(
-        {"front", model::Camera::lookingAt({0.0F, 6.0F, 12.0F}, {0.0F, 0.0F, 0.0F})});
-    model::TemplateEntry man;
-    man.id = 1;
-    man.name = "man";
-    man.path = "builtin:templates/man.glb";
-    man.clipNames = {"idle"};
-    scene.templates.push_back(man);
-    std::vector<model::IndividualId> ids;
-    for (std::size_t i = 0; i < people; ++i) {
-        ids.push_back(scene.nextId++);
-    }
-    model::IndividualRows rows = model::IndividualRows::withDefaults(ids);
-    std::ranges::fill(rows.column(model::columns::templateId), man.id);
-    scene.population.add(rows);
-    return scene;
-}
-
-void moveEverybody(model::SceneDocument& document, float x)
-{
-    const auto present = document.scene().population.ids();
-    const std::vector<model::IndividualId> ids(present.begin(), present.end());
-    const glm::vec3 place(x, 0.0F, 0.0F);
-    const auto edit = document.beginEdit();
-    edit->setColumn(model::columns::position, ids, std::span<const glm::vec3>(&place, 1));
-    edit->commit(QStringLiteral("Move"));
-}
 
 /// Every action in a menu and the menus below it.
 void collectActions(const QMenu& menu, std::set<const QAction*>& found)
@@ -78,80 +42,25 @@ void collectActions(const QMenu& menu, std::set<const QAction*>& found)
 } // namespace
 
 /// The editor's real window: files, questions, recovery, import, panels, actions.
-class MainWindowTest : public QObject
+class MainWindowTest : public QObject, private SceneWindow
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase();
-    void init();
-    void cleanup();
+    void initTestCase() { prepare("MainWindowTest"); }
+    void init() { begin(); }
+    void cleanup() { m_window.reset(); }
 
     void everyActionIsComplete();
     void everyActionCanBeReached();
     void noTwoActionsShareKeys();
     void harmlessActionsDoWhatTheySay();
     void undoActionFollowsTheDocument();
-    void savesAndReopensIdentically();
     void titleTellsOfChanges();
-    void asksBeforeClosing();
-    void unreadableFileLeavesTheSceneAlone();
-    void missingAssetsAreNamed();
-    void offersRecoveryAfterACrash();
-    void declinedRecoveryIsGone();
-    void autosavesOnItsTimer();
     void droppedModelBecomesATemplate();
     void panelsAreRememberedAndReset();
-    void recentFilesComeNewestFirst();
     void shortcutsAreRemembered();
-
-private:
-    void openWindow();
-    void openScene(const model::Scene& scene, const QString& name);
-    [[nodiscard]] QString pathOf(const QString& name) const { return m_folder->filePath(name); }
-    [[nodiscard]] model::SceneDocument& document() const { return m_window->document(); }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<app::MainWindow> m_window;
 };
-
-void MainWindowTest::initTestCase()
-{
-    QCoreApplication::setOrganizationName(QStringLiteral("CrowdbrushTest"));
-    QCoreApplication::setApplicationName(QStringLiteral("MainWindowTest"));
-    QStandardPaths::setTestModeEnabled(true);
-    qputenv("CROWDBRUSH_RESOURCES", CROWD_RESOURCES);
-}
-
-void MainWindowTest::init()
-{
-    m_folder = std::make_unique<QTemporaryDir>();
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder->path());
-    QSettings().clear();
-    openWindow();
-}
-
-void MainWindowTest::cleanup()
-{
-    m_window.reset();
-}
-
-void MainWindowTest::openWindow()
-{
-    m_window = std::make_unique<app::MainWindow>();
-    m_window->resize(1100, 720);
-    m_window->state().transport().setPlaying(false);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-}
-
-void MainWindowTest::openScene(const model::Scene& scene, const QString& name)
-{
-    QVERIFY(model::saveProject(scene, pathOf(name)).isOk());
-    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
-    m_window->files().openPath(pathOf(name));
-    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
-}
 
 void MainWindowTest::everyActionIsComplete()
 {
@@ -253,26 +162,6 @@ void MainWindowTest::undoActionFollowsTheDocument()
     QVERIFY(!undo->isEnabled() && redo->isEnabled());
 }
 
-void MainWindowTest::savesAndReopensIdentically()
-{
-    openScene(plainScene(40), QStringLiteral("a.crowd"));
-    moveEverybody(document(), 7.25F);
-    QVERIFY(m_window->files().save());
-    QVERIFY(!document().isModified());
-    QFile file(pathOf(QStringLiteral("a.crowd")));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray saved = file.readAll();
-    const model::Population before = document().scene().population;
-    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
-    m_window->files().openPath(pathOf(QStringLiteral("a.crowd")));
-    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
-    QVERIFY(document().scene().population == before);
-    QVERIFY(m_window->files().save());
-    file.close();
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), saved);
-}
-
 void MainWindowTest::titleTellsOfChanges()
 {
     openScene(plainScene(2), QStringLiteral("party.crowd"));
@@ -282,117 +171,6 @@ void MainWindowTest::titleTellsOfChanges()
     QVERIFY(m_window->isWindowModified());
     document().undoStack().undo();
     QVERIFY(!m_window->isWindowModified());
-}
-
-void MainWindowTest::asksBeforeClosing()
-{
-    openScene(plainScene(2), QStringLiteral("a.crowd"));
-    moveEverybody(document(), 3.0F);
-    {
-        const DialogAnswer cancel(pressing(QMessageBox::Cancel));
-        QVERIFY(!m_window->close());
-        QVERIFY(cancel.hasAnswered());
-        QVERIFY(m_window->isVisible());
-    }
-    {
-        const DialogAnswer save(pressing(QMessageBox::Save));
-        QVERIFY(m_window->close());
-        QVERIFY(save.hasAnswered());
-    }
-    const auto saved = model::readProject(pathOf(QStringLiteral("a.crowd")));
-    QVERIFY(saved.isOk());
-    QCOMPARE(saved.value().population.column(model::columns::position)[0].x, 3.0F);
-}
-
-void MainWindowTest::unreadableFileLeavesTheSceneAlone()
-{
-    openScene(plainScene(6), QStringLiteral("a.crowd"));
-    QFile broken(pathOf(QStringLiteral("broken.crowd")));
-    QVERIFY(broken.open(QIODevice::WriteOnly));
-    broken.write("not a scene");
-    broken.close();
-    QString message;
-    const DialogAnswer answer([&message](QDialog& dialog) {
-        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
-            message = box->text();
-        }
-        dialog.accept();
-    });
-    m_window->files().openPath(broken.fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), kPatienceMs);
-    QVERIFY2(message.contains(QStringLiteral("broken.crowd")), qPrintable(message));
-    QCOMPARE(document().scene().population.size(), std::size_t{6});
-    QCOMPARE(QFileInfo(document().path()).fileName(), QStringLiteral("a.crowd"));
-}
-
-void MainWindowTest::missingAssetsAreNamed()
-{
-    model::Scene scene = plainScene(1);
-    model::TemplateEntry lost;
-    lost.id = 2;
-    lost.name = "dragon";
-    lost.path = pathOf(QStringLiteral("dragon.glb")).toStdString();
-    lost.clipNames = {"fly"};
-    scene.templates.push_back(lost);
-    QString message;
-    const DialogAnswer answer([&message](QDialog& dialog) {
-        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
-            message = box->text();
-        }
-        dialog.accept();
-    });
-    openScene(scene, QStringLiteral("a.crowd"));
-    QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), kPatienceMs);
-    QVERIFY2(message.contains(QStringLiteral("dragon")), qPrintable(message));
-    QVERIFY(m_window->files().save());
-    const auto saved = model::readProject(pathOf(QStringLiteral("a.crowd")));
-    QVERIFY(saved.isOk());
-    QCOMPARE(saved.value().templates.size(), std::size_t{2});
-    QCOMPARE(saved.value().templates[1].clipNames, lost.clipNames);
-}
-
-void MainWindowTest::offersRecoveryAfterACrash()
-{
-    const QString path = pathOf(QStringLiteral("a.crowd"));
-    QVERIFY(model::saveProject(plainScene(2), path).isOk());
-    QVERIFY(model::writeAutosave(plainScene(9), path).isOk());
-    const DialogAnswer yes(pressing(QMessageBox::Yes));
-    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
-    m_window->files().openPath(path);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
-    QVERIFY(yes.hasAnswered());
-    QCOMPARE(document().scene().population.size(), std::size_t{9});
-    QCOMPARE(document().path(), path);
-    QVERIFY2(document().isModified(), "what was recovered is not what the file holds");
-    QVERIFY(m_window->files().save());
-    QVERIFY(model::findRecovery(path).isEmpty());
-    QCOMPARE(model::readProject(path).value().population.size(), std::size_t{9});
-}
-
-void MainWindowTest::declinedRecoveryIsGone()
-{
-    const QString path = pathOf(QStringLiteral("a.crowd"));
-    QVERIFY(model::saveProject(plainScene(2), path).isOk());
-    QVERIFY(model::writeAutosave(plainScene(9), path).isOk());
-    const DialogAnswer no(pressing(QMessageBox::No));
-    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
-    m_window->files().openPath(path);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
-    QVERIFY(no.hasAnswered());
-    QCOMPARE(document().scene().population.size(), std::size_t{2});
-    QVERIFY(model::findRecovery(path).isEmpty());
-}
-
-void MainWindowTest::autosavesOnItsTimer()
-{
-    openScene(plainScene(2), QStringLiteral("a.crowd"));
-    const QString path = document().path();
-    m_window->files().setAutosaveSeconds(1);
-    moveEverybody(document(), 5.0F);
-    QTRY_VERIFY_WITH_TIMEOUT(!model::findRecovery(path).isEmpty(), 5000);
-    QVERIFY(document().isModified());
-    QVERIFY(m_window->files().save());
-    QVERIFY2(model::findRecovery(path).isEmpty(), "a clean save leaves nothing to recover");
 }
 
 void MainWindowTest::droppedModelBecomesATemplate()
@@ -441,18 +219,6 @@ void MainWindowTest::panelsAreRememberedAndReset()
     m_window->resetLayout();
     QVERIFY(!hidden->isHidden());
     QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::LeftDockWidgetArea);
-}
-
-void MainWindowTest::recentFilesComeNewestFirst()
-{
-    openScene(plainScene(1), QStringLiteral("a.crowd"));
-    openScene(plainScene(1), QStringLiteral("b.crowd"));
-    openScene(plainScene(1), QStringLiteral("a.crowd"));
-    const QStringList recent = m_window->files().recentFiles();
-    QCOMPARE(recent.size(), 2);
-    QCOMPARE(QFileInfo(recent[0]).fileName(), QStringLiteral("a.crowd"));
-    m_window->files().clearRecentFiles();
-    QVERIFY(m_window->files().recentFiles().isEmpty());
 }
 
 void MainWindowTest::shortcutsAreRemembered()
