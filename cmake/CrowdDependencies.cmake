@@ -4,6 +4,8 @@ find_package(glm REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(meshoptimizer REQUIRED)
+# Never beside tinygltf: it has one of its own inside, of another shape.
+find_package(draco REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -11,6 +11,7 @@
 #include <QtCore/QString>
 
 #include "model/gltf/GltfContainer.h"
+#include "model/gltf/GltfDraco.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMeshopt.h"
 #include "model/gltf/GltfValidate.h"
@@ -227,6 +228,9 @@ Result<GltfFile> readChecked(const std::string& path)
     }
     if (const Result<void> layout = validateLayout(root, sizes); !layout) {
         return layout.error();
+    }
+    if (const Result<void> decoded = decodeDraco(root, memory.buffers); !decoded) {
+        return decoded.error();
     }
     file.images = findImages(root);
     const Json plain = plainRoot(root, memory);

@@ -18,9 +18,10 @@ constexpr std::array<const char*, 12> kArrays{"accessors", "animations", "buffer
 
 /// What may be demanded of us. Extensions that only change how a surface shines are fine: the file
 /// looks plainer, not wrong.
-constexpr std::array<std::string_view, 24> kKnownExtensions{
+constexpr std::array<std::string_view, 25> kKnownExtensions{
     "EXT_meshopt_compression",
     "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

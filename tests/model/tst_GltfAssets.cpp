@@ -116,7 +116,14 @@ void tst_GltfAssets::agreesWithTheIndependentReader()
                          expected[QStringLiteral("seconds")].toDouble()) < 1e-5);
     }
 
-    const double height = facts[QStringLiteral("height")].toDouble();
+    QJsonValue known = facts[QStringLiteral("height")];
+    if (known.isNull()) { // compressed: the independent reader knows the plain form beside it
+        QString plain = file;
+        plain.replace(QStringLiteral("/glTF-Draco/"), QStringLiteral("/glTF/"));
+        known = m_facts[plain].toObject()[QStringLiteral("height")];
+    }
+    QVERIFY(known.isDouble());
+    const double height = known.toDouble();
     QVERIFY2(std::abs(static_cast<double>(asset.height) - height) < 1e-4 * std::max(1.0, height),
              qPrintable(QStringLiteral("height %1, expected %2").arg(asset.height).arg(height)));
 }
