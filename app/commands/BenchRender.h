@@ -15,6 +15,8 @@ struct BenchRenderOptions
     std::string scene;             ///< a project whose people (the first `count`) are drawn instead
     std::string picture;           ///< writes what both drew to PICTURE-ours.png and -reference.png
     int frames = 40;
+    int samples = 4;            ///< per pixel
+    std::string clock = "wall"; ///< "wall" or "cpu": processor time of all threads
     bool json = false;
 };
 

@@ -55,13 +55,29 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
 {
     CLI::App* command = bench.add_subcommand(
         "render", "Time our drawing against display lists with fixed-function light");
-    command->add_option("--count", options.count, "People")->capture_default_str();
-    command->add_option("--triangles", options.triangles,
-                        "Triangles of a figure made in code instead of the built-in people");
+    command->add_option("--count", options.count, "People")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command
+        ->add_option("--triangles", options.triangles,
+                     "Triangles of a figure made in code instead of the built-in people")
+        ->check(CLI::Range(0, 1000000));
     command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--detail", options.detail, "full or levels")->capture_default_str();
+    command->add_option("--detail", options.detail, "full or levels")
+        ->check(CLI::IsMember({"full", "levels"}))
+        ->capture_default_str();
     command->add_option("--scene", options.scene, "Draw this scene instead of a field of people");
-    command->add_option("--frames", options.frames, "Frames timed")->capture_default_str();
+    command->add_option("--frames", options.frames, "Frames timed")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--samples", options.samples, "Samples per pixel, for both ways")
+        ->check(CLI::Range(0, 16))
+        ->capture_default_str();
+    command
+        ->add_option("--clock", options.clock,
+                     "wall, or cpu: processor time of all threads, for a busy machine")
+        ->check(CLI::IsMember({"wall", "cpu"}))
+        ->capture_default_str();
     command->add_option("--picture", options.picture,
                         "Write what both drew to NAME-ours.png and NAME-reference.png");
     command->add_flag("--json", options.json, "Print one JSON object");

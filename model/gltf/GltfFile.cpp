@@ -82,8 +82,14 @@ Result<Bytes> readBuffer(const Json& buffer, bool isFirst, Container& container,
     if (!read && isFallback(buffer)) {
         return Bytes();
     }
+    if (!read && buffer.contains("uri")) {
+        const bool isFile = !textOf(buffer, "uri").starts_with("data:");
+        return Error{
+            ".uri: " + read.error().message +
+            (isFile ? "; put that file there, or export the file as .glb, which holds all" : "")};
+    }
     if (!read) {
-        return Error{(buffer.contains("uri") ? ".uri: " : " ") + read.error().message};
+        return Error{" " + read.error().message};
     }
     read.value().resize(length);
     return read;
@@ -247,16 +253,26 @@ GltfFile::~GltfFile() = default;
 GltfFile::GltfFile(GltfFile&&) noexcept = default;
 GltfFile& GltfFile::operator=(GltfFile&&) noexcept = default;
 
+namespace {
+
+std::string wayOut(const std::string& problem)
+{
+    const auto says = [&](std::string_view text) { return problem.find(text) != problem.npos; };
+    if (says("onvert it") || says("export the file")) {
+        return {};
+    }
+    if (says("no such file") || says("not a plain file") || says("cannot be opened")) {
+        return " Check the name, the folder and its rights.";
+    }
+    return " Export it again as glTF 2.0 (.glb) from the program it was made in.";
+}
+
+} // namespace
+
 Error fileError(const std::string& path, const std::string& problem)
 {
     const std::string file = QFileInfo(QString::fromStdString(path)).fileName().toStdString();
-    std::string message = (file.empty() ? path : file) + ": " + problem + ".";
-    if (problem.find("onvert it") == std::string::npos &&
-        problem.find("export the file") == std::string::npos &&
-        problem.find("no such file") == std::string::npos) {
-        message += " Export it again as glTF 2.0 (.glb) from the program it was made in.";
-    }
-    return Error{message};
+    return Error{(file.empty() ? path : file) + ": " + problem + "." + wayOut(problem)};
 }
 
 Result<GltfFile> readGltf(const std::string& path)

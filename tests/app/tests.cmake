@@ -1,4 +1,4 @@
-crowd_add_test(ROOM app NAME tst_CommandLine LINK Qt6::Core)
+crowd_add_test(ROOM app NAME tst_CommandLine LINK Qt6::Core Qt6::Gui)
 target_compile_definitions(tst_CommandLine PRIVATE CROWD_PROGRAM="$<TARGET_FILE:crowdbrush>")
 target_link_libraries(tst_CommandLine PRIVATE crowd_options)
 add_dependencies(tst_CommandLine crowdbrush)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 
 /// The program from outside, in an environment without a display: statuses and messages.
@@ -13,8 +15,14 @@ class CommandLineTest : public QObject
 private Q_SLOTS:
     void statusAndMessage_data();
     void statusAndMessage();
+    void jsonIsAloneOnStandardOutput_data();
     void jsonIsAloneOnStandardOutput();
     void aFailureIsOneLine();
+    void drawsOnlyWhatMakesSense_data();
+    void drawsOnlyWhatMakesSense();
+    void drawsPicturesOfTheSizeAskedFor();
+    void measuresOnlyWhatMakesSense_data();
+    void measuresOnlyWhatMakesSense();
 };
 
 namespace {
@@ -72,6 +80,12 @@ void CommandLineTest::statusAndMessage_data()
         << QStringList{} << 1 << QByteArray() << QByteArray("display");
     QTest::newRow("the editor with a file without a display says so")
         << QStringList{exampleScene()} << 1 << QByteArray() << QByteArray("display");
+    QTest::newRow("a folder is a failure that says what to check")
+        << QStringList{QStringLiteral("info"), QStringLiteral("/tmp")} << 1 << QByteArray()
+        << QByteArray("not a plain file. Check the name");
+    QTest::newRow("a file that is no scene says what it should be")
+        << QStringList{QStringLiteral("info"), QStringLiteral(CROWD_PROGRAM)} << 1 << QByteArray()
+        << QByteArray("neither a .glb");
     QTest::newRow("a scene is described") << QStringList{QStringLiteral("info"), exampleScene()}
                                           << 0 << QByteArray("individuals") << QByteArray();
 }
@@ -88,14 +102,41 @@ void CommandLineTest::statusAndMessage()
     QVERIFY2(outcome.errors.contains(errors), outcome.errors.constData());
 }
 
+void CommandLineTest::jsonIsAloneOnStandardOutput_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<QString>("members"); ///< that the object has at least
+    const QString folder = QStringLiteral(CROWD_RESOURCES);
+    QTest::newRow("a scene") << QStringLiteral("info ") + exampleScene()
+                             << QStringLiteral("kind individuals templates stage places paths "
+                                               "rules states seats warnings");
+    QTest::newRow("a template") << QStringLiteral("info %1/templates/man.glb").arg(folder)
+                                << QStringLiteral("kind name triangles vertices joints slots "
+                                                  "clips height_m warnings");
+    QTest::newRow("a stage") << QStringLiteral("info %1/stages/theatre.glb").arg(folder)
+                             << QStringLiteral("kind name triangles seats warnings");
+    QTest::newRow("drawing")
+        << QStringLiteral("bench render --count 4 --frames 2 --size 64x36 --clock cpu --samples 0")
+        << QStringLiteral("count triangles width height detail median_ms p95_ms draws "
+                          "triangles_drawn bytes_per_keyframe reference ratio samples clock");
+    QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
+                              << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms");
+    QTest::newRow("files") << QStringLiteral("bench io --count 100")
+                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms");
+}
+
 void CommandLineTest::jsonIsAloneOnStandardOutput()
 {
-    const Outcome outcome = run({QStringLiteral("info"), exampleScene(), QStringLiteral("--json")});
-    QCOMPARE(outcome.status, 0);
+    QFETCH(const QString, arguments);
+    QFETCH(const QString, members);
+    const Outcome outcome = run(arguments.split(u' ') << QStringLiteral("--json"));
+    QVERIFY2(outcome.status == 0, outcome.errors.constData());
     QJsonParseError problem{};
-    const QJsonObject info = QJsonDocument::fromJson(outcome.output, &problem).object();
+    const QJsonObject json = QJsonDocument::fromJson(outcome.output, &problem).object();
     QCOMPARE(problem.error, QJsonParseError::NoError);
-    QCOMPARE(info.value(QStringLiteral("kind")).toString(), QStringLiteral("scene"));
+    for (const QString& member : members.split(u' ')) {
+        QVERIFY2(json.contains(member), qPrintable(member));
+    }
 }
 
 void CommandLineTest::aFailureIsOneLine()
@@ -111,6 +152,123 @@ void CommandLineTest::aFailureIsOneLine()
     QVERIFY(outcome.output.isEmpty());
     QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
     QVERIFY2(outcome.errors.contains("broken.crowd"), outcome.errors.constData());
+}
+
+namespace {
+
+struct BadDrawing
+{
+    const char* name;
+    const char* options; ///< %1: an empty folder
+    int status;
+    const char* message;
+};
+
+} // namespace
+
+void CommandLineTest::drawsOnlyWhatMakesSense_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("message");
+    const BadDrawing rows[] = {
+        {"unknown camera", "--output %1/a.png --camera nobody", 1, "no camera named \"nobody\""},
+        {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},
+        {"size of one number", "--output %1/a.png --size 64", 2, "WIDTHxHEIGHT"},
+        {"size 100000", "--output %1/a.png --size 100000x100000", 2, "at most 16384"},
+        {"negative size", "--output %1/a.png --size -64x-36", 2, "--size"},
+        {"no such folder", "--output %1/no/a.png", 1, "a.png cannot be written"},
+        {"a folder", "--output %1/", 1, "pictures are written as PNG"},
+        {"a format that is none", "--output %1/a.tiger", 1, "pictures are written as PNG"},
+        {"unknown look", "--output %1/a.png --look potato", 2, "there are: plain, lit"},
+        {"time that is none", "--output %1/a.png --time nan", 2, "--time"},
+        {"frames without a place", "--output %1/a.png --frames 0-3", 2, "put ####"},
+        {"frames backwards", "--output %1/a#.png --frames 3-0", 2, "not a range"},
+        {"a place without frames", "--output %1/a#.png", 2, "--frames A-B"},
+        {"no frames a second", "--output %1/a#.png --frames 0-1 --fps 0", 2, "--fps"},
+        {"no output", "--size 64x36", 2, "--output"},
+    };
+    for (const BadDrawing& row : rows) {
+        QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
+                                << QByteArray(row.message);
+    }
+}
+
+void CommandLineTest::drawsOnlyWhatMakesSense()
+{
+    QFETCH(const QString, options);
+    QFETCH(const int, status);
+    QFETCH(const QByteArray, message);
+    const QTemporaryDir folder;
+    QStringList arguments{QStringLiteral("render"), exampleScene()};
+    if (!options.contains(QStringLiteral("--size"))) {
+        arguments << QStringLiteral("--size") << QStringLiteral("64x36");
+    }
+    const Outcome outcome =
+        run(arguments + QString(options).replace(QStringLiteral("%1"), folder.path()).split(u' '));
+    QVERIFY2(outcome.status == status, outcome.errors.constData());
+    QVERIFY2(outcome.errors.contains(message), outcome.errors.constData());
+    QVERIFY(outcome.output.isEmpty());
+    QVERIFY(QDir(folder.path()).isEmpty());
+}
+
+void CommandLineTest::drawsPicturesOfTheSizeAskedFor()
+{
+    const QTemporaryDir folder;
+    const QString theatre = QStringLiteral(CROWD_RESOURCES "/scenes/theatre.crowd");
+    const QString pattern = folder.filePath(QStringLiteral("f_###.png"));
+    const Outcome outcome =
+        run({QStringLiteral("render"), theatre, QStringLiteral("--output"), pattern,
+             QStringLiteral("--size"), QStringLiteral("96x54"), QStringLiteral("--frames"),
+             QStringLiteral("9-10"), QStringLiteral("--camera"), QStringLiteral("Back row")});
+    QVERIFY2(outcome.status == 0, outcome.errors.constData());
+    for (const char* name : {"f_009.png", "f_010.png"}) {
+        const QImage picture(folder.filePath(QLatin1String(name)));
+        QCOMPARE(picture.size(), QSize(96, 54));
+        QVERIFY(!picture.hasAlphaChannel());
+    }
+    const QStringList missing{QStringLiteral("render"), QStringLiteral("/nowhere/at-all.crowd"),
+                              QStringLiteral("--output"), pattern.left(pattern.size() - 7)};
+    QCOMPARE(run(missing + QStringList{QStringLiteral("--size"), QStringLiteral("9x9")}).status, 1);
+}
+
+void CommandLineTest::measuresOnlyWhatMakesSense_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("message");
+    const BadDrawing rows[] = {
+        {"nothing", "", 2, "subcommand"},
+        {"what it cannot", "potato", 2, "subcommand is required"},
+        {"drawing nobody", "render --count 0", 2, "--count"},
+        {"drawing far too many", "render --count 2000000000", 2, "--count"},
+        {"no frames", "render --frames 0", 2, "--frames"},
+        {"size 0", "render --size 0x0", 2, "--size 0x0"},
+        {"unknown detail", "render --detail potato", 2, "--detail"},
+        {"unknown clock", "render --clock sun", 2, "--clock"},
+        {"too many samples", "render --samples 99", 2, "--samples"},
+        {"negative triangles", "render --triangles -5", 2, "--triangles"},
+        {"missing scene", "render --scene /nowhere/at-all.crowd", 1, "at-all.crowd does not exist"},
+        {"painting nobody", "paint --count 0", 2, "--count"},
+        {"painting words", "paint --count many", 2, "--count"},
+        {"files of nobody", "io --count 0", 2, "--count"},
+    };
+    for (const BadDrawing& row : rows) {
+        QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
+                                << QByteArray(row.message);
+    }
+}
+
+void CommandLineTest::measuresOnlyWhatMakesSense()
+{
+    QFETCH(const QString, arguments);
+    QFETCH(const int, status);
+    QFETCH(const QByteArray, message);
+    const Outcome outcome =
+        run(QStringList{QStringLiteral("bench")} + arguments.split(u' ', Qt::SkipEmptyParts));
+    QVERIFY2(outcome.status == status, outcome.errors.constData());
+    QVERIFY2(outcome.errors.contains(message), outcome.errors.constData());
+    QVERIFY(outcome.output.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(CommandLineTest)
