@@ -115,11 +115,4 @@ void ActionRegistry::refreshTexts()
     }
 }
 
-void ActionRegistry::refreshIcons()
-{
-    for (const ActionSpec& item : m_specs) {
-        action(item.id)->setIcon(iconNamed(item.icon));
-    }
-}
-
 } // namespace crowd::widgets

@@ -46,9 +46,8 @@ public:
     [[nodiscard]] QAction* actionWithShortcut(const QKeySequence& keys) const;
     void resetShortcuts();
 
-    /// After a change of language or theme.
+    /// After a change of language.
     void refreshTexts();
-    void refreshIcons();
 
 private:
     [[nodiscard]] const ActionSpec& spec(const std::string& id) const;

@@ -3,15 +3,16 @@
 
 #include <QtCore/QFile>
 #include <QtGui/QGuiApplication>
+#include <QtGui/QIconEngine>
 #include <QtGui/QPainter>
 #include <QtGui/QPalette>
+#include <QtGui/QPixmapCache>
 #include <QtSvg/QSvgRenderer>
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kSizes[] = {16, 20, 24, 32, 48};
 constexpr const char* kLineColor = "#202020";
 
 QByteArray svgOf(const char* name, const QColor& color)
@@ -23,42 +24,78 @@ QByteArray svgOf(const char* name, const QColor& color)
     return file.readAll().replace(kLineColor, color.name().toLatin1());
 }
 
-QPixmap drawn(const QByteArray& svg, int size, qreal devicePixelRatio)
+void drawSvg(QPainter& painter, const QRectF& place, const QByteArray& svg)
 {
-    const int pixels = qRound(size * devicePixelRatio);
-    QPixmap picture(pixels, pixels);
-    picture.fill(Qt::transparent);
     QSvgRenderer renderer(svg);
+    renderer.render(&painter, place);
+}
+
+QPixmap drawn(const QByteArray& svg, const QSize& pixels)
+{
+    QPixmap picture(pixels);
+    picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    renderer.render(&painter);
-    painter.end();
-    picture.setDevicePixelRatio(devicePixelRatio);
+    drawSvg(painter, QRectF(QPointF(), QSizeF(pixels)), svg);
     return picture;
 }
+
+/// Draws in the palette of the moment, at the size asked for: an icon that was made once follows
+/// the theme and is sharp on every screen.
+class ThemedIcon : public QIconEngine
+{
+public:
+    explicit ThemedIcon(const char* name) : m_name(name) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode,
+               QIcon::State /*state*/) override
+    {
+        drawSvg(*painter, rect, svgOf(m_name.constData(), colorOf(mode)));
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State /*state*/) override
+    {
+        const QColor color = colorOf(mode);
+        const QString key = QStringLiteral("crowd-icon/%1/%2/%3x%4")
+                                .arg(QLatin1String(m_name), color.name())
+                                .arg(size.width())
+                                .arg(size.height());
+        QPixmap picture;
+        if (!QPixmapCache::find(key, &picture)) {
+            picture = drawn(svgOf(m_name.constData(), color), size);
+            QPixmapCache::insert(key, picture);
+        }
+        return picture;
+    }
+    QString key() const override { return QStringLiteral("ThemedIcon"); }
+    QIconEngine* clone() const override { return new ThemedIcon(*this); }
+
+private:
+    static QColor colorOf(QIcon::Mode mode)
+    {
+        const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+        return QGuiApplication::palette().color(group, QPalette::ButtonText);
+    }
+
+    QByteArray m_name;
+};
 
 } // namespace
 
 QIcon iconNamed(const char* name)
 {
-    const QPalette palette = QGuiApplication::palette();
-    const QByteArray normal = svgOf(name, palette.color(QPalette::Active, QPalette::ButtonText));
-    const QByteArray disabled =
-        svgOf(name, palette.color(QPalette::Disabled, QPalette::ButtonText));
-    QIcon icon;
-    if (normal.isEmpty()) {
-        return icon;
-    }
-    for (const int size : kSizes) {
-        icon.addPixmap(drawn(normal, size, 2.0), QIcon::Normal);
-        icon.addPixmap(drawn(disabled, size, 2.0), QIcon::Disabled);
-    }
-    return icon;
+    const bool isKnown = QFile::exists(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name)));
+    return isKnown ? QIcon(new ThemedIcon(name)) : QIcon();
 }
 
 QPixmap iconPixmap(const char* name, int size, const QColor& color, qreal devicePixelRatio)
 {
     const QByteArray svg = svgOf(name, color);
-    return svg.isEmpty() ? QPixmap() : drawn(svg, size, devicePixelRatio);
+    if (svg.isEmpty()) {
+        return {};
+    }
+    const int pixels = qRound(size * devicePixelRatio);
+    QPixmap picture = drawn(svg, {pixels, pixels});
+    picture.setDevicePixelRatio(devicePixelRatio);
+    return picture;
 }
 
 } // namespace crowd::widgets

@@ -7,9 +7,9 @@
 
 namespace crowd::widgets {
 
-/// An icon of resources/icons (NAME.svg), drawn in the text colour of the application's palette:
-/// lines that are #202020 in the file take that colour, all other colours stay. Empty for an
-/// unknown name.
+/// An icon of resources/icons (NAME.svg), drawn in the text colour that the application's palette
+/// has at that moment: lines that are #202020 in the file take that colour, all other colours stay.
+/// Null for an unknown name.
 [[nodiscard]] QIcon iconNamed(const char* name);
 /// The same as a picture of so many logical pixels in a given colour.
 [[nodiscard]] QPixmap iconPixmap(const char* name, int size, const QColor& color,

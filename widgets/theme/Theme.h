@@ -15,7 +15,7 @@ enum class Theme : unsigned char { System, Light, Dark };
 
 [[nodiscard]] bool isDark(const QPalette& palette);
 
-/// Sets style, palette and style sheet of the application. Icons are to be made anew afterwards.
+/// Sets style, palette and style sheet of the application; icons of iconNamed() follow.
 void applyTheme(Theme theme);
 
 } // namespace crowd::widgets
