@@ -60,6 +60,7 @@ struct KeyframeStore::Private
     bool isBudgetReached = false;
     std::atomic<std::uint64_t> version{0};
     std::atomic<bool> isStopping{false};
+    std::atomic<bool> isPaused{false};
     std::mutex callbackMutex; ///< held while the callback runs
     std::function<void()> callback;
     std::vector<std::jthread> workers; ///< last: ends first
@@ -67,6 +68,7 @@ struct KeyframeStore::Private
     void forgetExpired();
     Kept addFirstKeyframe(const TemplatePtr& asset, int clipIndex);
     void schedule(const TemplatePtr& asset, int clipIndex, Kept& entry);
+    void unschedule(const Job& job);
     bool runOne(std::unique_lock<std::mutex>& lock);
     void work(const std::stop_token& stop);
 };
@@ -110,6 +112,19 @@ void KeyframeStore::Private::schedule(const TemplatePtr& asset, int clipIndex, K
     jobAdded.notify_one();
 }
 
+/// Back to the first keyframe alone, until it is asked for again.
+void KeyframeStore::Private::unschedule(const Job& job)
+{
+    const auto found = kept.find({job.asset.get(), job.clipIndex});
+    if (found == kept.end() || found->second.isComplete) {
+        return;
+    }
+    Kept& entry = found->second;
+    reservedBytes -= entry.reservedBytes - entry.clip->bytes();
+    entry.reservedBytes = entry.clip->bytes();
+    entry.isScheduled = false;
+}
+
 /// Takes a job, if there is one, and bakes it without the lock.
 bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
 {
@@ -122,7 +137,7 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
     lock.unlock();
     const Clip& clip = job.asset->clips[static_cast<std::size_t>(job.clipIndex)];
     BakedClipPtr baked = bakeClip(*job.asset, job.clipIndex, clip.keyframeCount(),
-                                  [this] { return isStopping.load(); });
+                                  [this] { return isStopping.load() || isPaused.load(); });
     lock.lock();
     --running;
     const auto found = kept.find({job.asset.get(), job.clipIndex});
@@ -131,6 +146,8 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
         found->second.isComplete = true;
         ++finished;
         ++version;
+    } else if (!baked) {
+        unschedule(job);
     }
     job.asset.reset();
     jobDone.notify_all();
@@ -187,7 +204,8 @@ KeyframeStore::Entry KeyframeStore::clip(const TemplatePtr& asset, int clipIndex
         m_private->forgetExpired();
         found = m_private->kept.emplace(key, m_private->addFirstKeyframe(asset, clipIndex)).first;
     }
-    if (Kept& entry = found->second; !entry.isComplete && !entry.isScheduled) {
+    if (Kept& entry = found->second;
+        !entry.isComplete && !entry.isScheduled && !m_private->isPaused) {
         m_private->forgetExpired();
         m_private->schedule(asset, clipIndex, entry);
     }
@@ -206,8 +224,32 @@ void KeyframeStore::waitForAll()
 KeyframeStore::Progress KeyframeStore::progress() const
 {
     const std::lock_guard<std::mutex> guard(m_private->mutex);
-    return {static_cast<int>(m_private->queue.size()) + m_private->running, m_private->finished,
-            m_private->reservedBytes, m_private->budgetBytes, m_private->isBudgetReached};
+    return {static_cast<int>(m_private->queue.size()) + m_private->running,
+            m_private->finished,
+            m_private->reservedBytes,
+            m_private->budgetBytes,
+            m_private->isBudgetReached,
+            m_private->isPaused};
+}
+
+void KeyframeStore::setBudget(std::size_t bytes)
+{
+    const std::lock_guard<std::mutex> guard(m_private->mutex);
+    m_private->budgetBytes = bytes;
+    m_private->isBudgetReached = false;
+}
+
+void KeyframeStore::setPaused(bool isPaused)
+{
+    const std::lock_guard<std::mutex> guard(m_private->mutex);
+    m_private->isPaused = isPaused;
+    if (isPaused) {
+        for (const Job& job : m_private->queue) {
+            m_private->unschedule(job);
+        }
+        m_private->queue.clear();
+        m_private->jobDone.notify_all();
+    }
 }
 
 void KeyframeStore::setFinishedCallback(std::function<void()> callback)

@@ -68,8 +68,14 @@ public:
         std::size_t bytes = 0;
         std::size_t budgetBytes = 0;
         bool isBudgetReached = false;
+        bool isPaused = false;
     };
     [[nodiscard]] Progress progress() const;
+    /// Takes effect with the clips that are asked for from now on; what is baked stays.
+    void setBudget(std::size_t bytes);
+    /// While paused nothing is baked: what waits or is under way is given up and stays at its first
+    /// keyframe. Afterwards it is baked when it is asked for again.
+    void setPaused(bool isPaused);
     /// Called on a worker thread after each finished clip; must be cheap (post an event).
     void setFinishedCallback(std::function<void()> callback);
     /// Grows with each finished clip.

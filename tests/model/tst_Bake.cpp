@@ -94,6 +94,8 @@ private Q_SLOTS:
     void budgetKeepsTheFirstKeyframe();
     void forgottenTemplatesFreeTheBudget();
     void whatDidNotFitIsBakedWhenThereIsSpace();
+    void aLargerBudgetBakesWhatDidNotFit();
+    void pausingGivesUpUntilItIsAskedForAgain();
     void callbackComesForEachClip();
     void storeMayDieWhileBaking();
     void loneLevelIsSimplified();
@@ -308,6 +310,50 @@ void TestBake::whatDidNotFitIsBakedWhenThereIsSpace()
     QVERIFY(!store.progress().isBudgetReached);
     store.waitForAll();
     QVERIFY(store.clip(second, 0).isComplete);
+}
+
+void TestBake::aLargerBudgetBakesWhatDidNotFit()
+{
+    const TemplatePtr asset = makeTube(2.0F, 2);
+    KeyframeStore store(bakedBytes(*asset, 0) + 10000);
+    (void)store.clip(asset, 0);
+    (void)store.clip(asset, 1);
+    store.waitForAll();
+    QVERIFY(!store.clip(asset, 1).isComplete);
+    store.setBudget(std::size_t{64} << 20U);
+    QVERIFY(!store.progress().isBudgetReached);
+    (void)store.clip(asset, 1);
+    store.waitForAll();
+    QVERIFY(store.clip(asset, 1).isComplete);
+}
+
+void TestBake::pausingGivesUpUntilItIsAskedForAgain()
+{
+    const TemplatePtr asset = makeTube(2.0F, 6);
+    KeyframeStore store;
+    store.setPaused(true);
+    for (int clip = 0; clip < 6; ++clip) {
+        QCOMPARE(store.clip(asset, clip).clip->keyframes, 1);
+    }
+    QCOMPARE(store.progress().pendingClips, 0);
+    const std::size_t atRest = store.progress().bytes;
+    store.setPaused(false);
+    for (int clip = 0; clip < 6; ++clip) {
+        (void)store.clip(asset, clip);
+    }
+    store.setPaused(true); // some wait, some may be under way or done
+    store.waitForAll();
+    QCOMPARE(store.progress().pendingClips, 0);
+    const auto done = static_cast<std::size_t>(store.progress().finishedClips);
+    QVERIFY(store.progress().bytes <= atRest + done * bakedBytes(*asset, 0));
+    store.setPaused(false);
+    for (int clip = 0; clip < 6; ++clip) {
+        (void)store.clip(asset, clip);
+    }
+    store.waitForAll();
+    for (int clip = 0; clip < 6; ++clip) {
+        QVERIFY(store.clip(asset, clip).isComplete);
+    }
 }
 
 void TestBake::callbackComesForEachClip()
