@@ -2,23 +2,24 @@
 #include "widgets/dialogs/ImportDialog.h"
 
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <numbers>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFileInfo>
+#include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
-#include <QtWidgets/QTableWidget>
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/gltf/GltfImport.h"
+#include "widgets/dialogs/ClipTable.h"
 #include "widgets/dialogs/TemplatePreview.h"
 
 namespace crowd::widgets {
@@ -26,7 +27,8 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kPatienceMs = 250;
-constexpr float kQuarter = 1.57079633F;
+constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
+constexpr qsizetype kMostRemarks = 5;
 
 struct UpAxis
 {
@@ -84,64 +86,81 @@ ImportDialog::ImportDialog(const QString& path, model::TemplatePtr asset,
                            model::KeyframeStore& keyframes, QWidget* parent)
     : QDialog(parent), m_path(path), m_asset(std::move(asset)),
       m_proposal(model::proposeImport(*m_asset)), m_preview(new TemplatePreview(keyframes, this)),
-      m_scale(numberBox(0.00001, 10000.0, 0.1, 5, this)), m_upAxis(new QComboBox(this)),
+      m_scale(numberBox(0.00001, 10000.0, 0.1, 5, this)),
+      m_height(numberBox(0.001, 10000.0, 0.1, 3, this)), m_upAxis(new QComboBox(this)),
       m_turn(numberBox(-180.0, 180.0, 15.0, 1, this)),
       m_groundOffset(numberBox(-1000.0, 1000.0, 0.01, 3, this)),
-      m_rootMotion(new QCheckBox(tr("Walk on the spot; the program moves the character"), this)),
-      m_height(new QLabel(this)), m_clips(new QTableWidget(this))
+      m_rootMotion(new QCheckBox(tr("Stay on the spot; the program moves the character"), this)),
+      m_remarks(new QLabel(this)), m_clips(new ClipTable(*m_asset, this))
 {
     setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
-    buildClips();
-    buildForm();
-    m_refresh.setSingleShot(true);
-    m_refresh.setInterval(kPatienceMs);
-    connect(&m_refresh, &QTimer::timeout, this, &ImportDialog::refresh);
-    refresh();
-}
-
-ImportDialog::~ImportDialog() = default;
-
-void ImportDialog::buildForm()
-{
-    const auto [axis, turn] = splitRotation(m_proposal.settings.rotation);
     for (const UpAxis& up : upAxes()) {
         m_upAxis->addItem(QCoreApplication::translate("ImportDialog", up.name));
     }
-    m_upAxis->setCurrentIndex(axis);
-    m_turn->setValue(static_cast<double>(turn) * 180.0 / 3.14159265358979);
     m_turn->setSuffix(QStringLiteral("°"));
-    m_scale->setValue(static_cast<double>(m_proposal.settings.scale));
-    m_groundOffset->setValue(static_cast<double>(m_proposal.settings.groundOffset));
+    m_turn->setWrapping(true);
+    m_height->setSuffix(tr(" m"));
     m_groundOffset->setSuffix(tr(" m"));
-    m_rootMotion->setChecked(m_proposal.settings.removeRootMotion);
+    m_scale->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    buildLayout();
+    propose();
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(kPatienceMs);
+    connect(&m_refresh, &QTimer::timeout, this, &ImportDialog::refresh);
+    const auto later = [this] { m_refresh.start(); };
+    for (QDoubleSpinBox* box : {m_scale, m_turn, m_groundOffset}) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, later);
+    }
+    connect(m_height, &QDoubleSpinBox::valueChanged, this, &ImportDialog::scaleToHeight);
+    connect(m_upAxis, &QComboBox::currentIndexChanged, this, later);
+    connect(m_rootMotion, &QCheckBox::toggled, this, later);
+    connect(m_clips, &QTableWidget::currentCellChanged, this,
+            [this] { m_preview->show(m_asset, m_clips->shownClip()); });
+    refresh();
+}
 
+ImportDialog::~ImportDialog()
+{
+    stopWorker();
+}
+
+void ImportDialog::stopWorker()
+{
+    m_isStale = true;
+    if (m_worker.joinable()) {
+        m_worker.join();
+    }
+    m_isStale = false;
+}
+
+void ImportDialog::buildLayout()
+{
+    auto* toGround = new QPushButton(tr("To the &Ground"), this);
+    toGround->setToolTip(tr("Raise or lower it until its lowest point is on the ground"));
+    toGround->setAutoDefault(false);
+    connect(toGround, &QPushButton::clicked, this, &ImportDialog::putOnGround);
+    auto* raise = new QHBoxLayout;
+    raise->addWidget(m_groundOffset, 1);
+    raise->addWidget(toGround);
     auto* form = new QFormLayout;
-    form->addRow(tr("Scale"), m_scale);
     form->addRow(tr("Height"), m_height);
+    form->addRow(tr("Scale"), m_scale);
     form->addRow(tr("Up axis"), m_upAxis);
     form->addRow(tr("Turn"), m_turn);
-    form->addRow(tr("Raise"), m_groundOffset);
+    form->addRow(tr("Raise"), raise);
     form->addRow(tr("Root motion"), m_rootMotion);
-
-    QStringList notes;
-    for (const std::string& reason : m_proposal.reasons) {
-        notes << QStringLiteral("• ") + QString::fromStdString(reason);
-    }
-    for (const std::string& warning : m_asset->warnings) {
-        notes << QStringLiteral("⚠ ") + QString::fromStdString(warning);
-    }
-    auto* remarks = new QLabel(notes.join(QLatin1Char('\n')), this);
-    remarks->setWordWrap(true);
-    remarks->setTextInteractionFlags(Qt::TextSelectableByMouse);
-
+    m_remarks->setWordWrap(true);
+    m_remarks->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    m_import = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    m_import->setDefault(true);
+    QPushButton* proposal = buttons->addButton(tr("As &Proposed"), QDialogButtonBox::ResetRole);
+    connect(proposal, &QPushButton::clicked, this, &ImportDialog::propose);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-
     auto* right = new QVBoxLayout;
     right->addLayout(form);
-    right->addWidget(remarks);
+    right->addWidget(m_remarks);
     right->addWidget(m_clips, 1);
     auto* columns = new QHBoxLayout;
     columns->addWidget(m_preview, 1);
@@ -149,47 +168,55 @@ void ImportDialog::buildForm()
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(columns, 1);
     layout->addWidget(buttons);
-    resize(760, 520);
-
-    const auto later = [this] { m_refresh.start(); };
-    for (QDoubleSpinBox* box : {m_scale, m_turn, m_groundOffset}) {
-        connect(box, &QDoubleSpinBox::valueChanged, this, later);
-    }
-    connect(m_upAxis, &QComboBox::currentIndexChanged, this, later);
-    connect(m_rootMotion, &QCheckBox::toggled, this, later);
-    connect(m_clips, &QTableWidget::itemSelectionChanged, this, later);
+    resize(860, 560);
 }
 
-void ImportDialog::buildClips()
+QString ImportDialog::remarks() const
 {
-    m_clips->setColumnCount(3);
-    m_clips->setHorizontalHeaderLabels({tr("Clip"), tr("Length"), tr("Ground speed")});
-    m_clips->setRowCount(static_cast<int>(m_asset->clips.size()));
-    m_clips->verticalHeader()->hide();
-    m_clips->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_clips->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_clips->setSelectionMode(QAbstractItemView::SingleSelection);
-    for (int row = 0; row < m_clips->rowCount(); ++row) {
-        const model::Clip& clip = m_asset->clips[static_cast<std::size_t>(row)];
-        auto* name = new QTableWidgetItem(QString::fromStdString(clip.name));
-        auto* length = new QTableWidgetItem(
-            tr("%1 s").arg(QLocale().toString(static_cast<double>(clip.seconds), 'f', 2)));
-        for (QTableWidgetItem* item : {name, length}) {
-            item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-        }
-        auto* speed = numberBox(0.0, 100.0, 0.05, 2, m_clips);
-        speed->setSuffix(tr(" m/s"));
-        speed->setFrame(false);
-        m_clips->setItem(row, 0, name);
-        m_clips->setItem(row, 1, length);
-        m_clips->setCellWidget(row, 2, speed);
+    QStringList notes;
+    for (const std::string& reason : m_proposal.reasons) {
+        notes << QStringLiteral("• ") + QString::fromStdString(reason);
     }
-    m_clips->selectRow(m_asset->defaultClip);
+    for (const std::string& warning : m_asset->warnings) {
+        notes << QStringLiteral("⚠ ") + QString::fromStdString(warning);
+    }
+    const qsizetype more = notes.size() - kMostRemarks;
+    if (more > 0) {
+        m_remarks->setToolTip(notes.join(QLatin1Char('\n')));
+        notes = notes.mid(0, kMostRemarks);
+        notes << tr("and %n more", nullptr, static_cast<int>(more));
+    }
+    return notes.join(QLatin1Char('\n'));
+}
+
+void ImportDialog::propose()
+{
+    const auto [axis, turn] = splitRotation(m_proposal.settings.rotation);
+    m_upAxis->setCurrentIndex(axis);
+    m_turn->setValue(static_cast<double>(turn) * 180.0 / std::numbers::pi);
+    m_scale->setValue(static_cast<double>(m_proposal.settings.scale));
+    m_groundOffset->setValue(static_cast<double>(m_proposal.settings.groundOffset));
+    m_rootMotion->setChecked(m_proposal.settings.removeRootMotion);
+}
+
+/// Its size follows the scale.
+void ImportDialog::scaleToHeight(double metres)
+{
+    if (m_asset->height > 0.0F) {
+        m_scale->setValue(metres / static_cast<double>(m_asset->height) *
+                          static_cast<double>(m_shown.scale));
+    }
+}
+
+void ImportDialog::putOnGround()
+{
+    const double lift = static_cast<double>(m_shown.groundOffset - m_asset->bounds.low.y);
+    m_groundOffset->setValue(lift);
 }
 
 glm::quat ImportDialog::rotation() const
 {
-    const float turn = static_cast<float>(m_turn->value() * 3.14159265358979 / 180.0);
+    const auto turn = static_cast<float>(m_turn->value() * std::numbers::pi / 180.0);
     return glm::normalize(glm::angleAxis(turn, glm::vec3(0, 1, 0)) *
                           upAxes()[static_cast<std::size_t>(m_upAxis->currentIndex())].toY);
 }
@@ -206,41 +233,46 @@ model::ImportSettings ImportDialog::settings() const
 
 std::vector<float> ImportDialog::clipSpeeds() const
 {
-    std::vector<float> speeds;
-    bool isAnyEdited = false;
-    for (int row = 0; row < m_clips->rowCount(); ++row) {
-        const auto* box = static_cast<QDoubleSpinBox*>(m_clips->cellWidget(row, 2));
-        const bool isEdited = std::abs(box->value() - box->property("fromFile").toDouble()) > 0.001;
-        isAnyEdited = isAnyEdited || isEdited;
-        speeds.push_back(isEdited ? static_cast<float>(box->value())
-                                  : std::numeric_limits<float>::quiet_NaN());
-    }
-    return isAnyEdited ? speeds : std::vector<float>{};
+    return m_clips->editedSpeeds();
 }
 
 void ImportDialog::refresh()
 {
-    const auto asset = model::importTemplate(m_path.toStdString(), settings());
+    stopWorker();
+    m_worker = std::thread(
+        [this, path = m_path.toStdString(), settings = settings(), generation = ++m_generation] {
+            auto asset = std::make_shared<model::Result<model::TemplatePtr>>(
+                model::importTemplate(path, settings, [this](float) { return !m_isStale; }));
+            if (m_isStale) {
+                return; // somebody waits for this thread, or the next one is about to start
+            }
+            QMetaObject::invokeMethod(
+                this,
+                [this, asset, settings, generation] {
+                    if (generation == m_generation) { // no later one is under way
+                        take(*asset, settings);
+                    }
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void ImportDialog::take(const model::Result<model::TemplatePtr>& asset,
+                        const model::ImportSettings& settings)
+{
+    stopWorker();
+    m_import->setEnabled(asset.isOk());
     if (!asset) {
-        m_height->setText(QString::fromStdString(asset.error().message));
+        m_remarks->setText(QString::fromStdString(asset.error().message));
         return;
     }
-    m_height->setText(
-        tr("%1 m").arg(QLocale().toString(static_cast<double>(asset.value()->height), 'f', 2)));
-    for (int row = 0; row < m_clips->rowCount(); ++row) {
-        auto* box = static_cast<QDoubleSpinBox*>(m_clips->cellWidget(row, 2));
-        const bool wasEdited =
-            box->property("fromFile").isValid() &&
-            std::abs(box->value() - box->property("fromFile").toDouble()) > 0.001;
-        const double speed =
-            static_cast<double>(asset.value()->clips[static_cast<std::size_t>(row)].speed);
-        if (!wasEdited) {
-            box->setValue(speed);
-        }
-        // As the box shows it, rounded, so that an untouched box does not count as edited.
-        box->setProperty("fromFile", wasEdited ? QVariant(speed) : QVariant(box->value()));
-    }
-    m_preview->show(asset.value(), std::max(m_clips->currentRow(), 0));
+    m_asset = asset.value();
+    m_shown = settings;
+    const QSignalBlocker blocker(m_height); // it follows the scale here, not the other way round
+    m_height->setValue(static_cast<double>(m_asset->height));
+    m_remarks->setText(remarks());
+    m_clips->follow(*m_asset);
+    m_preview->show(m_asset, m_clips->shownClip());
 }
 
 } // namespace crowd::widgets

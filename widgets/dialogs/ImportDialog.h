@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
+#include <atomic>
+#include <thread>
 #include <vector>
 
 #include <QtCore/QTimer>
 #include <QtWidgets/QDialog>
 
 #include "model/bake/KeyframeStore.h"
+#include "model/base/Result.h"
 #include "model/gltf/ImportProposal.h"
 #include "model/scene/Scene.h"
 
@@ -15,15 +17,17 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QTableWidget;
+class QPushButton;
 
 namespace crowd::widgets {
 
+class ClipTable;
 class TemplatePreview;
 
 /// Shows what was found in a foreign character and how it will stand in the scene: proposes scale,
 /// up-axis, facing and ground offset, lets the artist change them with a live preview, and edit the
-/// ground speed of each clip. Owns nothing of the document. Main thread.
+/// ground speed of each clip. Imports again on a thread of its own, so that it stays at hand
+/// whatever the size of the file. Owns nothing of the document. Main thread.
 class ImportDialog : public QDialog
 {
     Q_OBJECT
@@ -37,25 +41,40 @@ public:
     [[nodiscard]] model::ImportSettings settings() const;
     /// One per clip, NaN where the file's own speed stands; empty when none was edited.
     [[nodiscard]] std::vector<float> clipSpeeds() const;
+    /// The preview shows the present settings.
+    [[nodiscard]] bool isSettled() const { return !m_worker.joinable() && !m_refresh.isActive(); }
 
 private:
-    void buildForm();
-    void buildClips();
+    void buildLayout();
+    [[nodiscard]] QString remarks() const;
+    void propose();
     void refresh();
+    void take(const model::Result<model::TemplatePtr>& asset,
+              const model::ImportSettings& settings);
+    void stopWorker();
+    void scaleToHeight(double metres);
+    void putOnGround();
     [[nodiscard]] glm::quat rotation() const;
 
     QString m_path;
-    model::TemplatePtr m_asset;
+    model::TemplatePtr m_asset;    ///< as it was imported last
+    model::ImportSettings m_shown; ///< with these settings
     model::ImportProposal m_proposal;
+    std::thread m_worker;
+    std::atomic<bool> m_isStale{false}; ///< what the worker does is out of date
+    int m_generation = 0;               ///< of the import that was asked for last
+    QTimer m_refresh;
+    // Children of this widget.
     TemplatePreview* m_preview;
     QDoubleSpinBox* m_scale;
+    QDoubleSpinBox* m_height;
     QComboBox* m_upAxis;
     QDoubleSpinBox* m_turn;
     QDoubleSpinBox* m_groundOffset;
     QCheckBox* m_rootMotion;
-    QLabel* m_height;
-    QTableWidget* m_clips;
-    QTimer m_refresh;
+    QLabel* m_remarks;
+    ClipTable* m_clips;
+    QPushButton* m_import = nullptr;
 };
 
 } // namespace crowd::widgets
