@@ -72,6 +72,24 @@ QString nearestFolder(const QString& path)
 AssetController::AssetController(widgets::EditorState& state, QWidget* window)
     : QObject(window), m_state(state), m_window(window), m_task(window)
 {
+    connect(&m_task, &BackgroundTask::ended, this, [this] {
+        if (!isBusy()) {
+            Q_EMIT becameIdle();
+        }
+    });
+}
+
+void AssetController::show(QDialog* dialog)
+{
+    m_dialog = dialog;
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::finished, this, [this] {
+        m_dialog = nullptr;
+        if (!isBusy()) {
+            Q_EMIT becameIdle();
+        }
+    });
+    dialog->open();
 }
 
 QString AssetController::askForModel(const QString& title)
@@ -95,8 +113,9 @@ void AssetController::importStage()
 
 void AssetController::bring(const QString& path, bool asks)
 {
-    bool isStage = model::sniffKind(path.toStdString()) == model::FileKind::Stage;
-    if (asks) {
+    const model::FileKind kind = model::sniffKind(path.toStdString());
+    bool isStage = kind == model::FileKind::Stage;
+    if (asks && kind != model::FileKind::Unknown) { // importing tells what is wrong with it
         QMessageBox box(
             QMessageBox::Question, tr("Import %1").arg(fileName(path)),
             tr("Use “%1” as a template to paint with, or as the stage?").arg(fileName(path)),
@@ -135,11 +154,10 @@ void AssetController::proposeTemplate(const QString& path)
             }
             auto* dialog =
                 new widgets::ImportDialog(path, asset.value(), m_state.keyframes(), m_window);
-            dialog->setAttribute(Qt::WA_DeleteOnClose);
             connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
                 addTemplate(path, dialog->settings(), dialog->clipSpeeds());
             });
-            dialog->open();
+            show(dialog);
         });
 }
 
@@ -300,9 +318,8 @@ void AssetController::reportMissing()
         return;
     }
     auto* dialog = new widgets::MissingAssetsDialog(m_state, m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &widgets::MissingAssetsDialog::locateRequested, this, &AssetController::locate);
-    dialog->open();
+    show(dialog);
 }
 
 void AssetController::fail(const QString& title, const std::string& message)
@@ -310,8 +327,7 @@ void AssetController::fail(const QString& title, const std::string& message)
     auto* box = new QMessageBox(QMessageBox::Critical, title, QString::fromStdString(message),
                                 QMessageBox::Ok, m_window);
     box->setObjectName(QStringLiteral("importFailure"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    show(box);
 }
 
 } // namespace crowd::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QtCore/QObject>
+#include <QtCore/QPointer>
 #include <QtCore/QStringList>
 
 #include "app/window/BackgroundTask.h"
@@ -9,6 +10,8 @@
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 #include "widgets/state/EditorState.h"
+
+class QDialog;
 
 namespace crowd::app {
 
@@ -38,9 +41,11 @@ public:
     void addStage(const QString& path);
     /// Reads a missing asset from `path`, and others that are missing from near it: one undo step.
     void locateAt(const model::MissingAsset& asset, const QString& path);
-    [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
+    /// Reading, or a dialog of its own is open.
+    [[nodiscard]] bool isBusy() const { return m_task.isRunning() || m_dialog != nullptr; }
 
 Q_SIGNALS:
+    void becameIdle();
     void templateAdded(crowd::model::TemplateId id);
     void stageAdded(std::uint8_t id);
 
@@ -50,11 +55,13 @@ private:
     void locate(const model::MissingAsset& asset); ///< asks for the file
     void take(const FoundAssets& found);
     void fail(const QString& title, const std::string& message);
+    void show(QDialog* dialog); ///< without waiting; deletes itself when it is closed
     [[nodiscard]] QString askForModel(const QString& title);
 
     widgets::EditorState& m_state;
     QWidget* m_window;
     BackgroundTask m_task;
+    QPointer<QDialog> m_dialog; ///< open now
 };
 
 } // namespace crowd::app

@@ -7,6 +7,7 @@ namespace {
 
 constexpr int kProgressSteps = 1000;
 constexpr int kPatienceMs = 400;
+constexpr int kDialogWidth = 380;
 
 } // namespace
 
@@ -27,19 +28,21 @@ void BackgroundTask::begin(const QString& title)
     m_dialog = new QProgressDialog(title, tr("Cancel"), 0, kProgressSteps, m_window);
     m_dialog->setWindowModality(Qt::WindowModal);
     m_dialog->setMinimumDuration(kPatienceMs);
+    m_dialog->setMinimumWidth(kDialogWidth); // the text changes while it works
     m_dialog->setAutoReset(false);
     m_dialog->setAutoClose(false);
     m_dialog->setValue(0);
     connect(m_dialog, &QProgressDialog::canceled, this, [this] { m_isCancelled = true; });
 }
 
-void BackgroundTask::end()
+bool BackgroundTask::end()
 {
     m_thread.join();
     // Its setValue() handles events, so this may be called from within it.
     m_dialog->hide();
     m_dialog->deleteLater();
     m_dialog = nullptr;
+    return !m_isCancelled;
 }
 
 bool BackgroundTask::report(const QString& what, float fraction)

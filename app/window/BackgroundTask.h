@@ -14,8 +14,8 @@
 namespace crowd::app {
 
 /// One piece of long work on a thread of its own, with a progress dialog that appears after a
-/// moment and can cancel it. The result is handed over on the main thread; nothing is when the
-/// owner dies first (the thread is then asked to stop and waited for).
+/// moment and can cancel it. The result is handed over on the main thread; nothing is when the work
+/// was cancelled, or when the owner dies first (the thread is then asked to stop and waited for).
 class BackgroundTask : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,8 @@ public:
 
     [[nodiscard]] bool isRunning() const { return m_thread.joinable(); }
 
-    /// `work` runs on the thread and returns a value; `finished` gets it on the main thread.
+    /// `work` runs on the thread and returns a value; `finished` gets it on the main thread. One
+    /// piece of work at a time.
     template<class Work, class Finished>
     void start(const QString& title, Work work, Finished finished)
     {
@@ -41,16 +42,21 @@ public:
             QMetaObject::invokeMethod(
                 this,
                 [this, value, finished] {
-                    end();
-                    finished(std::move(*value));
+                    if (end()) {
+                        finished(std::move(*value));
+                    }
+                    Q_EMIT ended();
                 },
                 Qt::QueuedConnection);
         });
     }
 
+Q_SIGNALS:
+    void ended(); ///< finished or cancelled; the next piece may start
+
 private:
     void begin(const QString& title);
-    void end();
+    [[nodiscard]] bool end(); ///< false when it was cancelled
     bool report(const QString& what, float fraction);
 
     QWidget* m_window;

@@ -2,15 +2,18 @@
 #include "app/window/FileController.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QLocale>
+#include <QtCore/QStandardPaths>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
 #include "app/window/RecentFiles.h"
 #include "model/document/SceneEdit.h"
+#include "model/project/AssetPaths.h"
 #include "model/project/Autosave.h"
 #include "model/project/CollectAssets.h"
 #include "model/project/ProjectFile.h"
@@ -43,7 +46,8 @@ QString usualFolder(const QString& documentPath)
         return QFileInfo(documentPath).absolutePath();
     }
     const QStringList recent = recentFiles();
-    return recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
+    return recent.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                            : QFileInfo(recent.front()).absolutePath();
 }
 
 } // namespace
@@ -51,6 +55,7 @@ QString usualFolder(const QString& documentPath)
 FileController::FileController(widgets::EditorState& state, QWidget* window)
     : QObject(window), m_state(state), m_window(window), m_task(window), m_autosaver(state, this)
 {
+    connect(&m_task, &BackgroundTask::ended, this, &FileController::becameIdle);
 }
 
 FileController::FileStamp FileController::stampOf(const QString& path)
@@ -96,7 +101,7 @@ void FileController::showNew(model::Scene scene)
             model::loadAssets(loaded, loadProgress(report));
             return loaded;
         },
-        [this](model::Scene loaded) { take(std::move(loaded), {}, {}); });
+        [this](model::Scene loaded) { take(std::move(loaded), {}); });
 }
 
 void FileController::open()
@@ -128,6 +133,10 @@ void FileController::openPath(const QString& path)
     if (!mayLeaveScene()) {
         return;
     }
+    if (const QFileInfo file(path); examples().contains(file.absoluteFilePath())) {
+        load({{}, path, file.completeBaseName(), false});
+        return;
+    }
     for (QString recovery = model::findRecovery(path); !recovery.isEmpty();
          recovery = model::findRecovery(path)) {
         const RecoveryAnswer answer =
@@ -137,7 +146,7 @@ void FileController::openPath(const QString& path)
                                .arg(QFileInfo(path).fileName()),
                            recovery);
         if (answer == RecoveryAnswer::Recover) {
-            load(path, recovery);
+            load({path, recovery, {}, true});
         }
         if (answer != RecoveryAnswer::ThrowAway) {
             return;
@@ -146,7 +155,7 @@ void FileController::openPath(const QString& path)
             break;
         }
     }
-    load(path, {});
+    load({path, path, {}, false});
 }
 
 FileController::RecoveryAnswer FileController::askForRecovery(const QString& question,
@@ -178,7 +187,7 @@ bool FileController::offerUntitledRecovery()
                "it is gone."),
             recovery);
         if (answer == RecoveryAnswer::Recover && mayStart() && mayLeaveScene()) {
-            load({}, recovery);
+            load({{}, recovery, {}, true});
             return true;
         }
         if (answer == RecoveryAnswer::ThrowAway) {
@@ -188,42 +197,64 @@ bool FileController::offerUntitledRecovery()
     return false;
 }
 
-void FileController::load(const QString& path, const QString& recovery)
+QStringList FileController::examples()
 {
-    const QString file = recovery.isEmpty() ? path : recovery;
-    const FileStamp stamp = stampOf(path);
+    const QDir folder(model::builtinFolder() + QStringLiteral("/scenes"));
+    QStringList paths;
+    for (const QString& name :
+         folder.entryList({QStringLiteral("*.") + kSuffix}, QDir::Files, QDir::Name)) {
+        const QString path = QFileInfo(folder.filePath(name)).absoluteFilePath();
+        name == QLatin1String("theatre.crowd") ? paths.prepend(path) : paths.append(path);
+    }
+    return paths;
+}
+
+QString FileController::documentName() const
+{
+    const QString path = m_state.document().path();
+    if (!path.isEmpty()) {
+        return QFileInfo(path).fileName();
+    }
+    return m_untitledName.isEmpty() ? tr("Untitled") : m_untitledName;
+}
+
+void FileController::load(const Opening& opening)
+{
+    const QString shown = opening.documentPath.isEmpty() ? opening.file : opening.documentPath;
+    const FileStamp stamp = stampOf(opening.documentPath);
     m_task.start(
-        tr("Opening %1…").arg(QFileInfo(path).fileName()),
-        [file](const BackgroundTask::Progress& report) {
+        tr("Opening %1…").arg(QFileInfo(shown).fileName()),
+        [file = opening.file](const BackgroundTask::Progress& report) {
             return model::loadScene(file, loadProgress(report));
         },
-        [this, path, recovery, stamp](model::Result<model::Scene> scene) {
+        [this, opening, stamp](model::Result<model::Scene> scene) {
             if (!scene) {
                 reportFailure(tr("The scene could not be opened"), scene.error().message);
                 return;
             }
-            take(std::move(scene).value(), path, recovery);
+            take(std::move(scene).value(), opening);
             m_stamp = stamp;
         });
 }
 
-void FileController::take(model::Scene scene, const QString& path, const QString& recovery)
+void FileController::take(model::Scene scene, const Opening& opening)
 {
     m_autosaver.forget(); // of the scene that goes; the artist was asked
     m_state.selection().clear();
-    m_state.document().replaceScene(std::move(scene), path);
+    m_untitledName = opening.name;
+    m_state.document().replaceScene(std::move(scene), opening.documentPath);
     m_stamp = {};
-    if (!recovery.isEmpty()) {
+    if (opening.isRecovery) {
         m_state.document().undoStack().resetClean(); // not what the file holds
-        m_autosaver.adopt(recovery);
+        m_autosaver.adopt(opening.file);
     }
     if (!m_state.scene().cameras.empty()) {
         const model::NamedCamera& first = m_state.scene().cameras.front();
         m_state.setCamera(first.camera, QString::fromStdString(first.name));
     }
     m_state.transport().rewind();
-    if (!path.isEmpty()) {
-        addRecentFile(path);
+    if (!opening.documentPath.isEmpty()) {
+        addRecentFile(opening.documentPath);
     }
     Q_EMIT sceneOpened();
     reportOddities();
@@ -276,7 +307,7 @@ QString FileController::askForSavePath()
     QString suggestion = m_state.document().path();
     if (suggestion.isEmpty()) {
         suggestion =
-            usualFolder({}) + QLatin1Char('/') + tr("Untitled") + QLatin1Char('.') + kSuffix;
+            usualFolder({}) + QLatin1Char('/') + documentName() + QLatin1Char('.') + kSuffix;
     }
     QFileDialog dialog(m_window, tr("Save Scene As"), QFileInfo(suggestion).absolutePath(),
                        sceneFilter());
@@ -360,11 +391,9 @@ bool FileController::mayLeaveScene()
     if (!m_state.document().isModified()) {
         return true;
     }
-    const QString name = m_state.document().path().isEmpty()
-                             ? tr("Untitled")
-                             : QFileInfo(m_state.document().path()).fileName();
     const auto answer = QMessageBox::warning(
-        m_window, tr("Unsaved Changes"), tr("“%1” has unsaved changes. Save them?").arg(name),
+        m_window, tr("Unsaved Changes"),
+        tr("“%1” has unsaved changes. Save them?").arg(documentName()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) {
         return save();

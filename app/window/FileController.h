@@ -40,10 +40,17 @@ public:
     /// opened.
     bool offerUntitledRecovery();
 
+    /// The ready-made scenes that come with the program, the theatre first. They open as new
+    /// scenes: saving asks for a name.
+    [[nodiscard]] static QStringList examples();
+    /// Of the open scene, for titles: "party.crowd", or "Untitled".
+    [[nodiscard]] QString documentName() const;
+
     void setAutosaveSeconds(int seconds); ///< 0: off
     [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
 
 Q_SIGNALS:
+    void becameIdle(); ///< what was being opened is there, or never will be
     /// A scene stands in the window; entries without asset have their problem.
     void sceneOpened();
 
@@ -55,6 +62,14 @@ private:
         qint64 size = -1;
         friend bool operator==(const FileStamp&, const FileStamp&) = default;
     };
+    /// What is to be read, and as what it then stands in the window.
+    struct Opening
+    {
+        QString documentPath; ///< empty: it is not saved yet
+        QString file;
+        QString name; ///< of one that is not saved yet; may be empty
+        bool isRecovery = false;
+    };
     enum class RecoveryAnswer { Recover, ThrowAway, Cancel };
 
     [[nodiscard]] static FileStamp stampOf(const QString& path);
@@ -62,9 +77,9 @@ private:
     [[nodiscard]] RecoveryAnswer askForRecovery(const QString& question, const QString& recovery);
     [[nodiscard]] QString askForSavePath();
     [[nodiscard]] bool mayOverwrite(const QString& path);
-    void load(const QString& path, const QString& recovery);
+    void load(const Opening& opening);
     void showNew(model::Scene scene);
-    void take(model::Scene scene, const QString& path, const QString& recovery);
+    void take(model::Scene scene, const Opening& opening);
     bool write(const QString& path);
     void reportOddities();
     void reportFailure(const QString& title, const std::string& message);
@@ -73,7 +88,8 @@ private:
     QWidget* m_window;
     BackgroundTask m_task;
     Autosaver m_autosaver;
-    FileStamp m_stamp; ///< of the document's file
+    FileStamp m_stamp;      ///< of the document's file
+    QString m_untitledName; ///< of the example that was opened
 };
 
 } // namespace crowd::app

@@ -7,7 +7,6 @@
 
 #include "app/window/AssetController.h"
 #include "app/window/FileController.h"
-#include "model/project/AssetPaths.h"
 
 namespace crowd::app {
 
@@ -50,14 +49,14 @@ FileQueue::FileQueue(FileController& files, AssetController& assets, QObject* pa
 void FileQueue::openAtStart(const QStringList& files)
 {
     SortedFiles all = sorted(files);
-    const QString ready = model::builtinFolder() + QStringLiteral("/scenes/theatre.crowd");
+    const QStringList examples = FileController::examples();
     if (!m_files.offerUntitledRecovery()) {
         if (!all.scenes.isEmpty()) {
             m_files.openPath(all.scenes.takeFirst());
         } else if (!all.models.isEmpty()) {
             m_files.newGround();
-        } else if (QFileInfo::exists(ready)) {
-            m_files.openPath(ready);
+        } else if (!examples.isEmpty()) {
+            m_files.openPath(examples.front());
         } else {
             m_files.newTheatre();
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/MainWindow.h"
 
-#include <algorithm>
+#include <map>
+#include <string>
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QMimeData>
-#include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QMenu>
@@ -17,6 +17,7 @@
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
+#include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/viewport/ViewCommands.h"
@@ -25,11 +26,8 @@ namespace crowd::app {
 
 namespace {
 
-const QString kGeometryKey = QStringLiteral("window/geometry");
-const QString kLayoutKey = QStringLiteral("window/layout");
-/// Grows when docks change so much that an old layout makes no sense.
-constexpr int kLayoutVersion = 1;
 constexpr int kToolIconSize = 22;
+constexpr int kLeftWidth = 280;
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -47,7 +45,8 @@ QStringList localFiles(const QMimeData* data)
 MainWindow::MainWindow()
     : m_state(m_document), m_actions(this), m_files(m_state, this), m_assets(m_state, this),
       m_queue(m_files, m_assets, this), m_viewport(new widgets::ViewportWidget(m_state, this)),
-      m_status(new StatusPanel(m_state, this))
+      m_status(new StatusPanel(m_state, this)), m_layout(*this),
+      m_bookmarks(m_state, m_actions, this)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
@@ -57,29 +56,30 @@ MainWindow::MainWindow()
     setStatusBar(m_status);
     addDocks();
     addWindowActions(*this);
+    m_viewport->tools().leaveShortcutsToWindow();
+    // In the panels Tab goes from field to field.
+    QAction* hidePanels = m_actions.action("hide-panels");
+    hidePanels->setShortcutContext(Qt::WidgetShortcut);
+    m_viewport->addAction(hidePanels);
     buildMenus();
     buildToolBar();
     connectParts();
-    restoreLayout();
-    applySettings();
+    arrangeDocks();
+    m_layout.restore();
+    applyPreferences(Preferences::load());
     refreshActions();
     refreshTitle();
+    WelcomeHint::showOnce(m_viewport, m_document);
     m_viewport->setFocus();
 }
 
 MainWindow::~MainWindow()
 {
     // Docks and viewport look at document and state: they go first.
-    m_docks.clear();
+    m_layout.forget();
     delete takeCentralWidget();
     const auto docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(docks);
-}
-
-void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area)
-{
-    addDockWidget(area, dock);
-    m_docks.push_back(dock);
 }
 
 void MainWindow::addDocks()
@@ -88,13 +88,13 @@ void MainWindow::addDocks()
     auto* scene = new widgets::SceneDock(m_state, this);
     auto* individual = new widgets::IndividualDock(m_state, this);
     auto* history = new widgets::HistoryDock(m_state, this);
-    addDock(new widgets::BrushPaletteDock(m_state, this), Qt::LeftDockWidgetArea);
-    addDock(new widgets::BrushSettingsDock(m_state, this), Qt::LeftDockWidgetArea);
-    addDock(templates, Qt::RightDockWidgetArea);
-    addDock(new widgets::ColourDock(m_state, this), Qt::RightDockWidgetArea);
-    addDock(individual, Qt::RightDockWidgetArea);
-    addDock(scene, Qt::RightDockWidgetArea);
-    addDock(history, Qt::RightDockWidgetArea);
+    m_layout.add(new widgets::BrushPaletteDock(m_state, this), Qt::LeftDockWidgetArea);
+    m_layout.add(new widgets::BrushSettingsDock(m_state, this), Qt::LeftDockWidgetArea);
+    m_layout.add(templates, Qt::RightDockWidgetArea);
+    m_layout.add(new widgets::ColourDock(m_state, this), Qt::RightDockWidgetArea);
+    m_layout.add(individual, Qt::RightDockWidgetArea);
+    m_layout.add(scene, Qt::RightDockWidgetArea);
+    m_layout.add(history, Qt::RightDockWidgetArea);
     tabifyDockWidget(individual, scene);
     tabifyDockWidget(scene, history);
     individual->raise();
@@ -112,28 +112,29 @@ void MainWindow::addDocks()
 
 void MainWindow::buildMenus()
 {
+    std::map<std::string, QMenu*> specials;
     for (const MenuSpec& spec : menuTable()) {
         QMenu* menu = menuBar()->addMenu(QCoreApplication::translate("Menus", spec.title));
         for (const std::string id : spec.ids) {
             if (id.empty()) {
                 menu->addSeparator();
-            } else if (id == "@recent") {
-                m_recentMenu = menu->addMenu(tr("Open &Recent"));
-            } else if (id == "@cameras") {
-                m_cameraMenu = menu->addMenu(tr("Go to &Camera"));
             } else if (id == "@docks") {
-                for (QDockWidget* dock : m_docks) {
+                for (QDockWidget* dock : m_layout.docks()) {
                     menu->addAction(dock->toggleViewAction());
                 }
+            } else if (id.front() == '@') {
+                specials[id] =
+                    menu->addMenu(QCoreApplication::translate("Menus", submenuTitle(id)));
             } else {
                 menu->addAction(m_actions.action(id));
             }
         }
     }
+    m_recentMenu = specials.at("@recent");
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    connect(m_cameraMenu, &QMenu::aboutToShow, this, &MainWindow::fillCameraMenu);
     fillRecentMenu();
-    fillCameraMenu();
+    fillExamplesMenu(specials.at("@examples"));
+    m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
 }
 
 void MainWindow::buildToolBar()
@@ -161,6 +162,7 @@ void MainWindow::connectParts()
                 }
             });
     connect(&m_files, &FileController::sceneOpened, &m_assets, &AssetController::reportMissing);
+    connect(&m_files, &FileController::sceneOpened, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::pathChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::undoRefused, this, [this](const QString& why) {
@@ -175,6 +177,16 @@ void MainWindow::connectParts()
     connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
     connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
+    connect(&m_layout, &DockLayout::hiddenChanged, this, [this](bool isHidden) {
+        refreshActions();
+        m_viewport->setFocus(); // the key that brings the panels back is the picture's
+        if (isHidden) {
+            m_state.showStatus(tr("%1 brings the panels back.")
+                                   .arg(m_actions.action("hide-panels")
+                                            ->shortcut()
+                                            .toString(QKeySequence::NativeText)));
+        }
+    });
 }
 
 void MainWindow::warn(const QString& title, const QString& message)
@@ -186,10 +198,8 @@ void MainWindow::warn(const QString& title, const QString& message)
 
 void MainWindow::refreshTitle()
 {
-    const QString path = m_document.path();
-    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).fileName();
-    setWindowFilePath(path);
-    setWindowTitle(tr("%1[*] – Crowdbrush").arg(name));
+    setWindowFilePath(m_document.path());
+    setWindowTitle(tr("%1[*] – Crowdbrush").arg(m_files.documentName()));
     setWindowModified(m_document.isModified());
 }
 
@@ -218,7 +228,7 @@ void MainWindow::refreshActions()
     check("look-lit", m_state.viewOptions().look == render::Look::Lit);
     const bool isPlaying = m_state.transport().isPlaying();
     check("play", isPlaying);
-    check("full-screen", isFullScreen());
+    check("hide-panels", m_layout.isHidden());
 }
 
 void MainWindow::fillRecentMenu()
@@ -248,80 +258,64 @@ void MainWindow::fillRecentMenu()
             [] { clearRecentFiles(); });
 }
 
-void MainWindow::fillCameraMenu()
+void MainWindow::fillExamplesMenu(QMenu* menu)
 {
-    m_cameraMenu->clear();
-    for (const model::NamedCamera& camera : m_state.scene().cameras) {
-        const QString name = QString::fromStdString(camera.name);
-        connect(m_cameraMenu->addAction(name), &QAction::triggered, this,
-                [this, name] { widgets::goToCamera(m_state, name); });
+    for (const QString& path : FileController::examples()) {
+        QString name =
+            QFileInfo(path).completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' '));
+        name[0] = name[0].toUpper();
+        connect(menu->addAction(name), &QAction::triggered, &m_files,
+                [this, path] { m_files.openPath(path); });
     }
-    if (m_cameraMenu->isEmpty()) {
-        m_cameraMenu->addAction(tr("The scene has no cameras"))->setEnabled(false);
-    }
+    menu->setEnabled(!menu->isEmpty());
 }
 
-void MainWindow::restoreLayout()
+/// As in a new installation, before anything remembered takes its place.
+void MainWindow::arrangeDocks()
 {
-    resize(1280, 800);
-    resizeDocks({m_docks[1]}, {280}, Qt::Horizontal);
-    resizeDocks({m_docks[2], m_docks[3], m_docks[4]}, {220, 260, 260}, Qt::Vertical);
-    m_initialLayout = saveState(kLayoutVersion);
-    const QSettings settings;
-    if (settings.contains(kGeometryKey)) {
-        restoreGeometry(settings.value(kGeometryKey).toByteArray());
-    }
-    restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+    const auto& docks = m_layout.docks();
+    resizeDocks({docks[1]}, {kLeftWidth}, Qt::Horizontal);
+    resizeDocks({docks[0], docks[1]}, {130, 500}, Qt::Vertical);
+    resizeDocks({docks[2], docks[3], docks[4]}, {200, 260, 280}, Qt::Vertical);
 }
 
-void MainWindow::resetLayout()
+void MainWindow::applyPreferences(const Preferences& preferences)
 {
-    restoreState(m_initialLayout, kLayoutVersion);
-    for (QDockWidget* dock : m_docks) {
-        dock->show();
-    }
-}
-
-void MainWindow::setTheme(widgets::Theme theme)
-{
-    widgets::applyTheme(theme);
-    m_actions.refreshIcons();
-}
-
-void MainWindow::applySettings()
-{
-    const Preferences preferences = Preferences::load();
-    setTheme(preferences.theme);
+    widgets::applyTheme(preferences.theme);
     m_files.setAutosaveSeconds(preferences.autosaveSeconds);
+    m_state.keyframes().setBudget(static_cast<std::size_t>(preferences.keyframeMegabytes) << 20U);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
     m_state.setViewOptions(options);
+    m_viewport->update(); // a larger budget lets more people move
 }
 
 void MainWindow::showPreferences()
 {
     auto* dialog = new PreferencesDialog(m_actions, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, &MainWindow::applySettings);
+    connect(dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreferences);
     dialog->open();
 }
 
 void MainWindow::showShortcuts()
 {
-    auto* dialog = new KeysDialog(m_actions, this);
+    auto* dialog = new KeysDialog(m_actions, m_state.viewOptions().buttons, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
 void MainWindow::showAbout()
 {
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Crowdbrush"),
-        tr("<h3>Crowdbrush %1</h3><p>An editor that paints crowds.</p><p>After “Crowdbrush: "
-           "Interactive Authoring of Real-time Crowd Scenes”, Ulicny, de Heras Ciechomski and "
-           "Thalmann, 2004.</p>")
-            .arg(QApplication::applicationVersion()),
-        QMessageBox::Ok, this);
+    auto* box =
+        new QMessageBox(QMessageBox::NoIcon, tr("About Crowdbrush"), {}, QMessageBox::Ok, this);
+    box->setText(
+        tr("<h3>Crowdbrush %1</h3><p>Paint crowds.</p>").arg(QApplication::applicationVersion()));
+    box->setInformativeText(
+        tr("<p>After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes” by Branislav "
+           "Ulicny, Pablo de Heras Ciechomski and Daniel Thalmann, SCA 2004.</p><p>MIT licence. "
+           "Made with Qt %1, GLM, Embree, tinygltf, meshoptimizer and oneTBB.</p>")
+            .arg(QLatin1String(qVersion())));
     box->setIconPixmap(windowIcon().pixmap(64, 64));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
@@ -337,10 +331,16 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_files.forgetRecovery();
-    QSettings settings;
-    settings.setValue(kGeometryKey, saveGeometry());
-    settings.setValue(kLayoutKey, saveState(kLayoutVersion));
+    m_layout.save();
     event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange) {
+        m_actions.action("full-screen")->setChecked(isFullScreen());
+    }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
-#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
 
 #include "app/window/AssetController.h"
+#include "app/window/CameraBookmarks.h"
+#include "app/window/DockLayout.h"
 #include "app/window/FileController.h"
 #include "app/window/FileQueue.h"
 #include "model/document/SceneDocument.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
-#include "widgets/theme/Theme.h"
 #include "widgets/viewport/ViewportWidget.h"
 
 class QMenu;
@@ -20,6 +18,7 @@ class QMenu;
 namespace crowd::app {
 
 class StatusPanel;
+struct Preferences;
 
 /// The editor's window: puts document, state, viewport, docks, actions and controllers together and
 /// connects them; what they do is their own affair.
@@ -38,23 +37,21 @@ public:
     [[nodiscard]] FileController& files() { return m_files; }
     [[nodiscard]] AssetController& assets() { return m_assets; }
     [[nodiscard]] FileQueue& queue() { return m_queue; }
-    [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
+    [[nodiscard]] DockLayout& dockLayout() { return m_layout; }
+    [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_layout.docks(); }
 
-    /// Puts all docks back where they are in a new installation.
-    void resetLayout();
-    void setTheme(widgets::Theme theme);
     void showPreferences();
     void showShortcuts();
     void showAbout();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void addDocks();
-    void addDock(QDockWidget* dock, Qt::DockWidgetArea area);
     void buildMenus();
     void buildToolBar();
     void connectParts();
@@ -62,9 +59,9 @@ private:
     void refreshTitle();
     void refreshActions();
     void fillRecentMenu();
-    void fillCameraMenu();
-    void restoreLayout();
-    void applySettings();
+    void fillExamplesMenu(QMenu* menu);
+    void arrangeDocks();
+    void applyPreferences(const Preferences& preferences);
 
     model::SceneDocument m_document;
     widgets::EditorState m_state;
@@ -74,10 +71,9 @@ private:
     FileQueue m_queue;
     widgets::ViewportWidget* m_viewport; ///< child
     StatusPanel* m_status;               ///< child
-    QMenu* m_recentMenu = nullptr;
-    QMenu* m_cameraMenu = nullptr;
-    std::vector<QDockWidget*> m_docks; ///< children
-    QByteArray m_initialLayout;
+    QMenu* m_recentMenu = nullptr;       ///< child
+    DockLayout m_layout;
+    CameraBookmarks m_bookmarks;
 };
 
 } // namespace crowd::app

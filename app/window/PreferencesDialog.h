@@ -7,11 +7,14 @@
 #include "widgets/state/EditorState.h"
 #include "widgets/theme/Theme.h"
 
-class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
 class QSpinBox;
 
 namespace crowd::app {
+
+class ShortcutsPage;
 
 /// What the artist chose once and for all; kept in the settings.
 struct Preferences
@@ -21,12 +24,14 @@ struct Preferences
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
     QString language; ///< "de"; empty: the system's
+    friend bool operator==(const Preferences&, const Preferences&) = default;
 
     [[nodiscard]] static Preferences load();
     void save() const;
 };
 
-/// Edits Preferences and the shortcuts. Accepting saves them; the caller applies them.
+/// Edits Preferences and the shortcuts. What is chosen is shown at once; accepting keeps it,
+/// rejecting takes it back. Only the language waits for the next start.
 class PreferencesDialog : public QDialog
 {
     Q_OBJECT
@@ -34,17 +39,28 @@ class PreferencesDialog : public QDialog
 public:
     PreferencesDialog(widgets::ActionRegistry& actions, QWidget* parent);
 
+    void accept() override;
+    void reject() override;
+    [[nodiscard]] ShortcutsPage& shortcuts() { return *m_shortcuts; }
+
+Q_SIGNALS:
+    /// To be applied now.
+    void changed(const crowd::app::Preferences& preferences);
+
 private:
     [[nodiscard]] QWidget* generalPage();
-    [[nodiscard]] QWidget* shortcutsPage();
-    void savePreferences();
+    void fill();
+    void choose();
+    [[nodiscard]] Preferences chosen() const;
 
-    widgets::ActionRegistry& m_actions;
+    const Preferences m_before;
+    ShortcutsPage* m_shortcuts;
     QComboBox* m_theme;
     QComboBox* m_buttons;
     QComboBox* m_language;
-    QSpinBox* m_autosave;
+    QDoubleSpinBox* m_autosave; ///< minutes
     QSpinBox* m_memory;
+    QLabel* m_languageNote;
 };
 
 } // namespace crowd::app

@@ -11,50 +11,86 @@ constexpr int kRemarkMs = 6000;
 
 } // namespace
 
+void ElidedLabel::setFullText(const QString& text)
+{
+    m_full = text;
+    setToolTip(text);
+    elide();
+}
+
+QSize ElidedLabel::sizeHint() const
+{
+    const QMargins margins = contentsMargins();
+    return {fontMetrics().horizontalAdvance(m_full) + margins.left() + margins.right(),
+            QLabel::sizeHint().height()};
+}
+
+void ElidedLabel::resizeEvent(QResizeEvent* event)
+{
+    QLabel::resizeEvent(event);
+    elide();
+}
+
+void ElidedLabel::elide()
+{
+    setText(fontMetrics().elidedText(m_full, Qt::ElideRight, contentsRect().width()));
+}
+
 StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
-    : QStatusBar(parent), m_state(state), m_hint(new QLabel(this)), m_counts(new QLabel(this)),
+    : QStatusBar(parent), m_state(state), m_hint(new ElidedLabel(this)), m_counts(new QLabel(this)),
       m_frame(new QLabel(this))
 {
-    m_hint->setMinimumWidth(50); // gives way before the window is forced wider
     m_hint->setTextFormat(Qt::PlainText);
-    m_hint->setContentsMargins(8, 0, 8, 0);
-    for (QLabel* label : {m_counts, m_frame}) {
+    for (QLabel* label : {static_cast<QLabel*>(m_hint), m_counts, m_frame}) {
         label->setContentsMargins(8, 0, 8, 0);
     }
+    m_counts->setObjectName(QStringLiteral("statusCounts"));
+    m_frame->setObjectName(QStringLiteral("statusFrame"));
     addWidget(m_hint, 1);
     addPermanentWidget(m_counts);
     addPermanentWidget(m_frame);
-    connect(&state, &widgets::EditorState::hintChanged, m_hint, &QLabel::setText);
+    connect(&state, &widgets::EditorState::hintChanged, m_hint, &ElidedLabel::setFullText);
     connect(&state, &widgets::EditorState::statusMessage, this, [this](const QString& text) {
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
     connect(&state.selection(), &widgets::Selection::changed, this, &StatusPanel::refreshCounts);
-    m_hint->setText(state.hint());
+    m_hint->setFullText(state.hint());
     refreshCounts();
 }
 
 void StatusPanel::refreshCounts()
 {
-    QString text = tr("%n people", nullptr, static_cast<int>(m_state.scene().population.size()));
-    if (!m_state.selection().isEmpty()) {
-        text += QStringLiteral(" · ") +
-                tr("%n selected", nullptr, static_cast<int>(m_state.selection().size()));
+    QStringList parts{
+        tr("%n people", nullptr, static_cast<int>(m_state.scene().population.size()))};
+    if (m_statistics.render.individuals > 0) {
+        parts << tr("%n in view", nullptr, static_cast<int>(m_statistics.render.visible));
     }
-    m_counts->setText(text);
+    if (!m_state.selection().isEmpty()) {
+        parts << tr("%n selected", nullptr, static_cast<int>(m_state.selection().size()));
+    }
+    m_counts->setText(parts.join(QStringLiteral(" · ")));
+}
+
+void StatusPanel::refreshFrame()
+{
+    const QLocale locale;
+    const QString frameMs = locale.toString(m_statistics.frameMs, 'f', 1);
+    const auto rate = qRound(m_statistics.framesPerSecond);
+    m_frame->setText(rate > 0 ? tr("%1 ms · %2 fps").arg(frameMs).arg(rate)
+                              : tr("%1 ms").arg(frameMs));
+    m_frame->setToolTip(
+        tr("Time of one picture: %1 triangles in %2 draws")
+            .arg(locale.toString(static_cast<qlonglong>(m_statistics.render.triangles)),
+                 locale.toString(static_cast<qlonglong>(m_statistics.render.draws))));
 }
 
 void StatusPanel::setStatistics(const widgets::FrameStatistics& statistics)
 {
-    const QLocale locale;
-    m_frame->setText(
-        tr("%1 ms · %2 triangles")
-            .arg(locale.toString(statistics.frameMs, 'f', 1),
-                 locale.toString(static_cast<qlonglong>(statistics.render.triangles))));
-    m_frame->setToolTip(tr("Time of one picture, and what was drawn in it: %1 of %2 people")
-                            .arg(statistics.render.visible)
-                            .arg(statistics.render.individuals));
+    m_statistics = statistics;
+    refreshCounts();
+    refreshFrame();
 }
 
 } // namespace crowd::app

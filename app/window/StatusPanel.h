@@ -9,8 +9,32 @@
 
 namespace crowd::app {
 
-/// The status bar: what the active tool's keys do, passing remarks, how many people there are and
-/// how long a picture takes.
+/// One line of text that ends in an ellipsis where there is no room for it; the tool tip has all.
+class ElidedLabel : public QLabel
+{
+    Q_OBJECT
+
+public:
+    explicit ElidedLabel(QWidget* parent) : QLabel(parent) {}
+
+    void setFullText(const QString& text);
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        return {60, QLabel::sizeHint().height()};
+    }
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void elide();
+
+    QString m_full;
+};
+
+/// The status bar: what the active tool's keys do, passing remarks, how many people there are, are
+/// in the picture and are selected, and how long a picture takes.
 class StatusPanel : public QStatusBar
 {
     Q_OBJECT
@@ -23,9 +47,11 @@ public:
 
 private:
     void refreshCounts();
+    void refreshFrame();
 
     widgets::EditorState& m_state;
-    QLabel* m_hint;
+    widgets::FrameStatistics m_statistics;
+    ElidedLabel* m_hint;
     QLabel* m_counts;
     QLabel* m_frame;
     QString m_remark;

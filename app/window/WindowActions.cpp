@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/WindowActions.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QtCore/QCoreApplication>
 
 #include "app/window/MainWindow.h"
+#include "widgets/tools/BrushTool.h"
 #include "widgets/viewport/SelectionCommands.h"
 #include "widgets/viewport/ViewCommands.h"
 
@@ -20,6 +22,17 @@ struct WindowAction
     ActionSpec spec;
     void (*run)(MainWindow& window, bool isChecked);
 };
+
+void resizeBrush(widgets::EditorState& state, double steps)
+{
+    if (const model::BrushSettings* brush = state.activeBrush()) {
+        const model::BrushSettings resized = widgets::resizedBySteps(*brush, steps);
+        state.setBrush(resized);
+        state.showStatus(
+            QCoreApplication::translate("crowd::widgets::ToolController", "Brush size: %1 px")
+                .arg(qRound(resized.radiusPixels)));
+    }
+}
 
 const WindowAction kFileActions[] = {
     {{"new-theatre", QT_TRANSLATE_NOOP("Actions", "New &Theatre"), "new-theatre", "Ctrl+N",
@@ -58,7 +71,7 @@ const WindowAction kEditActions[] = {
     {{"redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
       QT_TRANSLATE_NOOP("Actions", "Do again what was taken back")},
      [](MainWindow& w, bool) { w.document().undoStack().redo(); }},
-    {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del",
+    {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected people")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
     {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
@@ -82,16 +95,17 @@ const WindowAction kViewActions[] = {
     {{"frame-all", QT_TRANSLATE_NOOP("Actions", "Frame &All"), "frame-all", "Home",
       QT_TRANSLATE_NOOP("Actions", "Show the whole scene")},
      [](MainWindow& w, bool) { widgets::frameAll(w.state()); }},
-    {{"view-front", QT_TRANSLATE_NOOP("Actions", "From the F&ront"), "view-front", "1",
+    {{"view-front", QT_TRANSLATE_NOOP("Actions", "From the F&ront"), "view-front", "Num+1; Alt+1",
       QT_TRANSLATE_NOOP("Actions", "Look at the scene from the front")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Front); }},
-    {{"view-side", QT_TRANSLATE_NOOP("Actions", "From the &Side"), "view-side", "3",
+    {{"view-side", QT_TRANSLATE_NOOP("Actions", "From the &Side"), "view-side", "Num+3; Alt+3",
       QT_TRANSLATE_NOOP("Actions", "Look at the scene from the side")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Side); }},
-    {{"view-top", QT_TRANSLATE_NOOP("Actions", "From Abo&ve"), "view-top", "7",
+    {{"view-top", QT_TRANSLATE_NOOP("Actions", "From Abo&ve"), "view-top", "Num+7; Alt+7",
       QT_TRANSLATE_NOOP("Actions", "Look at the scene from above")},
      [](MainWindow& w, bool) { widgets::lookFrom(w.state(), widgets::ViewDirection::Top); }},
-    {{"projection", QT_TRANSLATE_NOOP("Actions", "&Perspective or Orthographic"), "projection", "5",
+    {{"projection", QT_TRANSLATE_NOOP("Actions", "&Perspective or Orthographic"), "projection",
+      "Num+5; Alt+5",
       QT_TRANSLATE_NOOP("Actions", "Change between perspective and orthographic projection")},
      [](MainWindow& w, bool) { widgets::toggleProjection(w.state()); }},
     {{"camera-add", QT_TRANSLATE_NOOP("Actions", "&Keep This View"), "camera-add", "Ctrl+B",
@@ -123,7 +137,13 @@ const WindowAction kViewActions[] = {
      }},
     {{"full-screen", QT_TRANSLATE_NOOP("Actions", "F&ull Screen"), "full-screen", "F11",
       QT_TRANSLATE_NOOP("Actions", "Fill the screen with the window"), true},
-     [](MainWindow& w, bool on) { on ? w.showFullScreen() : w.showNormal(); }},
+     [](MainWindow& w, bool on) {
+         w.setWindowState(on ? w.windowState() | Qt::WindowFullScreen
+                             : w.windowState() & ~Qt::WindowFullScreen);
+     }},
+    {{"hide-panels", QT_TRANSLATE_NOOP("Actions", "Picture &Only"), "dock", "Tab",
+      QT_TRANSLATE_NOOP("Actions", "Hide panels and tool bar, or show them again"), true},
+     [](MainWindow& w, bool on) { w.dockLayout().setHidden(on); }},
 };
 
 const WindowAction kPlayActions[] = {
@@ -138,23 +158,15 @@ const WindowAction kPlayActions[] = {
 const WindowAction kOtherActions[] = {
     {{"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Larger Brush"), "larger", "]",
       QT_TRANSLATE_NOOP("Actions", "Make the brush larger")},
-     [](MainWindow& w, bool) {
-         if (const auto* brush = w.state().activeBrush()) {
-             w.state().setBrush(brush->resized(brush->radiusPixels * 0.15F + 1.0F));
-         }
-     }},
+     [](MainWindow& w, bool) { resizeBrush(w.state(), 1.0); }},
     {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "&Smaller Brush"), "smaller", "[",
       QT_TRANSLATE_NOOP("Actions", "Make the brush smaller")},
-     [](MainWindow& w, bool) {
-         if (const auto* brush = w.state().activeBrush()) {
-             w.state().setBrush(brush->resized(-brush->radiusPixels * 0.13F - 1.0F));
-         }
-     }},
+     [](MainWindow& w, bool) { resizeBrush(w.state(), -1.0); }},
     {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
       QT_TRANSLATE_NOOP("Actions", "Put all panels back to their places")},
-     [](MainWindow& w, bool) { w.resetLayout(); }},
-    {{"keys", QT_TRANSLATE_NOOP("Actions", "&Keys and Mouse"), "help", "F1",
-      QT_TRANSLATE_NOOP("Actions", "What keys and mouse buttons do")},
+     [](MainWindow& w, bool) { w.dockLayout().reset(); }},
+    {{"keys", QT_TRANSLATE_NOOP("Actions", "&Mouse and Keys"), "help", "F1",
+      QT_TRANSLATE_NOOP("Actions", "What mouse buttons and keys do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
     {{"about", QT_TRANSLATE_NOOP("Actions", "&About Crowdbrush"), "about", "Shift+F1",
       QT_TRANSLATE_NOOP("Actions", "What this is, and its version")},
@@ -162,8 +174,8 @@ const WindowAction kOtherActions[] = {
 };
 
 constexpr const char* kFileMenu[] = {
-    "new-theatre",     "new-ground",   "open", "@recent", "", "save", "save-as", "collect", "",
-    "import-template", "import-stage", "",     "quit"};
+    "new-theatre", "new-ground", "open", "@recent",         "@examples",    "", "save",
+    "save-as",     "collect",    "",     "import-template", "import-stage", "", "quit"};
 constexpr const char* kEditMenu[] = {
     "undo",        "redo",          "", "delete",     "", "select-all",
     "select-none", "select-invert", "", "preferences"};
@@ -180,12 +192,12 @@ constexpr const char* kBrushMenu[] = {"select",
                                       "brush-smaller",
                                       "",
                                       "seat-grid"};
-constexpr const char* kViewMenu[] = {"frame-selection", "frame-all", "",           "view-front",
-                                     "view-side",       "view-top",  "projection", "",
-                                     "camera-add",      "@cameras",  "",           "ground-grid",
-                                     "shadows",         "look-lit",  "",           "full-screen"};
+constexpr const char* kViewMenu[] = {
+    "frame-selection", "frame-all", "",           "view-front", "view-side",     "view-top",
+    "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
+    "ground-grid",     "shadows",   "look-lit",   "",           "full-screen"};
 constexpr const char* kPlayMenu[] = {"play", "rewind"};
-constexpr const char* kWindowMenu[] = {"@docks", "", "reset-layout"};
+constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"keys", "about"};
 
 constexpr MenuSpec kMenus[] = {
@@ -196,6 +208,19 @@ constexpr MenuSpec kMenus[] = {
     {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},
     {QT_TRANSLATE_NOOP("Menus", "&Window"), kWindowMenu},
     {QT_TRANSLATE_NOOP("Menus", "&Help"), kHelpMenu},
+};
+
+struct Submenu
+{
+    std::string_view id;
+    const char* title;
+};
+
+constexpr Submenu kSubmenus[] = {
+    {"@recent", QT_TRANSLATE_NOOP("Menus", "Open &Recent")},
+    {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
+    {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
+    {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View &as Camera")},
 };
 
 constexpr const char* kToolBar[] = {"new-theatre",
@@ -271,6 +296,11 @@ void addWindowActions(MainWindow& window)
 std::span<const MenuSpec> menuTable()
 {
     return kMenus;
+}
+
+const char* submenuTitle(std::string_view id)
+{
+    return std::ranges::find(kSubmenus, id, &Submenu::id)->title;
 }
 
 std::span<const char* const> toolBarTable()

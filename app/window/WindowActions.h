@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "widgets/actions/ActionRegistry.h"
 
@@ -13,7 +14,7 @@ class MainWindow;
 void addWindowActions(MainWindow& window);
 
 /// One menu: its title, to be translated in the context "Menus", and the ids of its actions; an
-/// empty id is a separator.
+/// empty id is a separator, one that begins with @ a menu that the window fills.
 struct MenuSpec
 {
     const char* title;
@@ -21,6 +22,8 @@ struct MenuSpec
 };
 
 [[nodiscard]] std::span<const MenuSpec> menuTable();
+/// Of an id that begins with @, to be translated in the context "Menus".
+[[nodiscard]] const char* submenuTitle(std::string_view id);
 /// Ids on the tool bar; an empty id is a separator.
 [[nodiscard]] std::span<const char* const> toolBarTable();
 

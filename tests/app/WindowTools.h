@@ -14,9 +14,14 @@
 /// Help for tests of the real window: answering the dialogs it opens.
 namespace crowd::testing {
 
-/// The dialog that is open now, modal or window-modal; null if none.
+/// The dialog that is open now, modal or window-modal; of several the one that takes input; null
+/// if none.
 inline QDialog* openDialog()
 {
+    auto* active = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (active != nullptr && active->isVisible() && !active->inherits("QProgressDialog")) {
+        return active;
+    }
     for (QWidget* widget : QApplication::topLevelWidgets()) {
         auto* dialog = qobject_cast<QDialog*>(widget);
         if (dialog != nullptr && dialog->isVisible() && !dialog->inherits("QProgressDialog")) {

@@ -14,11 +14,16 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
+#include <QtWidgets/QSpinBox>
 #include <QtWidgets/QToolBar>
 
 #include "app/window/MainWindow.h"
+#include "app/window/PreferencesDialog.h"
+#include "app/window/RecentFiles.h"
+#include "app/window/ShortcutsPage.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectFile.h"
 #include "tests/app/SceneWindow.h"
@@ -58,8 +63,20 @@ private Q_SLOTS:
     void undoActionFollowsTheDocument();
     void titleTellsOfChanges();
     void droppedModelBecomesATemplate();
+    void severalDroppedFilesComeOneAfterTheOther();
+    void unsupportedFileIsRefusedAtOnce();
+    void twoScenesInARowDoNotCollide();
+    void examplesOpenAsNewScenes();
     void panelsAreRememberedAndReset();
+    void pictureOnlyHidesThePanelsAndBringsThemBack();
+    void numberKeysKeepAndShowCameras();
+    void recentFilesComeNewestFirst();
     void shortcutsAreRemembered();
+    void changedShortcutFreesItsOldKeys();
+    void shortcutConflictsAreNamed();
+    void preferencesTakeEffectAndCanBeTakenBack();
+    void statusBarCounts();
+    void iconsFollowTheTheme();
 };
 
 void MainWindowTest::everyActionIsComplete()
@@ -78,6 +95,14 @@ void MainWindowTest::everyActionIsComplete()
 
 void MainWindowTest::everyActionCanBeReached()
 {
+    model::Scene scene = plainScene(0);
+    for (const char* name : {"b", "c", "d", "e", "f", "g", "h", "i"}) {
+        scene.cameras.push_back({name, scene.cameras.front().camera});
+    }
+    openScene(scene, QStringLiteral("a.crowd"));
+    for (QMenu* menu : m_window->findChildren<QMenu*>()) {
+        Q_EMIT menu->aboutToShow(); // some are filled then
+    }
     std::set<const QAction*> reached;
     for (const QAction* top : m_window->menuBar()->actions()) {
         QVERIFY(top->menu() != nullptr);
@@ -216,9 +241,21 @@ void MainWindowTest::panelsAreRememberedAndReset()
     auto* hidden = m_window->findChild<QDockWidget*>(name);
     QVERIFY(hidden->isHidden());
     QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::RightDockWidgetArea);
-    m_window->resetLayout();
+    m_window->dockLayout().reset();
     QVERIFY(!hidden->isHidden());
     QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::LeftDockWidgetArea);
+}
+
+void MainWindowTest::recentFilesComeNewestFirst()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    openScene(plainScene(1), QStringLiteral("b.crowd"));
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    const QStringList recent = app::recentFiles();
+    QCOMPARE(recent.size(), 2);
+    QCOMPARE(QFileInfo(recent[0]).fileName(), QStringLiteral("a.crowd"));
+    app::clearRecentFiles();
+    QVERIFY(app::recentFiles().isEmpty());
 }
 
 void MainWindowTest::shortcutsAreRemembered()
@@ -230,6 +267,214 @@ void MainWindowTest::shortcutsAreRemembered()
     QCOMPARE(m_window->actions().action("frame-all")->shortcut(), keys);
     m_window->actions().resetShortcuts();
     QCOMPARE(m_window->actions().action("frame-all")->shortcut(), QKeySequence(Qt::Key_Home));
+}
+
+void MainWindowTest::severalDroppedFilesComeOneAfterTheOther()
+{
+    const QString scene = pathOf(QStringLiteral("a.crowd"));
+    QVERIFY(model::saveProject(plainScene(4), scene).isOk());
+    QSignalSpy added(&m_window->assets(), &app::AssetController::templateAdded);
+    QSignalSpy stages(&m_window->assets(), &app::AssetController::stageAdded);
+    QTimer accepting;
+    connect(&accepting, &QTimer::timeout, &accepting, [] {
+        if (QDialog* dialog = openDialog()) {
+            dialog->accept();
+        }
+    });
+    accepting.start(50);
+    m_window->queue().openAtStart({QStringLiteral(CROWD_RESOURCES "/templates/woman.glb"), scene,
+                                   QStringLiteral(CROWD_RESOURCES "/stages/theatre.glb")});
+    QTRY_COMPARE_WITH_TIMEOUT(stages.count(), 1, 3 * kPatienceMs);
+    QCOMPARE(document().scene().population.size(), std::size_t{4});
+    QCOMPARE(added.count(), 1);
+    QCOMPARE(stages.count(), 1);
+    QCOMPARE(document().scene().templates.size(), std::size_t{2});
+    QCOMPARE(document().scene().stages.size(), std::size_t{1});
+}
+
+void MainWindowTest::unsupportedFileIsRefusedAtOnce()
+{
+    openScene(plainScene(0), QStringLiteral("a.crowd"));
+    QFile model(pathOf(QStringLiteral("dancer.fbx")));
+    QVERIFY(model.open(QIODevice::WriteOnly));
+    model.write("Kaydara FBX Binary");
+    model.close();
+    QString message;
+    const DialogAnswer answer([&message](QDialog& dialog) {
+        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
+            message = box->text();
+        }
+        dialog.accept();
+    });
+    m_window->queue().drop({model.fileName()});
+    QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), kPatienceMs);
+    QVERIFY2(message.contains(QStringLiteral("dancer.fbx")), qPrintable(message));
+    QVERIFY2(message.contains(QStringLiteral("glTF")), qPrintable(message));
+    QCOMPARE(document().scene().templates.size(), std::size_t{1});
+}
+
+void MainWindowTest::twoScenesInARowDoNotCollide()
+{
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    m_window->actions().action("new-theatre")->trigger();
+    m_window->actions().action("new-ground")->trigger(); // the first is still being read
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+    QVERIFY(!m_window->files().isBusy());
+    QCOMPARE(document().scene().stages.size(), std::size_t{1});
+}
+
+void MainWindowTest::examplesOpenAsNewScenes()
+{
+    const QStringList examples = app::FileController::examples();
+    QVERIFY(!examples.isEmpty());
+    QVERIFY(examples.front().endsWith(QStringLiteral("theatre.crowd")));
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    m_window->files().openPath(examples.front());
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 3 * kPatienceMs);
+    QVERIFY(document().scene().population.size() >= 500);
+    QVERIFY2(document().path().isEmpty(), "saving must not write into the program's own files");
+    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("theatre")));
+    QVERIFY(app::recentFiles().isEmpty());
+}
+
+void MainWindowTest::pictureOnlyHidesThePanelsAndBringsThemBack()
+{
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QDockWidget* closed = m_window->docks().front();
+    closed->hide();
+    m_window->viewport().setFocus();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Tab);
+    QVERIFY(m_window->dockLayout().isHidden());
+    for (const QDockWidget* dock : m_window->docks()) {
+        QVERIFY(dock->isHidden());
+    }
+    QTRY_COMPARE(m_window->viewport().width(), m_window->width());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Tab);
+    QVERIFY(!m_window->dockLayout().isHidden());
+    QVERIFY2(closed->isHidden(), "what was closed before stays closed");
+    QVERIFY(!m_window->docks()[1]->isHidden());
+    m_window->actions().action("hide-panels")->trigger();
+    QVERIFY(m_window->close());
+    openWindow();
+    QVERIFY2(!m_window->docks()[1]->isHidden(), "the next start has its panels");
+}
+
+void MainWindowTest::numberKeysKeepAndShowCameras()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    auto& state = m_window->state();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    const model::Camera first = state.camera();
+    const model::Camera other = model::Camera::lookingAt({20.0F, 9.0F, 3.0F}, {0.0F, 1.0F, 0.0F});
+    state.setCamera(other);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_5, Qt::ControlModifier);
+    QCOMPARE(document().scene().cameras.size(), std::size_t{2}); // the next free number
+    QVERIFY(document().scene().cameras[1].camera == other);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_1);
+    QVERIFY(state.cameraTarget() == first);
+    QTRY_VERIFY(!state.isCameraMoving());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_2);
+    QVERIFY(state.cameraTarget() == other);
+    QTRY_VERIFY(!state.isCameraMoving());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_7); // nothing there: says so, moves nothing
+    QVERIFY(state.cameraTarget() == other);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_1, Qt::ControlModifier);
+    QVERIFY(document().scene().cameras[0].camera == other);
+    document().undoStack().undo();
+    QVERIFY(document().scene().cameras[0].camera == first);
+    document().undoStack().setClean();
+}
+
+void MainWindowTest::changedShortcutFreesItsOldKeys()
+{
+    openScene(plainScene(3), QStringLiteral("a.crowd"));
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->viewport().setFocus();
+    m_window->state().setTool(widgets::ToolId::Select);
+    m_window->actions().setShortcut("brush-colour", QKeySequence(QStringLiteral("Y")));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_B);
+    QCOMPARE(m_window->state().tool(), widgets::ToolId::Select);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Y);
+    QCOMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
+}
+
+void MainWindowTest::shortcutConflictsAreNamed()
+{
+    app::PreferencesDialog dialog(m_window->actions(), m_window.get());
+    app::ShortcutsPage& page = dialog.shortcuts();
+    const auto keysOf = [this](const char* id) {
+        return m_window->actions().action(id)->shortcut();
+    };
+    const QKeySequence create = keysOf("brush-create");
+    page.setKeys(page.rowOf("open"), create);
+    QVERIFY2(page.conflict().contains(QStringLiteral("Create")), qPrintable(page.conflict()));
+    QCOMPARE(keysOf("open"), QKeySequence(QStringLiteral("Ctrl+O")));
+    pressing(QStringLiteral("Give It to “Open…”"))(dialog);
+    QVERIFY(page.conflict().isEmpty());
+    QCOMPARE(keysOf("brush-create"), create); // not before the dialog is accepted
+    page.apply();
+    QCOMPARE(keysOf("open"), create);
+    QVERIFY(keysOf("brush-create").isEmpty());
+    m_window->actions().resetShortcuts();
+    QCOMPARE(keysOf("brush-create"), create);
+}
+
+void MainWindowTest::preferencesTakeEffectAndCanBeTakenBack()
+{
+    m_window->showPreferences();
+    auto* dialog = m_window->findChild<app::PreferencesDialog*>();
+    QVERIFY(dialog != nullptr);
+    const std::size_t before = m_window->state().keyframes().progress().budgetBytes;
+    app::Preferences wanted = app::Preferences::load();
+    wanted.keyframeMegabytes = 777;
+    wanted.buttons = widgets::ButtonMapping::Paper;
+    Q_EMIT dialog->changed(wanted);
+    QCOMPARE(m_window->state().keyframes().progress().budgetBytes, std::size_t{777} << 20U);
+    QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Paper);
+    for (auto* box : dialog->findChildren<QSpinBox*>()) {
+        box->setValue(box->value() + 64); // the memory
+    }
+    dialog->reject();
+    QCOMPARE(m_window->state().keyframes().progress().budgetBytes, before);
+    QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Standard);
+}
+
+void MainWindowTest::statusBarCounts()
+{
+    openScene(plainScene(5), QStringLiteral("a.crowd"));
+    m_window->state().selection().set(document().scene().population.ids().first(1));
+    const auto* counts = m_window->findChild<QLabel*>(QStringLiteral("statusCounts"));
+    QTRY_COMPARE_WITH_TIMEOUT(counts->text(), QStringLiteral("5 people · 5 in view · 1 selected"),
+                              kPatienceMs);
+    const auto* frame = m_window->findChild<QLabel*>(QStringLiteral("statusFrame"));
+    QTRY_VERIFY_WITH_TIMEOUT(frame->text().contains(QStringLiteral(" ms")), kPatienceMs);
+}
+
+void MainWindowTest::iconsFollowTheTheme()
+{
+    const auto average = [this] {
+        const QImage picture = m_window->actions().action("open")->icon().pixmap(32, 32).toImage();
+        int sum = 0;
+        int drawn = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (const QColor color = picture.pixelColor(x, y); color.alpha() > 200) {
+                    sum += color.lightness();
+                    ++drawn;
+                }
+            }
+        }
+        return drawn == 0 ? -1 : sum / drawn;
+    };
+    widgets::applyTheme(widgets::Theme::Light);
+    QVERIFY(average() < 100);
+    widgets::applyTheme(widgets::Theme::Dark);
+    QVERIFY(average() > 150);
+    widgets::applyTheme(widgets::Theme::Light);
+    QVERIFY(average() < 100);
 }
 
 int main(int argc, char** argv)

@@ -2,6 +2,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 #include <QtTest/QTest>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLineEdit>
@@ -28,6 +29,9 @@ std::function<void(QDialog&)> choosing(const QString& path)
         if (files == nullptr || name == nullptr) {
             dialog.reject();
             return;
+        }
+        for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
+            view->clearSelection(); // else the file it offers is taken
         }
         name->setText(path);
         QTest::keyClick(name, Qt::Key_Return);
@@ -152,8 +156,9 @@ void SceneFilesTest::unreadableFileLeavesTheSceneAlone()
 
 void SceneFilesTest::missingAssetsAreNamed()
 {
-    model::Scene scene = plainScene(1);
-    addMissing(scene, 2, QStringLiteral("dragon"), pathOf(QStringLiteral("dragon.glb")));
+    model::Scene scene = plainScene(3);
+    scene.templates.clear(); // the people there are dragons
+    addMissing(scene, 1, QStringLiteral("dragon"), pathOf(QStringLiteral("dragon.glb")));
     QStringList named;
     const DialogAnswer answer([&named](QDialog& dialog) {
         for (const auto* list : dialog.findChildren<QTreeWidget*>()) {

@@ -257,7 +257,7 @@ bool ToolController::runShortcut(const KeyInput& input)
         refreshPicture();
         return true;
     }
-    if (const int steps = sizeSteps(input); steps != 0 && brush != nullptr) {
+    if (const int steps = m_hasShortcuts ? sizeSteps(input) : 0; steps != 0 && brush != nullptr) {
         changeBrush(resizedBySteps(*brush, steps), false);
         return true;
     }
@@ -265,7 +265,7 @@ bool ToolController::runShortcut(const KeyInput& input)
         changeBrush(steppedMainNumber(*brush, steps), true);
         return true;
     }
-    return runStateKey(m_state, input);
+    return m_hasShortcuts && runStateKey(m_state, input);
 }
 
 void ToolController::changeBrush(const model::BrushSettings& settings, bool saysNumber)

@@ -24,6 +24,10 @@ public:
     explicit ToolController(EditorState& state);
     ~ToolController() override;
 
+    /// The window has shortcuts of its own, which can be changed: only keys that are no action of
+    /// the window's stay here.
+    void leaveShortcutsToWindow() { m_hasShortcuts = false; }
+
     [[nodiscard]] SceneQueries& queries() { return m_queries; }
     [[nodiscard]] const ToolPicture& picture() const { return m_picture; }
     [[nodiscard]] bool isDragging() const { return m_session != nullptr; }
@@ -78,6 +82,7 @@ private:
     WheelDolly m_wheel;
     ToolPicture m_picture;
     std::optional<ToolInput> m_pointer; ///< last input; nothing while outside
+    bool m_hasShortcuts = true;
     bool m_isPreviewStale = false;
     double m_lastSeconds = 0.0;
     bool m_isSpaceHeld = false;

@@ -20,13 +20,9 @@ struct StateKey
     void (*run)(EditorState& state);
 };
 
-const std::array<StateKey, 13> kStateKeys{{
+const std::array<StateKey, 9> kStateKeys{{
     {Qt::Key_F, Qt::NoModifier, frameSelection},
     {Qt::Key_Home, Qt::NoModifier, frameAll},
-    {Qt::Key_1, Qt::NoModifier, [](EditorState& state) { lookFrom(state, ViewDirection::Front); }},
-    {Qt::Key_3, Qt::NoModifier, [](EditorState& state) { lookFrom(state, ViewDirection::Side); }},
-    {Qt::Key_7, Qt::NoModifier, [](EditorState& state) { lookFrom(state, ViewDirection::Top); }},
-    {Qt::Key_5, Qt::NoModifier, toggleProjection},
     {Qt::Key_Delete, Qt::NoModifier, deleteSelection},
     {Qt::Key_Backspace, Qt::NoModifier, deleteSelection},
     {Qt::Key_A, Qt::ControlModifier, [](EditorState& state) { state.selection().selectAll(); }},

@@ -167,16 +167,6 @@ void ViewportOverlay::paintTexts(QPainter& painter) const
     if (!m_text.mode.isEmpty()) {
         drawPlate(painter, area, {area.center().x(), 26.0}, m_text.mode);
     }
-    if (!m_text.work.isEmpty()) {
-        const QPointF at(area.center().x(), area.bottom() - 34.0);
-        drawPlate(painter, area, at, m_text.work);
-        const QRectF track(at.x() - 60.0, at.y() + 19.0, 120.0, 3.0);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(kDark);
-        painter.drawRect(track);
-        painter.setBrush(kAccent);
-        painter.drawRect(QRectF(track.topLeft(), QSizeF(track.width() * m_text.done, 3.0)));
-    }
 }
 
 } // namespace crowd::widgets

@@ -12,10 +12,8 @@ namespace crowd::widgets {
 /// What lies over the picture as a whole rather than at the cursor.
 struct OverlayText
 {
-    QString help;      ///< in the middle: what to do in an empty scene
-    QString work;      ///< below: "Baking 3 of 7 clips"
-    double done = 0.0; ///< of the work, 0..1
-    QString mode;      ///< above: "Flying – …"
+    QString help; ///< in the middle: what to do in an empty scene
+    QString mode; ///< above: "Flying – …"
     friend bool operator==(const OverlayText&, const OverlayText&) = default;
 };
 

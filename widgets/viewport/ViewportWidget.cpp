@@ -10,6 +10,7 @@
 #include "render/Renderer.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportOverlay.h"
+#include "widgets/viewport/WorkBar.h"
 
 namespace crowd::widgets {
 
@@ -36,7 +37,7 @@ QSurfaceFormat surfaceFormat()
 
 ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
     : QOpenGLWidget(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
-      m_tools(state), m_overlay(new ViewportOverlay(this))
+      m_tools(state), m_overlay(new ViewportOverlay(this)), m_work(new WorkBar(this))
 {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -86,6 +87,7 @@ void ViewportWidget::connectState()
         refreshText();
     });
     connect(&m_state, &EditorState::longWorkChanged, this, &ViewportWidget::refreshText);
+    connect(m_work, &WorkBar::buttonPressed, this, &ViewportWidget::pressWorkButton);
     connect(&m_tools, &ToolController::scenePreviewChanged, this, redraw);
     connect(&m_tools, &ToolController::pictureChanged, this, &ViewportWidget::refreshOverlay);
     connect(&m_tools, &ToolController::paletteRequested, this, &ViewportWidget::showPopup);
@@ -243,37 +245,65 @@ void ViewportWidget::refreshOverlay()
     refreshClock();
 }
 
-void ViewportWidget::refreshText()
+QString ViewportWidget::helpText() const
 {
-    OverlayText text;
     const model::Scene& scene = m_state.scene();
     if (!m_problem.isEmpty()) {
-        text.help = m_problem;
-    } else if (scene.population.isEmpty() && scene.stages.empty() && scene.templates.empty()) {
-        text.help = tr("This scene is empty.\nDrop a character (.glb) or a stage here, or open a "
-                       "scene from the File menu.");
-    } else if (scene.population.isEmpty() && scene.stages.empty() && !m_tools.isDragging()) {
-        text.help = tr("Nobody is here yet.\nPress C and paint people on the ground.");
+        return m_problem;
     }
+    if (!scene.population.isEmpty() || !scene.stages.empty()) {
+        return {};
+    }
+    if (scene.templates.empty()) {
+        return tr("This scene is empty.\nDrop a character (.glb) or a stage here, or open a "
+                  "scene from the File menu.");
+    }
+    return m_tools.isDragging()
+               ? QString()
+               : tr("Nobody is here yet.\nPress C and paint people on the ground.");
+}
+
+WorkStatus ViewportWidget::workStatus()
+{
     const auto baking = m_state.keyframes().progress();
     if (baking.pendingClips == 0) {
         m_bakedBefore = baking.finishedClips;
     }
     if (const LongWork& work = m_state.longWork(); work.total > 0) {
-        text.work = work.text;
-        text.done = static_cast<double>(work.done) / work.total;
-    } else if (baking.pendingClips > 0) {
+        return {work.text, static_cast<double>(work.done) / work.total, {}, {}};
+    }
+    if (baking.isPaused) {
+        return {tr("Animations are not baked: some people stand still."), -1.0, tr("Bake"),
+                tr("Go on baking")};
+    }
+    if (baking.pendingClips > 0) {
         const int done = baking.finishedClips - m_bakedBefore;
         const int total = done + baking.pendingClips;
-        text.work = tr("Baking %1 of %2 clips").arg(done + 1).arg(total);
-        text.done = static_cast<double>(done) / total;
-    } else if (baking.isBudgetReached) {
-        text.work = tr("The memory for baked animations is used up: some people stand still. "
-                       "The preferences set its size.");
-        text.done = 1.0;
+        return {tr("Baking %1 of %2 clips").arg(done + 1).arg(total),
+                static_cast<double>(done) / total, tr("Cancel"),
+                tr("Stop baking: whose animation is not ready stands still")};
     }
-    text.mode = m_tools.picture().mode;
-    m_overlay->setText(text);
+    if (baking.isBudgetReached) {
+        return {tr("The memory for baked animations is used up: some people stand still. "
+                   "The preferences set its size."),
+                -1.0,
+                {},
+                {}};
+    }
+    return {};
+}
+
+void ViewportWidget::pressWorkButton()
+{
+    m_state.keyframes().setPaused(!m_state.keyframes().progress().isPaused);
+    update(); // what is drawn is asked for again
+    refreshText();
+}
+
+void ViewportWidget::refreshText()
+{
+    m_overlay->setText({helpText(), m_tools.picture().mode});
+    m_work->setStatus(workStatus());
 }
 
 void ViewportWidget::setProblem(const QString& problem)
@@ -290,6 +320,7 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
 {
     QOpenGLWidget::resizeEvent(event);
     m_overlay->setGeometry(rect());
+    m_work->place();
     m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
 }
 

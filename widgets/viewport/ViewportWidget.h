@@ -26,6 +26,8 @@ namespace crowd::widgets {
 
 class BrushPopup;
 class ViewportOverlay;
+class WorkBar;
+struct WorkStatus;
 
 /// The picture. Draws the scene when something changed or plays, turns events into tool input and
 /// hands them on; what they mean is the tools' affair. Owns the renderer, which survives the loss
@@ -83,6 +85,9 @@ private:
     void refreshClock();
     void refreshOverlay();
     void refreshText();
+    void pressWorkButton();
+    [[nodiscard]] QString helpText() const;
+    [[nodiscard]] WorkStatus workStatus();
     void publishStatistics(bool isAtRest);
     void chooseQuality();
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
@@ -96,6 +101,7 @@ private:
     std::unique_ptr<render::Renderer> m_renderer;
     ToolController m_tools;
     ViewportOverlay* m_overlay;    ///< child widget
+    WorkBar* m_work;               ///< child widget
     BrushPopup* m_popup = nullptr; ///< child widget, made when first asked for
     FrameClock m_clock;
     FrameTimes m_frameTimes;

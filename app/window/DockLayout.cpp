@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/DockLayout.h"
+
+#include <utility>
+
+#include <QtCore/QSettings>
+#include <QtGui/QScreen>
+#include <QtWidgets/QToolBar>
+
+namespace crowd::app {
+
+namespace {
+
+const QString kGeometryKey = QStringLiteral("window/geometry");
+const QString kLayoutKey = QStringLiteral("window/layout");
+/// Grows when docks change so much that an old layout makes no sense.
+constexpr int kLayoutVersion = 1;
+/// A screen smaller than this is filled, logical pixels.
+constexpr QSize kRoomyScreen(1600, 1000);
+constexpr QSize kSize(1280, 800);
+
+} // namespace
+
+DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {}
+
+void DockLayout::add(QDockWidget* dock, Qt::DockWidgetArea area)
+{
+    m_window.addDockWidget(area, dock);
+    m_docks.push_back(dock);
+}
+
+void DockLayout::fitToScreen()
+{
+    const QRect screen = m_window.screen()->availableGeometry();
+    if (screen.width() < kRoomyScreen.width() || screen.height() < kRoomyScreen.height()) {
+        m_window.setWindowState(m_window.windowState() | Qt::WindowMaximized);
+        return;
+    }
+    QRect place(QPoint(), screen.size() * 9 / 10);
+    place.moveCenter(screen.center());
+    m_window.setGeometry(place);
+}
+
+void DockLayout::restore()
+{
+    m_window.resize(kSize);
+    m_initial = m_window.saveState(kLayoutVersion);
+    const QSettings settings;
+    if (!settings.contains(kGeometryKey) ||
+        !m_window.restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
+        fitToScreen();
+    }
+    m_window.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+}
+
+void DockLayout::save() const
+{
+    QSettings settings;
+    settings.setValue(kGeometryKey, m_window.saveGeometry());
+    settings.setValue(kLayoutKey, isHidden() ? m_beforeHiding : m_window.saveState(kLayoutVersion));
+}
+
+void DockLayout::reset()
+{
+    const bool wasHidden = isHidden();
+    m_beforeHiding.clear();
+    m_window.restoreState(m_initial, kLayoutVersion);
+    for (QDockWidget* dock : m_docks) {
+        dock->show();
+    }
+    if (wasHidden) {
+        Q_EMIT hiddenChanged(false);
+    }
+}
+
+void DockLayout::setHidden(bool isHidden)
+{
+    if (isHidden == this->isHidden()) {
+        return;
+    }
+    if (isHidden) {
+        m_beforeHiding = m_window.saveState(kLayoutVersion);
+        for (QDockWidget* dock : m_docks) {
+            dock->hide();
+        }
+        for (auto* bar : m_window.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+            bar->hide();
+        }
+    } else {
+        m_window.restoreState(std::exchange(m_beforeHiding, {}), kLayoutVersion);
+    }
+    Q_EMIT hiddenChanged(isHidden);
+}
+
+} // namespace crowd::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <QtCore/QByteArray>
+#include <QtCore/QObject>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QMainWindow>
+
+namespace crowd::app {
+
+/// Where the panels of the window are: remembered between runs, put back on demand, and out of the
+/// way while the artist wants nothing but the picture. The window owns the panels and outlives
+/// this. Main thread only.
+class DockLayout : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit DockLayout(QMainWindow& window);
+
+    void add(QDockWidget* dock, Qt::DockWidgetArea area);
+    [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
+    /// The window is gone: so are its panels.
+    void forget() { m_docks.clear(); }
+
+    /// The layout of a new installation is the present one; then what was remembered of window and
+    /// panels takes its place. The first time the window fits its screen.
+    void restore();
+    void save() const;
+    /// All panels back to where they are in a new installation.
+    void reset();
+
+    /// Hides panels and tool bars, or shows those that were there before.
+    void setHidden(bool isHidden);
+    [[nodiscard]] bool isHidden() const { return !m_beforeHiding.isEmpty(); }
+
+Q_SIGNALS:
+    void hiddenChanged(bool isHidden);
+
+private:
+    void fitToScreen();
+
+    QMainWindow& m_window;
+    std::vector<QDockWidget*> m_docks;
+    QByteArray m_initial;
+    QByteArray m_beforeHiding; ///< empty while the panels are there
+};
+
+} // namespace crowd::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/WelcomeHint.h"
+
+#include <QtCore/QEvent>
+#include <QtCore/QSettings>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QToolButton>
+
+namespace crowd::app {
+
+namespace {
+
+const QString kSeenKey = QStringLiteral("window/hasSeenWelcome");
+constexpr int kBorder = 14;
+constexpr int kEditsToKnow = 3; ///< after so many somebody has found out
+
+/// Dark on any picture and in any theme, like the other plates over it.
+const QString kStyle = QStringLiteral(R"(
+#welcomeHint { background: rgba(20, 22, 26, 205); border: none; border-radius: 8px; }
+#welcomeHint QLabel { color: rgb(235, 236, 240); background: transparent; }
+#welcomeHint QToolButton { color: rgb(235, 236, 240); border: none; border-radius: 4px;
+                           padding: 1px 6px; background: transparent; }
+#welcomeHint QToolButton:hover { background: rgb(70, 72, 78); }
+)");
+
+} // namespace
+
+void WelcomeHint::showOnce(QWidget* picture, const model::SceneDocument& document)
+{
+    if (!QSettings().value(kSeenKey).toBool()) {
+        new WelcomeHint(picture, document); // the picture's child
+    }
+}
+
+WelcomeHint::WelcomeHint(QWidget* picture, const model::SceneDocument& document) : QFrame(picture)
+{
+    setObjectName(QStringLiteral("welcomeHint"));
+    setStyleSheet(kStyle);
+    auto* text = new QLabel(
+        tr("<b>Drag</b> over the free seats: people sit down. &nbsp;<b>Right click</b>: the "
+           "brushes.<br><b>Space</b> and drag: look around. &nbsp;<b>Ctrl+Z</b>: take it back. "
+           "&nbsp;<b>F1</b>: all keys."),
+        this);
+    auto* close = new QToolButton(this);
+    close->setText(QStringLiteral("✕"));
+    close->setToolTip(tr("Close, and do not show this again"));
+    close->setFocusPolicy(Qt::NoFocus);
+    connect(close, &QToolButton::clicked, this, &WelcomeHint::dismiss);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (index >= kEditsToKnow) {
+            dismiss();
+        }
+    });
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(13, 9, 7, 9);
+    layout->addWidget(text);
+    layout->addWidget(close, 0, Qt::AlignTop);
+    picture->installEventFilter(this);
+    place();
+    show();
+}
+
+void WelcomeHint::dismiss()
+{
+    QSettings().setValue(kSeenKey, true);
+    hide();
+    deleteLater();
+}
+
+void WelcomeHint::place()
+{
+    adjustSize();
+    move((parentWidget()->width() - width()) / 2, kBorder);
+}
+
+bool WelcomeHint::eventFilter(QObject* picture, QEvent* event)
+{
+    if (event->type() == QEvent::Resize) {
+        place();
+    }
+    return QFrame::eventFilter(picture, event);
+}
+
+} // namespace crowd::app
