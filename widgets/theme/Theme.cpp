@@ -2,7 +2,8 @@
 #include "widgets/theme/Theme.h"
 
 #include <QtWidgets/QApplication>
-#include <QtWidgets/QStyleFactory>
+
+#include "widgets/theme/CrowdStyle.h"
 
 namespace crowd::widgets {
 
@@ -115,7 +116,7 @@ void applyTheme(Theme theme)
     static const bool isSystemDark = isDark(QApplication::palette());
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isSystemDark);
     const Shades shades = dark ? darkShades() : lightShades();
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new CrowdStyle); // the application owns it
     QApplication::setPalette(paletteOf(shades));
     qApp->setStyleSheet(styleSheetOf(shades));
 }

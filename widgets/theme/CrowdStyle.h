@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtWidgets/QProxyStyle>
+
+namespace crowd::widgets {
+
+/// Fusion, with check boxes and radio buttons that can be told from their ground in the dark and
+/// are filled with the accent when they are on.
+class CrowdStyle : public QProxyStyle
+{
+    Q_OBJECT
+
+public:
+    CrowdStyle();
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override;
+};
+
+} // namespace crowd::widgets
