@@ -39,6 +39,17 @@ model::Camera cameraFor(const model::Bounds& box)
 
 } // namespace
 
+model::View thumbnailView(const ThumbnailRequest& request)
+{
+    const model::Template& asset = *request.asset;
+    model::Bounds box =
+        asset.bounds.isEmpty() ? model::Bounds{glm::vec3(-1.0F), glm::vec3(1.0F)} : asset.bounds;
+    if (request.showGround) {
+        box.add(glm::vec3(0.0F)); // what floats or has sunk is seen to do so
+    }
+    return model::View(cameraFor(box), glm::vec2(static_cast<float>(request.size)));
+}
+
 model::Result<std::vector<std::uint8_t>> renderThumbnail(Renderer& renderer,
                                                          model::KeyframeStore& keyframes,
                                                          const ThumbnailRequest& request)
@@ -52,12 +63,10 @@ model::Result<std::vector<std::uint8_t>> renderThumbnail(Renderer& renderer,
     ghost.parts = defaultParts(asset);
     ghost.alpha = 1.0F;
     const std::array<Ghost, 1> ghosts{ghost};
-    const float size = static_cast<float>(request.size);
-    const model::Bounds box =
-        asset.bounds.isEmpty() ? model::Bounds{glm::vec3(-1.0F), glm::vec3(1.0F)} : asset.bounds;
-    RenderInput input(model::View(cameraFor(box), glm::vec2(size)), keyframes);
+    RenderInput input(thumbnailView(request), keyframes);
     input.ghosts = ghosts;
-    input.showGround = false;
+    input.showGround = request.showGround;
+    input.lighting.showGroundGrid = request.showGround;
     input.background = request.background;
     if (auto drawn = renderer.draw(input); !drawn) {
         return drawn.error();

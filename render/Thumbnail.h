@@ -9,6 +9,7 @@
 #include "model/bake/KeyframeStore.h"
 #include "model/base/Result.h"
 #include "model/template/Template.h"
+#include "model/view/View.h"
 
 namespace crowd::render {
 
@@ -24,7 +25,11 @@ struct ThumbnailRequest
     float phase = 0.0F;
     float turnRadians = 0.6F;   ///< of the character about its own axis
     glm::vec4 background{0.0F}; ///< sRGB; alpha 0: the sky
+    bool showGround = false;    ///< with a grid of metres
 };
+
+/// Where the picture is taken from, its size as in the request: for what is drawn over it.
+[[nodiscard]] model::View thumbnailView(const ThumbnailRequest& request);
 
 /// RGBA8, sRGB, rows from the top, size × size. Uses the renderer's context, which is current, and
 /// its cache of uploaded templates. Does not wait for baking.

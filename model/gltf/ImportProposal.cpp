@@ -174,7 +174,7 @@ float proposeLift(const Bounds& bounds)
 
 std::string number(float value)
 {
-    std::string text = std::to_string(std::round(value * 1000.0F) / 1000.0F);
+    std::string text = std::to_string(std::round(static_cast<double>(value) * 1000.0) / 1000.0);
     text.erase(text.find_last_not_of('0') + 1);
     return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
 }

@@ -7,6 +7,7 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 
+#include "model/view/View.h"
 #include "widgets/dialogs/TemplatePictures.h"
 
 namespace crowd::widgets {
@@ -15,6 +16,24 @@ namespace {
 
 constexpr int kBeatMs = 66;
 constexpr float kRadiansPerPixel = 0.012F;
+
+const QColor kGuide(214, 92, 24);
+const QColor kGuideText(40, 42, 48);
+
+/// The longest of 1, 2 or 5 times a power of ten that the character reaches up to.
+float measureFor(float height)
+{
+    if (height <= 0.0F) {
+        return 1.0F;
+    }
+    const float ten = std::pow(10.0F, std::floor(std::log10(height)));
+    for (const float step : {5.0F, 2.0F}) {
+        if (step * ten <= height) {
+            return step * ten;
+        }
+    }
+    return ten;
+}
 
 } // namespace
 
@@ -61,9 +80,49 @@ void TemplatePreview::paintEvent(QPaintEvent*)
     request.turnRadians = m_turn;
     const int side = std::min(width(), height());
     request.size = static_cast<int>(side * devicePixelRatioF());
+    request.showGround = true;
     QImage picture = templatePicture(m_keyframes, request);
     picture.setDevicePixelRatio(devicePixelRatioF());
-    painter.drawImage(QPointF((width() - side) / 2.0, (height() - side) / 2.0), picture);
+    painter.translate((width() - side) / 2.0, (height() - side) / 2.0);
+    painter.setClipRect(0, 0, side, side);
+    painter.drawImage(QPointF(), picture);
+    request.size = side;
+    paintGuides(painter, request);
+}
+
+/// The way it faces, and a measure of height beside it.
+void TemplatePreview::paintGuides(QPainter& painter, const render::ThumbnailRequest& request) const
+{
+    const model::View view = render::thumbnailView(request);
+    const model::Bounds& box = m_asset->bounds;
+    const float reach = std::max({box.high.x, -box.low.x, box.high.z, -box.low.z, 0.01F});
+    const glm::vec3 front(std::sin(m_turn), 0.0F, std::cos(m_turn));
+    const glm::vec3 aside(front.z, 0.0F, -front.x);
+    const auto line = [&](const glm::vec3& from, const glm::vec3& to) {
+        const auto a = view.project(from);
+        const auto b = view.project(to);
+        if (a && b) {
+            painter.drawLine(QPointF(a->x, a->y), QPointF(b->x, b->y));
+        }
+    };
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(kGuide, 2.5, Qt::SolidLine, Qt::RoundCap));
+    const glm::vec3 tip = front * reach * 1.5F;
+    line(front * reach * 1.08F, tip);
+    line(tip, tip - (front + aside) * reach * 0.14F);
+    line(tip, tip - (front - aside) * reach * 0.14F);
+    const float measure = measureFor(m_asset->height);
+    const glm::vec3 foot(-reach * 1.05F, 0.0F, 0.0F);
+    const glm::vec3 head = foot + glm::vec3(0.0F, measure, 0.0F);
+    const glm::vec3 tick(reach * 0.05F, 0.0F, 0.0F);
+    line(foot, head);
+    line(foot - tick, foot + tick);
+    line(head - tick, head + tick);
+    if (const auto at = view.project(head)) {
+        painter.setPen(kGuideText);
+        painter.drawText(QPointF(at->x + 6.0F, at->y + 12.0F),
+                         tr("%1 m").arg(static_cast<double>(measure)));
+    }
 }
 
 void TemplatePreview::mousePressEvent(QMouseEvent* event)

@@ -7,6 +7,10 @@
 #include "model/bake/KeyframeStore.h"
 #include "model/template/Template.h"
 
+namespace crowd::render {
+struct ThumbnailRequest;
+}
+
 namespace crowd::widgets {
 
 /// A template that moves and can be turned by dragging, drawn without a GL widget of its own: in
@@ -28,6 +32,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
+    void paintGuides(QPainter& painter, const render::ThumbnailRequest& request) const;
     void beat();
 
     model::KeyframeStore& m_keyframes;
