@@ -341,6 +341,9 @@ private:
 
     void addSummaries()
     {
+        if (m_asset.levels.front().indices.empty()) {
+            m_asset.warnings.emplace_back("The file draws nothing: its scene has no triangles.");
+        }
         if (m_undrawn > 0) {
             m_asset.warnings.push_back(std::to_string(m_undrawn) +
                                        " primitives are points or lines or have no positions; "

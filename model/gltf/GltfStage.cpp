@@ -184,9 +184,6 @@ StagePtr flattenStage(const tinygltf::Model& model, const SceneNodes& scene, Tem
             addSeats(model.nodes[node].extras, scene.restWorld[i], *stage);
         }
     }
-    if (stage->meshes.empty()) {
-        stage->warnings.push_back("The file draws nothing: its scene has no triangles.");
-    }
     return stage;
 }
 
