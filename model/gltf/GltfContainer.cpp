@@ -134,26 +134,45 @@ bool looksLikeJson(const Bytes& bytes)
     return first != bytes.end() && *first == '{';
 }
 
+bool endsWithBase64(std::string_view head)
+{
+    constexpr std::string_view kMark = ";base64";
+    return head.size() >= kMark.size() &&
+           std::equal(kMark.begin(), kMark.end(), head.end() - kMark.size(),
+                      [](char mark, char c) { return mark == c || mark == (c | 0x20); });
+}
+
+/// RFC 2397. In base64 line breaks, the alphabet for URLs and missing padding are fine.
 Result<Bytes> decodeDataUri(const std::string& uri)
 {
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos) {
         return Error{"the data: URI has no comma"};
     }
-    const std::string_view head = std::string_view(uri).substr(0, comma);
     const QByteArray body = QByteArray::fromRawData(uri.data() + comma + 1,
                                                     static_cast<qsizetype>(uri.size() - comma - 1));
-    if (!head.ends_with(";base64")) {
+    if (!endsWithBase64(std::string_view(uri).substr(0, comma))) {
         const QByteArray plain = QByteArray::fromPercentEncoding(body);
         return Bytes(plain.begin(), plain.end());
     }
-    const QByteArray encoded = body.contains('%') ? QByteArray::fromPercentEncoding(body) : body;
-    const auto decoded =
-        QByteArray::fromBase64Encoding(encoded, QByteArray::AbortOnBase64DecodingErrors);
+    QByteArray encoded = body.contains('%') ? QByteArray::fromPercentEncoding(body) : body;
+    encoded.removeIf([](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; });
+    const bool isForUrls = encoded.contains('-') || encoded.contains('_');
+    const auto decoded = QByteArray::fromBase64Encoding(
+        encoded, QByteArray::AbortOnBase64DecodingErrors |
+                     (isForUrls ? QByteArray::Base64UrlEncoding : QByteArray::Base64Encoding));
     if (!decoded) {
         return Error{"the data: URI is not valid base64"};
     }
     return Bytes(decoded.decoded.begin(), decoded.decoded.end());
+}
+
+bool isDataUri(const std::string& uri)
+{
+    constexpr std::string_view kScheme = "data:";
+    return uri.size() >= kScheme.size() &&
+           std::equal(kScheme.begin(), kScheme.end(), uri.begin(),
+                      [](char mark, char c) { return mark == c || mark == (c | 0x20); });
 }
 
 /// A scheme as in RFC 3986: letters before a colon. One letter is a Windows drive.
@@ -165,11 +184,11 @@ bool hasScheme(const QString& uri)
            });
 }
 
-bool leavesFolder(QString relative)
+/// Also a path from the root of another system's file tree, and one that would be cut off.
+bool isNoRelativePath(const QString& path)
 {
-    relative.replace(u'\\', u'/');
-    return relative.startsWith(u'/') || relative.contains(QChar(u'\0')) ||
-           relative.split(u'/').contains(QStringLiteral(".."));
+    return path.isEmpty() || path.startsWith(u'/') || path.startsWith(u'\\') ||
+           path.contains(QChar(u'\0'));
 }
 
 } // namespace
@@ -224,17 +243,14 @@ Result<Container> readContainer(const std::string& path)
 
 Result<Bytes> readUri(const std::string& uri, const std::string& folder)
 {
-    if (uri.starts_with("data:")) {
+    if (isDataUri(uri)) {
         return decodeDataUri(uri);
     }
     const QString raw = QString::fromStdString(uri);
     const QString decoded =
         QString::fromUtf8(QByteArray::fromPercentEncoding(QByteArray::fromStdString(uri)));
-    if (hasScheme(raw)) {
-        return Error{"\"" + uri + "\" is not a path beside the file"};
-    }
-    if (decoded.isEmpty() || leavesFolder(decoded) || leavesFolder(raw)) {
-        return Error{"\"" + uri + "\" leads out of the file's folder"};
+    if (hasScheme(raw) || isNoRelativePath(decoded) || isNoRelativePath(raw)) {
+        return Error{"\"" + uri.substr(0, 200) + "\" is not a path that begins at the file"};
     }
     const QString base = QString::fromStdString(folder) + u'/';
     // Some exporters write file names with a literal per cent sign, unescaped.
@@ -243,7 +259,7 @@ Result<Bytes> readUri(const std::string& uri, const std::string& folder)
                              : base + decoded;
     Result<Bytes> bytes = readFile(path.toStdString());
     if (!bytes) {
-        return Error{"\"" + uri + "\": " + bytes.error().message};
+        return Error{"\"" + uri.substr(0, 200) + "\": " + bytes.error().message};
     }
     return bytes;
 }

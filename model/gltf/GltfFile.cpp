@@ -83,10 +83,11 @@ Result<Bytes> readBuffer(const Json& buffer, bool isFirst, Container& container,
         return Bytes();
     }
     if (!read && buffer.contains("uri")) {
-        const bool isFile = !textOf(buffer, "uri").starts_with("data:");
-        return Error{
-            ".uri: " + read.error().message +
-            (isFile ? "; put that file there, or export the file as .glb, which holds all" : "")};
+        const bool isMissing = read.error().message.find("no such file") != std::string::npos;
+        return Error{".uri: " + read.error().message +
+                     (isMissing
+                          ? "; put that file there, or export the file as .glb, which holds all"
+                          : "")};
     }
     if (!read) {
         return Error{" " + read.error().message};

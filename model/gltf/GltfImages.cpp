@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <string_view>
 
 #include <QtCore/QBuffer>
 #include <QtCore/QByteArray>
@@ -18,19 +19,38 @@ namespace crowd::model::gltf {
 
 namespace {
 
+/// By the first bytes; empty for what is none of the formats that glTF may hold. Nothing else gets
+/// to a decoder, of which Qt has many.
+QByteArray formatOf(std::span<const std::uint8_t> bytes)
+{
+    const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
+                                std::min<std::size_t>(bytes.size(), 12));
+    if (head.starts_with("\x89PNG\r\n\x1a\n")) {
+        return "png";
+    }
+    if (head.starts_with("\xFF\xD8\xFF")) {
+        return "jpeg";
+    }
+    return head.starts_with("RIFF") && head.ends_with("WEBP") ? "webp" : QByteArray();
+}
+
 /// The size is asked for before anything is decoded. `pixelsLeft` bounds what may be allocated.
 Result<Image> decode(std::span<const std::uint8_t> bytes, std::uint64_t pixelsLeft)
 {
+    const QByteArray format = formatOf(bytes);
+    if (format.isEmpty()) {
+        return Error{"it is not a picture that can be read (PNG, JPEG and WebP can)"};
+    }
     QByteArray data = QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
                                               static_cast<qsizetype>(bytes.size()));
     QBuffer buffer(&data);
     buffer.open(QIODevice::ReadOnly);
-    QImageReader reader(&buffer);
-    reader.setDecideFormatFromContent(true);
+    QImageReader reader(&buffer, format);
+    reader.setAutoDetectImageFormat(false);
     reader.setAutoTransform(false);
     const QSize size = reader.size();
     if (!reader.canRead() || !size.isValid()) {
-        return Error{"it is not a picture that can be read (PNG and JPEG can)"};
+        return Error{"it cannot be decoded: " + reader.errorString().toStdString()};
     }
     const auto pixels =
         static_cast<std::uint64_t>(size.width()) * static_cast<std::uint64_t>(size.height());
@@ -55,14 +75,18 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, std::uint64_t pixelsLe
     return image;
 }
 
-/// Image index of a texture; -1 where only a format that we do not read is given.
-int sourceOf(const tinygltf::Texture& texture)
+/// Images that a texture may show, the first that can be decoded: the plain one, then WebP.
+std::vector<int> sourcesOf(const tinygltf::Texture& texture)
 {
+    std::vector<int> sources;
     if (texture.source >= 0) {
-        return texture.source;
+        sources.push_back(texture.source);
     }
     const tinygltf::Value* webp = find(texture.extensions, "EXT_texture_webp");
-    return webp == nullptr ? -1 : wholeIn(*webp, "source", -1);
+    if (const int image = webp == nullptr ? -1 : wholeIn(*webp, "source", -1); image >= 0) {
+        sources.push_back(image);
+    }
+    return sources;
 }
 
 } // namespace
@@ -77,15 +101,18 @@ int ImageTable::fromTexture(int texture)
     if (texture < 0) {
         return -1;
     }
-    const int image = sourceOf(m_file.model->textures[static_cast<std::size_t>(texture)]);
-    if (image < 0) {
-        if (m_withoutPicture.insert(texture).second) {
-            m_warnings.push_back("textures[" + std::to_string(texture) +
-                                 "] has no PNG, JPEG or WebP picture and is left out.");
+    const std::vector<int> sources =
+        sourcesOf(m_file.model->textures[static_cast<std::size_t>(texture)]);
+    for (const int source : sources) {
+        if (const int image = fromImage(source); image >= 0) {
+            return image;
         }
-        return -1;
     }
-    return fromImage(image);
+    if (sources.empty() && m_withoutPicture.insert(texture).second) {
+        m_warnings.push_back("textures[" + std::to_string(texture) +
+                             "] has no PNG, JPEG or WebP picture and is left out.");
+    }
+    return -1;
 }
 
 /// Each is read when it is asked for and let go when it is decoded, so that a file that names many

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/GltfMeshopt.h"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include <meshoptimizer.h>
 
@@ -36,6 +38,21 @@ struct Packed
     std::string mode;
     std::string filter;
 };
+
+/// Modes and filters that we have no decoder for, as they come with later versions.
+std::string unknownKind(const Packed& packed)
+{
+    constexpr std::array<std::string_view, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+    constexpr std::array<std::string_view, 5> kFilters{"", "NONE", "OCTAHEDRAL", "QUATERNION",
+                                                       "EXPONENTIAL"};
+    if (!packed.mode.empty() &&
+        std::find(kModes.begin(), kModes.end(), packed.mode) == kModes.end()) {
+        return "the mode \"" + packed.mode.substr(0, 40) + "\"";
+    }
+    return std::find(kFilters.begin(), kFilters.end(), packed.filter) == kFilters.end()
+               ? "the filter \"" + packed.filter.substr(0, 40) + "\""
+               : std::string();
+}
 
 /// The limits that the decoders assume; meshoptimizer asserts them.
 bool isSound(const Packed& packed, const std::vector<Bytes>& buffers)
@@ -112,6 +129,10 @@ Result<void> decodeMeshopt(Json& root, std::vector<Bytes>& buffers)
                             textOf(extension, "mode"),
                             textOf(extension, "filter")};
         const std::string where = place("bufferViews", i) + ".extensions.EXT_meshopt_compression";
+        if (const std::string kind = unknownKind(packed); !kind.empty()) {
+            return Error{where + ": it asks for " + kind +
+                         ", which Crowdbrush cannot read; export the file without compression"};
+        }
         if (!isSound(packed, buffers)) {
             return Error{where + " does not describe data of the file"};
         }
@@ -121,7 +142,8 @@ Result<void> decodeMeshopt(Json& root, std::vector<Bytes>& buffers)
         }
         Bytes bytes;
         if (!decode(packed, buffers[packed.buffer], bytes)) {
-            return Error{where + ": its compressed data is damaged"};
+            return Error{where + ": its compressed data is damaged, or newer than Crowdbrush; "
+                                 "export the file without compression"};
         }
         view["buffer"] = buffers.size();
         view["byteOffset"] = 0;

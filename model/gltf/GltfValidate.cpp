@@ -16,15 +16,17 @@ constexpr std::array<const char*, 12> kArrays{"accessors", "animations", "buffer
                                               "images",    "materials",  "meshes",      "nodes",
                                               "samplers",  "scenes",     "skins",       "textures"};
 
-/// What may be demanded of us. Extensions that only change how a surface shines are fine: the file
-/// looks plainer, not wrong.
-constexpr std::array<std::string_view, 25> kKnownExtensions{
+/// What may be demanded of us. Extensions that only change how a surface shines, or hold pictures
+/// that we cannot decode, are fine: the file looks plainer, not wrong.
+constexpr std::array<std::string_view, 29> kKnownExtensions{
     "EXT_meshopt_compression",
+    "EXT_texture_avif",
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
@@ -38,12 +40,14 @@ constexpr std::array<std::string_view, 25> kKnownExtensions{
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_meshopt_compression",
+    "KHR_texture_basisu",
     "KHR_texture_transform",
     "KHR_xmp",
     "KHR_xmp_json_ld",
     "MSFT_lod",
     "MSFT_packing_normalRoughnessMetallic",
     "MSFT_packing_occlusionRoughnessMetallic",
+    "MSFT_texture_dds",
 };
 
 bool checkVersion(JsonCheck& check)

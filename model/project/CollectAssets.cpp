@@ -160,7 +160,7 @@ private:
         for (const QString& name : referencedFiles(file)) {
             const QString inside = QDir::cleanPath(target.absoluteFilePath(name));
             const QString from = source.dir().absoluteFilePath(name);
-            // The importer does not follow names that lead out of the folder either.
+            // What lies outside the model's folder may be anything, and stays there.
             if (!inside.startsWith(target.absolutePath() + QLatin1Char('/')) ||
                 !QFileInfo(from).isFile()) {
                 m_leftBehind << from;

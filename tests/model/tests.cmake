@@ -13,6 +13,7 @@ crowd_add_test(ROOM model NAME tst_GltfFuzz LINK crowd_model nlohmann_json::nloh
 crowd_add_test(ROOM model NAME tst_GltfHostile LINK crowd_model nlohmann_json::nlohmann_json)
 crowd_add_test(ROOM model NAME tst_GltfImport LINK crowd_model meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json)
 crowd_add_test(ROOM model NAME tst_GltfSpecClips LINK crowd_model nlohmann_json::nlohmann_json)
+crowd_add_test(ROOM model NAME tst_GltfSpecFiles LINK crowd_model nlohmann_json::nlohmann_json)
 crowd_add_test(ROOM model NAME tst_GltfSpecMeshes LINK crowd_model nlohmann_json::nlohmann_json)
 crowd_add_test(ROOM model NAME tst_GroundSpeed LINK crowd_model)
 crowd_add_test(ROOM model NAME tst_ImportProposal LINK crowd_model)
