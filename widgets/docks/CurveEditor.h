@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] const model::DistributionCurve& curve() const { return m_curve; }
     void setCurve(const model::DistributionCurve& curve);
-    [[nodiscard]] QSize sizeHint() const override { return {180, 64}; }
+    [[nodiscard]] QSize sizeHint() const override { return {180, 48}; }
 
 Q_SIGNALS:
     void edited();

@@ -20,6 +20,103 @@ constexpr int kPadding = 8;
 
 } // namespace
 
+double barShareOf(const ValueSlider::Range& range, double value)
+{
+    const double linear = std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
+    return range.isCurved ? std::pow(linear, 1.0 / kCurve) : linear;
+}
+
+double barValueAt(const ValueSlider::Range& range, double share)
+{
+    const double linear = std::clamp(share, 0.0, 1.0);
+    return range.low +
+           (range.high - range.low) * (range.isCurved ? std::pow(linear, kCurve) : linear);
+}
+
+double barValue(const ValueSlider::Range& range, double value)
+{
+    const double unit = std::pow(10.0, range.decimals);
+    return std::clamp(std::round(value * unit) / unit, range.low, range.high);
+}
+
+bool fitsValueBar(const QWidget& slider, const QString& label, const QString& number)
+{
+    const QFontMetrics metrics = slider.fontMetrics();
+    return metrics.horizontalAdvance(label) + metrics.horizontalAdvance(number) + 3 * kPadding <=
+           slider.width();
+}
+
+void drawValueBar(const QWidget& slider, double from, double to, const QString& label,
+                  const QString& number)
+{
+    QPainter painter(const_cast<QWidget*>(&slider));
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette& palette = slider.palette();
+    const QRectF frame = QRectF(slider.rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.setPen(
+        QPen(palette.color(slider.hasFocus() ? QPalette::Highlight : QPalette::Mid), 1.0));
+    painter.setBrush(palette.base());
+    painter.drawRoundedRect(frame, 3.0, 3.0);
+    QColor bar = palette.color(QPalette::Highlight);
+    bar.setAlphaF(slider.isEnabled() ? 0.38F : 0.12F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(bar);
+    QRectF filled = frame.adjusted(1, 1, -1, -1);
+    const double width = filled.width();
+    filled.setRight(filled.left() + width * to);
+    filled.setLeft(filled.left() + width * from);
+    painter.drawRoundedRect(filled, 2.0, 2.0);
+    const auto group = slider.isEnabled() ? QPalette::Active : QPalette::Disabled;
+    painter.setPen(palette.color(group, QPalette::Text));
+    const QRect inner = slider.rect().adjusted(kPadding, 0, -kPadding, 0);
+    painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, number);
+    const QFontMetrics metrics = slider.fontMetrics();
+    const int room = inner.width() - metrics.horizontalAdvance(number) - kPadding;
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(label, Qt::ElideRight, room));
+}
+
+void typeOverBar(QWidget& slider, const QString& text,
+                 const std::function<void(const QString&)>& typed)
+{
+    if (slider.findChild<QLineEdit*>() != nullptr) {
+        return; // the Return that ends typing comes on to the slider
+    }
+    auto* line = new QLineEdit(text, &slider);
+    line->setGeometry(slider.rect());
+    line->setAlignment(Qt::AlignRight);
+    line->selectAll();
+    line->show();
+    line->setFocus();
+    QObject::connect(line, &QLineEdit::editingFinished, &slider, [line, typed] {
+        line->blockSignals(true); // losing the focus finishes once more
+        typed(line->text());
+        line->deleteLater();
+    });
+}
+
+bool dismissTyping(QWidget& slider)
+{
+    auto* line = slider.findChild<QLineEdit*>();
+    if (line == nullptr) {
+        return false;
+    }
+    line->blockSignals(true);
+    line->deleteLater();
+    slider.setFocus();
+    return true;
+}
+
+std::optional<double> typedNumber(const QString& text)
+{
+    bool isNumber = false;
+    double number = QLocale().toDouble(text, &isNumber);
+    if (!isNumber) {
+        number = text.toDouble(&isNumber);
+    }
+    return isNumber ? std::optional(number) : std::nullopt;
+}
+
 ValueSlider::ValueSlider(const QString& label, const Range& range, QWidget* parent)
     : QWidget(parent), m_label(label), m_range(range), m_value(range.low)
 {
@@ -49,16 +146,22 @@ QSize ValueSlider::minimumSizeHint() const
 
 double ValueSlider::share() const
 {
-    const double linear =
-        std::clamp((m_value - m_range.low) / (m_range.high - m_range.low), 0.0, 1.0);
-    return m_range.isCurved ? std::pow(linear, 1.0 / kCurve) : linear;
+    return barShareOf(m_range, m_value);
 }
 
 double ValueSlider::valueAt(double share) const
 {
-    const double linear = std::clamp(share, 0.0, 1.0);
-    return m_range.low +
-           (m_range.high - m_range.low) * (m_range.isCurved ? std::pow(linear, kCurve) : linear);
+    return barValueAt(m_range, share);
+}
+
+QString ValueSlider::number() const
+{
+    return QLocale().toString(m_value, 'f', m_range.decimals) + m_range.suffix;
+}
+
+bool ValueSlider::showsAll() const
+{
+    return fitsValueBar(*this, m_label, number());
 }
 
 void ValueSlider::setValue(double value)
@@ -69,8 +172,7 @@ void ValueSlider::setValue(double value)
 
 void ValueSlider::edit(double value)
 {
-    const double unit = std::pow(10.0, m_range.decimals);
-    const double rounded = std::clamp(std::round(value * unit) / unit, m_range.low, m_range.high);
+    const double rounded = barValue(m_range, value);
     if (rounded != m_value) {
         setValue(rounded);
         Q_EMIT valueEdited(rounded);
@@ -79,27 +181,7 @@ void ValueSlider::edit(double value)
 
 void ValueSlider::paintEvent(QPaintEvent*)
 {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid), 1.0));
-    painter.setBrush(palette().base());
-    painter.drawRoundedRect(frame, 3.0, 3.0);
-    QColor bar = palette().color(QPalette::Highlight);
-    bar.setAlphaF(isEnabled() ? 0.38F : 0.12F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(bar);
-    QRectF filled = frame.adjusted(1, 1, -1, -1);
-    filled.setWidth(filled.width() * share());
-    painter.drawRoundedRect(filled, 2.0, 2.0);
-    const auto group = isEnabled() ? QPalette::Active : QPalette::Disabled;
-    painter.setPen(palette().color(group, QPalette::Text));
-    const QRect inner = rect().adjusted(kPadding, 0, -kPadding, 0);
-    const QString number = QLocale().toString(m_value, 'f', m_range.decimals) + m_range.suffix;
-    painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, number);
-    const int room = inner.width() - fontMetrics().horizontalAdvance(number) - kPadding;
-    painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_label, Qt::ElideRight, room));
+    drawValueBar(*this, 0.0, share(), m_label, number());
 }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event)
@@ -151,6 +233,11 @@ void ValueSlider::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Enter:
         type();
         break;
+    case Qt::Key_Escape:
+        if (dismissTyping(*this)) {
+            break;
+        }
+        [[fallthrough]];
     default:
         QWidget::keyPressEvent(event);
     }
@@ -158,20 +245,12 @@ void ValueSlider::keyPressEvent(QKeyEvent* event)
 
 void ValueSlider::type()
 {
-    auto* line = new QLineEdit(QLocale().toString(m_value, 'f', m_range.decimals), this);
-    line->setGeometry(rect());
-    line->setAlignment(Qt::AlignRight);
-    line->selectAll();
-    line->show();
-    line->setFocus();
-    connect(line, &QLineEdit::editingFinished, this, [this, line] {
-        bool isNumber = false;
-        const double typed = QLocale().toDouble(line->text(), &isNumber);
-        if (isNumber) {
-            edit(typed);
-        }
-        line->deleteLater();
-    });
+    typeOverBar(*this, QLocale().toString(m_value, 'f', m_range.decimals),
+                [this](const QString& text) {
+                    if (const auto number = typedNumber(text)) {
+                        edit(*number);
+                    }
+                });
 }
 
 } // namespace crowd::widgets

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include <QtWidgets/QWidget>
 
 class QLineEdit;
@@ -26,6 +29,8 @@ public:
 
     ValueSlider(const QString& label, const Range& range, QWidget* parent);
 
+    /// Name and value have room beside each other.
+    [[nodiscard]] bool showsAll() const;
     [[nodiscard]] double value() const { return m_value; }
     void setValue(double value); ///< without signal
     void setRange(const QString& label, const Range& range);
@@ -44,6 +49,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    [[nodiscard]] QString number() const;
     [[nodiscard]] double share() const;
     [[nodiscard]] double valueAt(double share) const;
     void edit(double value);
@@ -55,5 +61,26 @@ private:
     QPointF m_pressAt;
     double m_pressShare = 0.0;
 };
+
+/// The bar that sliders are drawn as: filled between two shares (0..1) of its width.
+void drawValueBar(const QWidget& slider, double from, double to, const QString& label,
+                  const QString& number);
+/// Whether both texts fit the bar.
+[[nodiscard]] bool fitsValueBar(const QWidget& slider, const QString& label, const QString& number);
+
+/// A field over the whole slider to type into, until Return or until the focus goes elsewhere;
+/// `typed` gets the text. No second one while there is one.
+void typeOverBar(QWidget& slider, const QString& text,
+                 const std::function<void(const QString&)>& typed);
+/// Closes that field without taking what was typed; false: there is none.
+bool dismissTyping(QWidget& slider);
+/// In the language of the user or, with a point, of everybody.
+[[nodiscard]] std::optional<double> typedNumber(const QString& text);
+
+/// How values lie on a bar.
+[[nodiscard]] double barShareOf(const ValueSlider::Range& range, double value);
+[[nodiscard]] double barValueAt(const ValueSlider::Range& range, double share);
+/// Rounded to what is shown and kept inside the range.
+[[nodiscard]] double barValue(const ValueSlider::Range& range, double value);
 
 } // namespace crowd::widgets

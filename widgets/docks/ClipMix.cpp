@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/ClipMix.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
+
+#include "widgets/docks/ValueSlider.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr int kNameWidth = 110; ///< logical pixels; foreign files name clips at length
+
+} // namespace
+
+ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent) : QWidget(parent)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(1);
+    grid->setColumnStretch(1, 1);
+    for (const std::string& name : names) {
+        const QString text = QString::fromStdString(name);
+        auto* tick =
+            new QCheckBox(fontMetrics().elidedText(text, Qt::ElideMiddle, kNameWidth), this);
+        tick->setAccessibleName(text);
+        auto* weight = new ValueSlider({}, {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this);
+        tick->setToolTip(text);
+        weight->setToolTip(tr("How often the clip comes among those ticked"));
+        QSizePolicy policy = weight->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        weight->setSizePolicy(policy);
+        weight->setFixedHeight(fontMetrics().height() + 5);
+        const int row = static_cast<int>(m_rows.size());
+        grid->addWidget(tick, row, 0);
+        grid->addWidget(weight, row, 1);
+        connect(tick, &QCheckBox::clicked, this, [this, name](bool on) {
+            Q_EMIT edited({name, on ? 1.0F : 0.0F});
+        });
+        connect(weight, &ValueSlider::valueEdited, this, [this, name](double percent) {
+            Q_EMIT edited({name, static_cast<float>(percent / 100.0)});
+        });
+        m_rows.push_back({name, tick, weight});
+    }
+}
+
+void ClipMix::setClips(const std::vector<model::ClipWeight>& clips)
+{
+    for (const Row& row : m_rows) {
+        const auto found = std::ranges::find(clips, row.name, &model::ClipWeight::clip);
+        const bool isIn = found != clips.end();
+        row.tick->setChecked(isIn);
+        row.weight->setVisible(isIn && clips.size() > 1);
+        row.weight->setValue(isIn ? static_cast<double>(found->weight) * 100.0 : 100.0);
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QtWidgets/QWidget>
+
+#include "model/brush/BrushSettings.h"
+
+class QCheckBox;
+
+namespace crowd::widgets {
+
+class ValueSlider;
+
+/// Clips to choose among, with a tick each and a weight for those that are ticked.
+class ClipMix : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ClipMix(const std::vector<std::string>& names, QWidget* parent);
+
+    void setClips(const std::vector<model::ClipWeight>& clips); ///< without signal
+
+Q_SIGNALS:
+    /// Weight 0: not ticked any more.
+    void edited(const crowd::model::ClipWeight& clip);
+
+private:
+    struct Row
+    {
+        std::string name;
+        QCheckBox* tick;
+        ValueSlider* weight;
+    };
+    std::vector<Row> m_rows;
+};
+
+} // namespace crowd::widgets
