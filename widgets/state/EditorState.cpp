@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/EditorState.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtCore/QMetaObject>
@@ -40,9 +41,19 @@ void EditorState::setTool(ToolId id)
     if (m_tool == id) {
         return;
     }
+    setPicking(Picking::None);
     m_previousTool = m_tool;
     m_tool = id;
     Q_EMIT toolChanged(id);
+}
+
+void EditorState::setPicking(Picking picking)
+{
+    if (m_picking == picking) {
+        return;
+    }
+    m_picking = picking;
+    Q_EMIT pickingChanged(m_picking);
 }
 
 const BrushSettings& EditorState::brush(BrushKind kind) const
@@ -150,16 +161,32 @@ void EditorState::followScene(const model::SceneChange& change)
     if (std::holds_alternative<model::TemplatesChanged>(change)) {
         refreshMix(false);
     }
+    if (std::holds_alternative<model::StagesChanged>(change)) {
+        refreshSeatGrid(false);
+    }
     if (!std::holds_alternative<model::SceneReplaced>(change)) {
         return;
     }
     refreshMix(true);
+    refreshSeatGrid(true);
     m_transport.rewind();
     const auto& cameras = scene().cameras;
     if (cameras.empty()) {
         setCamera(Camera::lookingAt({9.0F, 6.0F, 14.0F}, {0.0F, 0.8F, 0.0F}));
     } else {
         setCamera(cameras.front().camera, QString::fromStdString(cameras.front().name));
+    }
+}
+
+void EditorState::refreshSeatGrid(bool isNewScene)
+{
+    const bool hasSeats = std::any_of(
+        scene().stages.begin(), scene().stages.end(),
+        [](const model::StageEntry& stage) { return stage.asset && !stage.asset->seats.empty(); });
+    // The artist's choice stays while there are seats; without any, people come on the ground.
+    if (hasSeats != m_hasSeats || isNewScene) {
+        m_hasSeats = hasSeats;
+        setSeatGridOn(hasSeats);
     }
 }
 

@@ -44,6 +44,13 @@ struct ViewCamera
     QString name;
 };
 
+/// What the next click in the picture chooses, instead of what the tool does.
+enum class Picking : std::uint8_t {
+    None,
+    Colour, ///< of the person under it, for the colours of the active brush
+    Point   ///< that people are to face, for the heading of the active brush
+};
+
 /// Work that takes its time, shown over the picture. total 0: nothing is going on.
 struct LongWork
 {
@@ -86,6 +93,13 @@ public:
     [[nodiscard]] bool isSeatGridOn() const;
     void setSeatGridOn(bool isOn);
 
+    [[nodiscard]] Picking picking() const { return m_picking; }
+    void setPicking(Picking picking); ///< ends when the tool changes
+    /// A colour was picked in the picture.
+    void offerColor(const model::PaintColor& color) { Q_EMIT colorPicked(color); }
+    /// A stroke of this brush became an undo step.
+    void noteStroke(model::BrushKind kind) { Q_EMIT strokeCommitted(kind); }
+
     [[nodiscard]] const ViewCamera& viewCamera() const { return m_view; }
     [[nodiscard]] const model::Camera& camera() const { return m_view.camera; }
     /// At once, as drags do; stops a motion. The name is forgotten unless one is given.
@@ -120,6 +134,9 @@ public:
 Q_SIGNALS:
     void toolChanged(crowd::widgets::ToolId tool);
     void brushChanged(crowd::model::BrushKind kind);
+    void pickingChanged(crowd::widgets::Picking picking);
+    void colorPicked(const crowd::model::PaintColor& color);
+    void strokeCommitted(crowd::model::BrushKind kind);
     void viewCameraChanged(const crowd::widgets::ViewCamera& view);
     void viewOptionsChanged(const crowd::widgets::ViewOptions& options);
     void longWorkChanged(const crowd::widgets::LongWork& work);
@@ -132,6 +149,7 @@ private:
     void placeCamera(const model::Camera& camera, const QString& name);
     void followScene(const model::SceneChange& change);
     void refreshMix(bool isNewScene);
+    void refreshSeatGrid(bool isNewScene);
 
     model::SceneDocument& m_document;
     model::KeyframeStore m_keyframes;
@@ -140,6 +158,8 @@ private:
     std::array<model::BrushSettings, kBrushCount> m_brushes;
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;
+    Picking m_picking = Picking::None;
+    bool m_hasSeats = false;
     ViewCamera m_view;
     QString m_motionName;
     CameraMotion m_motion;

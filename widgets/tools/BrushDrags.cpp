@@ -81,6 +81,9 @@ void StrokeDrag::release(const ToolInput& input)
     const BrushKind kind = m_stroke->settings().kind;
     const model::StrokeOutcome outcome = m_stroke->finish();
     m_stroke.reset();
+    if (outcome.isCommitted) {
+        m_context.state.noteStroke(kind);
+    }
     m_context.state.showStatus(outcome.isCommitted ? affectedText(kind, outcome.affected)
                                                    : outcome.message);
 }

@@ -27,15 +27,15 @@ QString whatItDoes(BrushKind kind)
 {
     switch (kind) {
     case BrushKind::Create:
-        return Text::tr("Drag: create people · + −: how many");
+        return Text::tr("Drag: create people · + −: how many · Ctrl+click: more of the kind");
     case BrushKind::Delete:
         return Text::tr("Drag: delete people · + −: how fast");
     case BrushKind::Colour:
-        return Text::tr("Drag: colour people · + −: strength");
+        return Text::tr("Drag: colour people · + −: strength · Ctrl+click: take the colour");
     case BrushKind::Orientation:
-        return Text::tr("Drag: turn people · + −: direction");
+        return Text::tr("Drag: turn people · + −: direction · Ctrl+click: the point to face");
     case BrushKind::Animation:
-        return Text::tr("Drag: change what people do · + −: speed");
+        return Text::tr("Drag: change what people do · + −: speed · Ctrl+click: take the clip");
     }
     return {};
 }
@@ -59,6 +59,9 @@ std::uint64_t BrushTool::nextSeed() const
 
 QString BrushTool::hint() const
 {
+    if (const auto pick = pickFor(Qt::NoModifier)) {
+        return pickText(*pick);
+    }
     const QString general =
         m_context.state.viewOptions().buttons == ButtonMapping::Paper
             ? Text::tr("Left: point · Middle: circle · Right: rectangle · "
@@ -66,6 +69,32 @@ QString BrushTool::hint() const
             : Text::tr("Right button: brushes · Middle button, Alt or Space and "
                        "drag: navigate · [ ], Ctrl+wheel, Shift+drag: size");
     return Text::tr("%1 · %2").arg(whatItDoes(m_kind), general);
+}
+
+std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) const
+{
+    switch (m_context.state.picking()) {
+    case Picking::Colour:
+        return PickKind::Colour;
+    case Picking::Point:
+        return PickKind::Point;
+    case Picking::None:
+        break;
+    }
+    return modifiers == Qt::ControlModifier ? pickOfBrush(m_kind) : std::nullopt;
+}
+
+void BrushTool::showTarget(ToolPicture& picture) const
+{
+    const model::HeadingSettings& heading =
+        m_kind == BrushKind::Create ? settings().create.heading : settings().orientation.heading;
+    const bool isUsed = m_kind == BrushKind::Orientation ||
+                        (m_kind == BrushKind::Create && !settings().create.seats.isOn);
+    if (isUsed && heading.mode == model::HeadingMode::TowardsPoint) {
+        if (const auto pixel = m_context.queries.view().project(heading.towardsPoint)) {
+            picture.target = QPointF(pixel->x, pixel->y);
+        }
+    }
 }
 
 DragSessionPtr BrushTool::press(const ToolInput& input)
@@ -78,6 +107,9 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
     if (!isPaintButton || m_context.state.document().isEditOpen()) {
         return nullptr;
     }
+    if (const auto pick = pickFor(input.modifiers); pick && input.button == Qt::LeftButton) {
+        return std::make_unique<PickDrag>(m_context, m_kind, *pick, input);
+    }
     if (input.modifiers.testFlag(Qt::ShiftModifier) && settings().hasCircle()) {
         return std::make_unique<ResizeDrag>(m_context, m_kind, input);
     }
@@ -89,12 +121,20 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
 
 void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const
 {
+    showTarget(picture);
+    if (const auto pick = pickFor(input.modifiers)) {
+        picture.cursor = Qt::CrossCursor;
+        picture.mode = m_context.state.picking() == Picking::None ? QString() : pickText(*pick);
+        return;
+    }
     showBrush(settings(), input.position(), 1.0, picture);
 }
 
 void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const
 {
-    if (m_kind == BrushKind::Create && !m_context.state.document().isEditOpen()) {
+    picture.ghosts.clear();
+    if (m_kind == BrushKind::Create && !pickFor(input.modifiers) &&
+        !m_context.state.document().isEditOpen()) {
         picture.ghosts = ghostsAt(m_context, settings(), nextSeed(), input);
     }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "model/brush/BrushSettings.h"
+#include "widgets/tools/PickDrag.h"
 #include "widgets/tools/Tool.h"
 
 namespace crowd::widgets {
@@ -22,6 +23,9 @@ public:
 private:
     [[nodiscard]] const model::BrushSettings& settings() const;
     [[nodiscard]] std::uint64_t nextSeed() const;
+    /// What a click picks instead of painting.
+    [[nodiscard]] std::optional<PickKind> pickFor(Qt::KeyboardModifiers modifiers) const;
+    void showTarget(ToolPicture& picture) const;
 
     ToolContext m_context;
     model::BrushKind m_kind;

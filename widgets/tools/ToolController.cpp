@@ -42,6 +42,10 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
     connect(&state.document(), &model::SceneDocument::changed, this, [this] {
         m_isPreviewStale |= !m_session && m_pointer.has_value(); // what is under it may be gone
     });
+    connect(&state, &EditorState::pickingChanged, this, [this] {
+        refreshHint();
+        refreshPicture();
+    });
     connect(&state, &EditorState::brushChanged, this, &ToolController::refreshPicture);
     connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
     refreshHint();
@@ -237,6 +241,10 @@ bool ToolController::escape()
 {
     if (m_session) {
         cancel();
+        return true;
+    }
+    if (m_state.picking() != Picking::None) {
+        m_state.setPicking(Picking::None);
         return true;
     }
     if (m_state.tool() == ToolId::Navigate) {

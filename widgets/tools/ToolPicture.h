@@ -33,6 +33,7 @@ struct ToolPicture
     std::optional<QPointF> crosshair; ///< a brush that takes a single point
     std::optional<QRectF> rectangle;
     std::optional<QLineF> gradient;
+    std::optional<QPointF> target; ///< the point that people are to face
     /// The spray can with the brush's symbol beside the cursor.
     std::optional<ToolId> symbol;
     QPointF symbolAt;

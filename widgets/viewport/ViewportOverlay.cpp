@@ -15,6 +15,7 @@ namespace {
 constexpr int kSymbolSize = 26;
 constexpr double kSymbolGap = 9.0;
 constexpr double kCrosshair = 5.0;
+constexpr double kTarget = 8.0;
 
 const QColor kDark(0, 0, 0, 170);
 const QColor kLight(255, 255, 255, 235);
@@ -104,6 +105,13 @@ void ViewportOverlay::paintAreas(QPainter& painter) const
         drawTwice(painter, 1.0, [&] {
             painter.drawRect(*m_picture.rectangle);
             painter.setBrush(Qt::NoBrush);
+        });
+    }
+    if (m_picture.target) {
+        const QPointF at = *m_picture.target;
+        drawTwice(painter, 1.5, [&] {
+            painter.drawEllipse(at, kTarget, kTarget);
+            painter.drawEllipse(at, 1.5, 1.5);
         });
     }
     if (m_picture.gradient) {

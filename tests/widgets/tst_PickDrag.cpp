@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+
+#include "tests/widgets/Hand.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::Hand;
+
+namespace {
+
+void wear(Hand& hand, std::span<const model::IndividualId> ids, const model::Tint& tint)
+{
+    const auto edit = hand.document.beginEdit();
+    edit->setColumn(model::columns::tint(1), ids, std::span<const model::Tint>(&tint, 1));
+    edit->commit(QStringLiteral("Tint"));
+}
+
+void click(Hand& hand, QPointF place)
+{
+    hand.press(place);
+    hand.release(place);
+}
+
+} // namespace
+
+class PickDragTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void controlTakesTheColourThatSomebodyWears();
+    void theSlotOfTheBrushIsMeant();
+    void anUntintedSlotHasTheColourOfItsMaterial();
+    void theDropperWorksOnceAndNobodyIsSaid();
+    void aKindIsTakenForTheMix();
+    void aClipIsTaken();
+    void aPointToFaceIsTakenFromTheGround();
+    void escapePutsTheBrushBack();
+    void noGhostStandsWherePeopleArePicked();
+};
+
+void PickDragTest::controlTakesTheColourThatSomebodyWears()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 2);
+    wear(hand, std::span(ids).first(1), {10, 20, 30, 255});
+    const int steps = hand.document.undoStack().count();
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0])); // the chest: the top
+    QVERIFY(picked.count() > 0);
+    QCOMPARE(picked.back().front().value<model::PaintColor>(), (model::PaintColor{10, 20, 30}));
+    QVERIFY2(hand.document.undoStack().count() == steps, "nobody is painted");
+}
+
+void PickDragTest::theSlotOfTheBrushIsMeant()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    wear(hand, ids, {10, 20, 30, 255});
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Colour);
+    brush.colour.slot = "bottom";
+    hand.state.setBrush(brush);
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    QVERIFY(picked.count() > 0);
+    QVERIFY(picked.back().front().value<model::PaintColor>() != (model::PaintColor{10, 20, 30}));
+}
+
+void PickDragTest::anUntintedSlotHasTheColourOfItsMaterial()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    {
+        model::MaterialChoices blue{};
+        blue[1] = 1;
+        const auto edit = hand.document.beginEdit();
+        edit->setColumn(model::columns::materialChoices, ids,
+                        std::span<const model::MaterialChoices>(&blue, 1));
+        edit->commit(QStringLiteral("Blue"));
+    }
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    QVERIFY(picked.count() > 0);
+    QCOMPARE(picked.back().front().value<model::PaintColor>(), (model::PaintColor{0, 0, 255}));
+}
+
+void PickDragTest::theDropperWorksOnceAndNobodyIsSaid()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy picked(&hand.state, &EditorState::colorPicked);
+    QSignalSpy said(&hand.state, &EditorState::statusMessage);
+    QSignalSpy hinted(&hand.state, &EditorState::hintChanged);
+    hand.hover({320.0, 240.0});
+    hand.state.setPicking(Picking::Colour);
+    QVERIFY2(!hand.tools.picture().mode.isEmpty(), "the picture says what a click does");
+    QCOMPARE(hinted.back().front().toString(), hand.tools.picture().mode);
+    click(hand, {5.0, 470.0});
+    QCOMPARE(picked.count(), 0);
+    QVERIFY(said.count() > 0);
+    QVERIFY(hand.state.picking() == Picking::None);
+    hand.state.setPicking(Picking::Colour);
+    click(hand, hand.pixelOf(ids[0]));
+    QVERIFY(picked.count() > 0);
+    QVERIFY(hand.state.picking() == Picking::None);
+    hand.state.setPicking(Picking::Colour);
+    hand.state.setTool(ToolId::BrushDelete);
+    QVERIFY2(hand.state.picking() == Picking::None, "it ends with the tool");
+}
+
+void PickDragTest::aKindIsTakenForTheMix()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    model::TemplateEntry other = hand.document.scene().templates.front();
+    other.id = 0;
+    {
+        const auto edit = hand.document.beginEdit();
+        const model::TemplateId id = edit->addTemplate(other);
+        edit->setColumn(model::columns::templateId, ids,
+                        std::span<const model::TemplateId>(&id, 1));
+        edit->commit(QStringLiteral("Import"));
+        other.id = id;
+    }
+    hand.state.setTool(ToolId::BrushCreate);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    const auto& mix = hand.state.brush(model::BrushKind::Create).create.mix;
+    QCOMPARE(mix, (std::vector<model::TemplateWeight>{{other.id, 1.0F}}));
+    QCOMPARE(hand.document.scene().population.size(), std::size_t{1});
+}
+
+void PickDragTest::aClipIsTaken()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    {
+        const std::uint16_t rise = 1;
+        const auto edit = hand.document.beginEdit();
+        edit->setColumn(model::columns::clip, ids, std::span<const std::uint16_t>(&rise, 1));
+        edit->commit(QStringLiteral("Rise"));
+    }
+    hand.state.setTool(ToolId::BrushAnimation);
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    QCOMPARE(hand.state.brush(model::BrushKind::Animation).animation.clips,
+             (std::vector<model::ClipWeight>{{"rise", 1.0F}}));
+}
+
+void PickDragTest::aPointToFaceIsTakenFromTheGround()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushOrientation);
+    hand.state.setPicking(Picking::Point);
+    const glm::vec3 place(2.0F, 0.05F, 3.0F);
+    click(hand, hand.pixelOf(place));
+    const auto& heading = hand.state.brush(model::BrushKind::Orientation).orientation.heading;
+    QVERIFY(heading.mode == model::HeadingMode::TowardsPoint);
+    QVERIFY(glm::length(heading.towardsPoint - place) < 0.05F);
+    hand.hover({320.0, 240.0});
+    QVERIFY(hand.tools.picture().target.has_value());
+    const QPointF off = *hand.tools.picture().target - hand.pixelOf(place);
+    QVERIFY2(std::hypot(off.x(), off.y()) < 2.0, "the point is marked in the picture");
+}
+
+void PickDragTest::escapePutsTheBrushBack()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushOrientation);
+    const model::BrushSettings before = hand.state.brush(model::BrushKind::Orientation);
+    hand.modifiers = Qt::ControlModifier;
+    hand.press({320.0, 240.0});
+    QVERIFY(!(hand.state.brush(model::BrushKind::Orientation) == before));
+    QVERIFY(hand.key(Qt::Key_Escape));
+    QVERIFY(hand.state.brush(model::BrushKind::Orientation) == before);
+    hand.state.setPicking(Picking::Point);
+    QVERIFY(hand.key(Qt::Key_Escape));
+    QVERIFY(hand.state.picking() == Picking::None);
+}
+
+void PickDragTest::noGhostStandsWherePeopleArePicked()
+{
+    Hand hand;
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
+    brush.create.seats.isOn = false;
+    hand.state.setBrush(brush);
+    hand.state.setTool(ToolId::BrushCreate);
+    hand.hover({320.0, 240.0});
+    QVERIFY(!hand.tools.picture().ghosts.empty());
+    hand.modifiers = Qt::ControlModifier;
+    hand.hover({322.0, 240.0});
+    QVERIFY(hand.tools.picture().ghosts.empty());
+}
+
+QTEST_MAIN(PickDragTest)
+#include "tst_PickDrag.moc"

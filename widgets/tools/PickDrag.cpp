@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/PickDrag.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QCoreApplication>
+#include <QtGui/QColor>
+
+#include "model/base/Color.h"
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+using model::BrushSettings;
+using model::PaintColor;
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BrushTool)
+};
+
+/// The tint that the slot wears, else the colour of its material.
+PaintColor colorOf(const model::Population& people, std::size_t row, const model::Template& asset,
+                   int slot)
+{
+    if (slot < model::kMaxTintSlots) {
+        const model::Tint tint = people.column(model::columns::tint(slot))[row];
+        if (tint.strength > 0) {
+            return {tint.red, tint.green, tint.blue};
+        }
+    }
+    const model::Slot& worn = asset.slots[static_cast<std::size_t>(slot)];
+    const auto& choices = people.column(model::columns::materialChoices)[row];
+    std::size_t choice = slot < 8 ? choices[static_cast<std::size_t>(slot)] : 0;
+    choice = choice < worn.choices.size() ? choice : 0;
+    const glm::vec4& base = worn.choices[choice].baseColor;
+    PaintColor color{};
+    for (int c = 0; c < 3; ++c) {
+        const float encoded = model::srgbFromLinear(std::clamp(base[c], 0.0F, 1.0F));
+        color[static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(std::lround(encoded * 255.0F));
+    }
+    return color;
+}
+
+/// The slot that the colour brush is set to when the person has it, else the one that was hit.
+int slotMeant(const BrushSettings& brush, const model::Template& asset, int hitSlot)
+{
+    const int named = brush.kind == BrushKind::Colour && !brush.colour.slot.empty()
+                          ? asset.slotIndex(brush.colour.slot)
+                          : -1;
+    const int slot = named >= 0 ? named : std::max(hitSlot, 0);
+    return std::min(slot, static_cast<int>(asset.slots.size()) - 1);
+}
+
+} // namespace
+
+std::optional<PickKind> pickOfBrush(BrushKind kind)
+{
+    switch (kind) {
+    case BrushKind::Create:
+        return PickKind::Template;
+    case BrushKind::Colour:
+        return PickKind::Colour;
+    case BrushKind::Orientation:
+        return PickKind::Point;
+    case BrushKind::Animation:
+        return PickKind::Clip;
+    case BrushKind::Delete:
+        break;
+    }
+    return std::nullopt;
+}
+
+QString pickText(PickKind kind)
+{
+    switch (kind) {
+    case PickKind::Colour:
+        return Text::tr("Click somebody to take the colour · Escape: not now");
+    case PickKind::Point:
+        return Text::tr("Click the point to face · Escape: not now");
+    case PickKind::Template:
+        return Text::tr("Click somebody to create more of the kind · Escape: not now");
+    case PickKind::Clip:
+        return Text::tr("Click somebody to take what is done there · Escape: not now");
+    }
+    return {};
+}
+
+PickDrag::PickDrag(const ToolContext& context, BrushKind brush, PickKind kind,
+                   const ToolInput& press)
+    : m_context(context), m_before(context.state.brush(brush)), m_kind(kind), m_current(press)
+{
+    pick();
+}
+
+void PickDrag::pick()
+{
+    if (m_kind == PickKind::Point) {
+        pickPoint();
+    } else {
+        pickFromPerson();
+    }
+}
+
+void PickDrag::pickPoint()
+{
+    const auto& pixel = m_current.pointer;
+    const auto surface = m_context.queries.picker(pixel.shownSeconds).surfaceAt(pixel.pixels());
+    if (!surface) {
+        return;
+    }
+    BrushSettings brush = m_context.state.brush(m_before.kind);
+    model::HeadingSettings& heading =
+        brush.kind == BrushKind::Create ? brush.create.heading : brush.orientation.heading;
+    heading.mode = model::HeadingMode::TowardsPoint;
+    heading.towardsPoint = surface->point;
+    m_context.state.setBrush(brush);
+}
+
+void PickDrag::pickFromPerson()
+{
+    const auto& pixel = m_current.pointer;
+    const auto hit = m_context.queries.picker(pixel.shownSeconds).individualAt(pixel.pixels());
+    const model::Scene& scene = m_context.state.scene();
+    const std::size_t row = hit ? scene.population.rowOf(hit->id) : model::Population::npos;
+    const model::TemplateEntry* entry =
+        hit ? scene.findTemplate(scene.population.column(model::columns::templateId)[row])
+            : nullptr;
+    if (entry == nullptr || !entry->asset) {
+        m_label.clear();
+        return;
+    }
+    BrushSettings brush = m_context.state.brush(m_before.kind);
+    if (m_kind == PickKind::Template) {
+        brush.create.mix = {{entry->id, 1.0F}};
+        m_label = QString::fromStdString(entry->name);
+        m_context.state.setBrush(brush);
+    } else if (m_kind == PickKind::Clip) {
+        const std::uint16_t clip = scene.population.column(model::columns::clip)[row];
+        if (clip < entry->clipNames.size()) {
+            brush.animation.clips = {{entry->clipNames[clip], 1.0F}};
+            m_label = QString::fromStdString(entry->clipNames[clip]);
+            m_context.state.setBrush(brush);
+        }
+    } else {
+        const int slot = slotMeant(brush, *entry->asset, hit->slot);
+        const PaintColor color = colorOf(scene.population, row, *entry->asset, slot);
+        m_label = QStringLiteral("%1  %2").arg(
+            QString::fromStdString(entry->asset->slots[static_cast<std::size_t>(slot)].name),
+            QColor(color[0], color[1], color[2]).name());
+        m_context.state.offerColor(color);
+    }
+}
+
+void PickDrag::update(const ToolInput& input)
+{
+    m_current = input;
+    pick();
+}
+
+void PickDrag::release(const ToolInput& input)
+{
+    update(input);
+    m_context.state.setPicking(Picking::None);
+    if (m_label.isEmpty() && m_kind != PickKind::Point) {
+        m_context.state.showStatus(Text::tr("Nobody under the cursor"));
+    }
+}
+
+void PickDrag::cancel()
+{
+    m_context.state.setBrush(m_before);
+    m_context.state.setPicking(Picking::None);
+}
+
+void PickDrag::show(ToolPicture& picture) const
+{
+    picture.cursor = Qt::CrossCursor;
+    picture.symbolAt = m_current.position();
+    picture.label = m_label;
+    if (m_kind == PickKind::Point) {
+        picture.crosshair = m_current.position();
+    }
+}
+
+} // namespace crowd::widgets
