@@ -1,5 +1,6 @@
 crowd_add_test(ROOM widgets NAME tst_DockControls LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_Docks LINK crowd_widgets)
+crowd_add_test(ROOM widgets NAME tst_IndividualDock LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_PickDrag LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_ToolController LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)

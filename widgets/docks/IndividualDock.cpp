@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/IndividualDock.h"
 
-#include <map>
-#include <string_view>
+#include <algorithm>
 
+#include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
-#include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QHBoxLayout>
@@ -14,7 +13,8 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
-#include "model/document/SceneEdit.h"
+#include "widgets/docks/NumberList.h"
+#include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
@@ -23,6 +23,7 @@ namespace {
 constexpr int kRefreshMs = 60;
 constexpr double kDegrees = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
+constexpr double kMostSeats = 16777216.0;
 
 /// The colour in a frame; a stroke through the frame says that there is no tint, or no common one.
 QIcon tintIcon(std::optional<model::Tint> tint, const QColor& line)
@@ -39,54 +40,62 @@ QIcon tintIcon(std::optional<model::Tint> tint, const QColor& line)
     return picture;
 }
 
-/// The value that all rows share, if they do.
-template<class T, class Get>
-std::optional<T> common(std::span<const std::size_t> rows, const Get& get)
+QComboBox* narrowBox(QWidget* parent)
 {
-    std::optional<T> shared;
-    for (const std::size_t row : rows) {
-        const T value = get(row);
-        if (shared && !(*shared == value)) {
-            return std::nullopt;
-        }
-        shared = value;
-    }
-    return shared;
+    auto* box = new QComboBox(parent);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setPlaceholderText(IndividualDock::tr("mixed"));
+    return box;
 }
 
-std::vector<std::size_t> rowsOf(const EditorState& state)
+void fill(QComboBox& box, const std::vector<std::string>& names)
 {
-    std::vector<std::size_t> rows;
-    for (const model::IndividualId id : state.selection().ids()) {
-        const std::size_t row = state.scene().population.rowOf(id);
-        if (row != model::Population::npos) {
-            rows.push_back(row);
+    box.clear();
+    for (const std::string& name : names) {
+        box.addItem(QString::fromStdString(name));
+    }
+}
+
+std::vector<int> bitsOf(std::uint64_t tags)
+{
+    std::vector<int> bits;
+    for (int bit = 0; bit < 64; ++bit) {
+        if ((tags >> static_cast<unsigned>(bit) & 1U) != 0) {
+            bits.push_back(bit);
         }
     }
-    return rows;
+    return bits;
 }
 
 } // namespace
 
 IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Individual"), "individual", parent), m_state(state), m_title(new QLabel(this)),
-      m_content(new QWidget(this)), m_clip(new QComboBox(this)),
-      m_group(new NumberField(0.0, 4294967295.0, 0, this)), m_seat(new QLabel(this)),
-      m_slotArea(new QWidget(this))
+      m_content(new QWidget(this)), m_template(narrowBox(this)), m_clip(narrowBox(this)),
+      m_group(new NumberField(0.0, 4294967295.0, 0, this)), m_tags(new QLineEdit(this)),
+      m_seat(new NumberField(1.0, kMostSeats, 0, this)), m_seatPlace(new QLabel(this)),
+      m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
 {
     auto* all = new QWidget(this);
     auto* layout = new QVBoxLayout(all);
+    layout->setContentsMargins(6, 4, 6, 6);
     m_title->setWordWrap(true);
     layout->addWidget(m_title);
     layout->addWidget(m_content);
     layout->addStretch(1);
     auto* form = new QFormLayout(m_content);
     form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(3);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    buildNumbers(form);
+    buildForm(form);
     form->addRow(m_slotArea);
     setScrolledContent(all);
+    connectState();
+    refresh();
+}
 
+void IndividualDock::connectState()
+{
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(kRefreshMs);
     connect(&m_refresh, &QTimer::timeout, this, &IndividualDock::refresh);
@@ -97,11 +106,45 @@ IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
     };
     connect(&m_state.selection(), &Selection::changed, this, later);
     connect(&m_state.document(), &model::SceneDocument::changed, this, later);
+    connect(m_template, &QComboBox::activated, this, &IndividualDock::setTemplate);
     connect(m_clip, &QComboBox::textActivated, this, &IndividualDock::setClip);
-    refresh();
+    connect(m_group, &NumberField::valueEdited, this, &IndividualDock::setGroup);
+    connect(m_seat, &NumberField::valueEdited, this, &IndividualDock::setSeat);
+    connect(m_standUp, &QToolButton::clicked, this, &IndividualDock::standUp);
+    connect(m_tags, &QLineEdit::editingFinished, this, [this] {
+        if (m_tags->isModified()) {
+            m_tags->setModified(false);
+            setTags(m_tags->text());
+        }
+    });
 }
 
-void IndividualDock::buildNumbers(QFormLayout* form)
+void IndividualDock::changeEvent(QEvent* event)
+{
+    DockBase::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        m_standUp->setIcon(iconNamed("person"));
+        m_refresh.start(); // frames of the tints
+    }
+}
+
+void IndividualDock::buildForm(QFormLayout* form)
+{
+    form->addRow(tr("Template"), m_template);
+    addPosition(form);
+    addFloat(form, tr("Heading °"), model::columns::heading, -36000.0, 36000.0, 1, kDegrees);
+    addFloat(form, tr("Height"), model::columns::height, 0.1, 10.0, 3, 1.0);
+    addFloat(form, tr("Girth"), model::columns::girth, 0.1, 10.0, 3, 1.0);
+    form->addRow(tr("Clip"), m_clip);
+    addFloat(form, tr("Phase"), model::columns::phase, 0.0, 1.0, 3, 1.0);
+    addFloat(form, tr("Speed"), model::columns::playbackSpeed, 0.0, 20.0, 2, 1.0);
+    addSeat(form);
+    form->addRow(tr("Group"), m_group);
+    m_tags->setToolTip(tr("Numbers of tags from 1 to 64, as 1, 3-5"));
+    form->addRow(tr("Tags"), m_tags);
+}
+
+void IndividualDock::addPosition(QFormLayout* form)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(3);
@@ -114,15 +157,6 @@ void IndividualDock::buildNumbers(QFormLayout* form)
                 [this, axis](double value) { setPosition(axis, value); });
     }
     form->addRow(tr("Position"), row);
-    addFloat(form, tr("Heading °"), model::columns::heading, -36000.0, 36000.0, 1, kDegrees);
-    addFloat(form, tr("Height"), model::columns::height, 0.1, 10.0, 3, 1.0);
-    addFloat(form, tr("Girth"), model::columns::girth, 0.1, 10.0, 3, 1.0);
-    form->addRow(tr("Clip"), m_clip);
-    addFloat(form, tr("Phase"), model::columns::phase, 0.0, 1.0, 3, 1.0);
-    addFloat(form, tr("Speed"), model::columns::playbackSpeed, 0.0, 20.0, 2, 1.0);
-    form->addRow(tr("Group"), m_group);
-    form->addRow(tr("Seat"), m_seat);
-    connect(m_group, &NumberField::valueEdited, this, &IndividualDock::setGroup);
 }
 
 void IndividualDock::addFloat(QFormLayout* form, const QString& label,
@@ -137,248 +171,218 @@ void IndividualDock::addFloat(QFormLayout* form, const QString& label,
     });
 }
 
-const model::TemplateEntry* IndividualDock::entryOf(model::IndividualId id) const
+void IndividualDock::addSeat(QFormLayout* form)
 {
-    const model::Population& people = m_state.scene().population;
-    const std::size_t row = people.rowOf(id);
-    return m_state.scene().findTemplate(people.column(model::columns::templateId)[row]);
-}
-
-const model::TemplateEntry* IndividualDock::firstEntry() const
-{
-    return m_state.selection().isEmpty() ? nullptr : entryOf(m_state.selection().ids().front());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3);
+    m_seat->setToolTip(tr("Number of the seat"));
+    m_seat->setAccessibleName(tr("Seat"));
+    m_standUp->setAccessibleName(tr("Stand Up"));
+    m_seat->setMaximumWidth(64);
+    m_standUp->setAutoRaise(true);
+    m_standUp->setIcon(iconNamed("person"));
+    m_standUp->setToolTip(tr("Stand up: the seat is free again"));
+    row->addWidget(m_seat);
+    row->addWidget(m_seatPlace, 1);
+    row->addWidget(m_standUp);
+    form->addRow(tr("Seat"), row);
 }
 
 void IndividualDock::refresh()
 {
+    const SelectedPeople selected = people();
     m_isFilling = true;
-    const std::vector<std::size_t> rows = rowsOf(m_state);
-    m_content->setVisible(!rows.empty());
-    if (rows.empty()) {
-        m_title->setText(tr("Nobody is selected. Press V and click somebody."));
-        m_isFilling = false;
-        return;
+    m_content->setVisible(!selected.rows().empty());
+    refreshTitle(selected);
+    if (!selected.rows().empty()) {
+        rebuild(selected);
+        refreshNumbers(selected);
+        refreshSeat(selected);
+        refreshSlots(selected);
+        refreshParts(selected);
     }
-    const model::Population& people = m_state.scene().population;
-    const model::TemplateEntry* entry = firstEntry();
-    const QString name = entry == nullptr ? QString() : QString::fromStdString(entry->name);
-    m_title->setText(rows.size() == 1
-                         ? tr("<b>%1</b>, number %2").arg(name).arg(people.ids()[rows.front()])
-                         : tr("<b>%n people</b>", nullptr, static_cast<int>(rows.size())));
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto positions = people.column(model::columns::position);
-        m_position[static_cast<std::size_t>(axis)]->setValue(common<double>(
-            rows, [&](std::size_t row) { return static_cast<double>(positions[row][axis]); }));
-    }
-    for (const FloatRow& item : m_floats) {
-        const auto values = people.column(item.column);
-        item.field->setValue(common<double>(
-            rows, [&](std::size_t row) { return static_cast<double>(values[row]) * item.scale; }));
-    }
-    const auto groups = people.column(model::columns::group);
-    m_group->setValue(
-        common<double>(rows, [&](std::size_t row) { return static_cast<double>(groups[row]); }));
-    const auto seats = people.column(model::columns::seat);
-    const auto seat = common<model::SeatId>(rows, [&](std::size_t row) { return seats[row]; });
-    m_seat->setText(!seat                     ? tr("mixed")
-                    : *seat == model::kNoSeat ? tr("none")
-                                              : QString::number(*seat & 0xFFFFFFU));
-    rebuildSlots();
-    refreshSlots();
     m_isFilling = false;
 }
 
-void IndividualDock::rebuildSlots()
+void IndividualDock::refreshTitle(const SelectedPeople& selected)
 {
-    const model::TemplateEntry* entry = firstEntry();
-    const model::TemplatePtr asset = entry == nullptr ? nullptr : entry->asset;
-    if (asset == m_slotsOf && asset) {
+    if (selected.rows().empty()) {
+        m_title->setText(tr("Nobody is selected. Press V and click somebody."));
         return;
     }
-    m_slotsOf = asset;
+    const model::TemplateEntry* entry = selected.groups().front().entry;
+    const QString name = entry == nullptr ? QString() : QString::fromStdString(entry->name);
+    m_title->setText(
+        selected.rows().size() == 1
+            ? tr("<b>%1</b>, number %2").arg(name.toHtmlEscaped()).arg(selected.ids().front())
+            : tr("<b>%n people</b>", nullptr, static_cast<int>(selected.rows().size())));
+}
+
+void IndividualDock::refreshNumbers(const SelectedPeople& selected)
+{
+    const model::Population& all = m_state.scene().population;
+    m_template->clear();
+    for (const model::TemplateEntry& entry : m_state.scene().templates) {
+        m_template->addItem(QString::fromStdString(entry.name), entry.id);
+    }
+    const auto id = selected.common<model::TemplateId>(
+        [&](std::size_t row) { return all.column(model::columns::templateId)[row]; });
+    m_template->setCurrentIndex(id ? m_template->findData(*id) : -1);
+    const auto positions = all.column(model::columns::position);
+    for (int axis = 0; axis < 3; ++axis) {
+        m_position[static_cast<std::size_t>(axis)]->setValue(selected.common<double>(
+            [&](std::size_t row) { return static_cast<double>(positions[row][axis]); }));
+    }
+    for (const FloatRow& item : m_floats) {
+        const auto values = all.column(item.column);
+        item.field->setValue(selected.common<double>(
+            [&](std::size_t row) { return static_cast<double>(values[row]) * item.scale; }));
+    }
+    m_group->setValue(selected.common<double>([&](std::size_t row) {
+        return static_cast<double>(all.column(model::columns::group)[row]);
+    }));
+    const auto tags = selected.common<std::uint64_t>(
+        [&](std::size_t row) { return all.column(model::columns::tags)[row]; });
+    if (!m_tags->hasFocus() || !m_tags->isModified()) {
+        m_tags->setText(tags ? numberListText(bitsOf(*tags)) : QString());
+        m_tags->setPlaceholderText(tags ? tr("none") : tr("mixed"));
+    }
+}
+
+void IndividualDock::refreshSeat(const SelectedPeople& selected)
+{
+    const auto column = m_state.scene().population.column(model::columns::seat);
+    const auto seated = std::ranges::count_if(
+        selected.rows(), [&](std::size_t row) { return column[row] != model::kNoSeat; });
+    const bool isOne = selected.rows().size() == 1;
+    m_seat->setEnabled(isOne);
+    m_standUp->setEnabled(seated > 0);
+    m_seat->setPlaceholderText(seated > 0 ? tr("mixed") : tr("none"));
+    m_seat->setValue(std::nullopt);
+    m_seatPlace->clear();
+    if (!isOne && seated > 0) {
+        m_seatPlace->setText(tr("%n seated", nullptr, static_cast<int>(seated)));
+    }
+    if (!isOne || seated == 0) {
+        return;
+    }
+    const model::SeatId id = column[selected.rows().front()];
+    m_seat->setValue(static_cast<double>(id & 0xFFFFFFU) + 1.0);
+    const model::StageEntry* stage =
+        m_state.scene().findStage(static_cast<std::uint8_t>(id >> 24U));
+    if (stage != nullptr && stage->asset && (id & 0xFFFFFFU) < stage->asset->seats.size()) {
+        const model::Seat& seat = stage->asset->seats[id & 0xFFFFFFU];
+        m_seatPlace->setText(tr("rank %1, wedge %2").arg(seat.rank + 1).arg(seat.wedge + 1));
+    }
+}
+
+void IndividualDock::rebuild(const SelectedPeople& selected)
+{
+    std::vector<model::TemplatePtr> wanted;
+    for (const SelectedPeople::Group& group : selected.groups()) {
+        wanted.push_back(group.entry == nullptr ? nullptr : group.entry->asset);
+    }
+    if (wanted == m_builtFor) {
+        return;
+    }
+    m_builtFor = std::move(wanted);
     m_slots.clear();
     m_parts.clear();
     delete m_slotArea->layout();
     qDeleteAll(m_slotArea->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
-    m_clip->clear();
-    if (!asset) {
-        return;
-    }
-    for (const std::string& clip : entry->clipNames) {
-        m_clip->addItem(QString::fromStdString(clip));
-    }
+    fill(*m_clip, selected.clips());
     auto* form = new QFormLayout(m_slotArea);
     form->setContentsMargins(0, 0, 0, 0);
-    const auto tintable = std::min<std::size_t>(asset->slots.size(), model::kMaxTintSlots);
-    for (std::size_t i = 0; i < tintable; ++i) {
-        const model::Slot& slot = asset->slots[i];
-        SlotRow row{QString::fromStdString(slot.name), new QToolButton(m_slotArea),
-                    new QComboBox(m_slotArea)};
-        row.color->setToolTip(tr("Tint; choose a colour"));
-        row.color->setEnabled(slot.tintable);
-        for (const model::MaterialChoice& choice : slot.choices) {
-            row.choice->addItem(QString::fromStdString(choice.name));
-        }
-        row.choice->setEnabled(slot.choices.size() > 1);
-        row.choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        auto* line = new QHBoxLayout;
-        line->addWidget(row.color);
-        line->addWidget(row.choice, 1);
-        form->addRow(row.slot, line);
-        const QString name = row.slot;
-        connect(row.color, &QToolButton::clicked, this, [this, name] { setTint(name); });
-        connect(row.choice, &QComboBox::activated, this,
-                [this, name](int choice) { setChoice(name, choice); });
-        m_slots.push_back(row);
+    form->setVerticalSpacing(3);
+    for (const std::string& slot : selected.slotNames()) {
+        addSlot(form, selected, slot);
     }
-    for (std::size_t i = 0; i < asset->parts.size(); ++i) {
-        auto* box = new QCheckBox(QString::fromStdString(asset->parts[i].name), m_slotArea);
-        form->addRow(i == 0 ? tr("Parts") : QString(), box);
-        connect(box, &QCheckBox::clicked, this,
-                [this, i](bool isShown) { setPart(static_cast<int>(i), isShown); });
-        m_parts.push_back(box);
+    for (const std::string& part : selected.parts()) {
+        addPart(form, part, m_parts.empty());
     }
 }
 
-void IndividualDock::refreshSlots()
+void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
+                             const std::string& slot)
 {
-    const std::vector<std::size_t> rows = rowsOf(m_state);
-    const model::Population& people = m_state.scene().population;
-    const auto clips = people.column(model::columns::clip);
-    const auto templates = people.column(model::columns::templateId);
+    SlotRow row{slot, new QToolButton(m_slotArea), narrowBox(m_slotArea)};
+    row.color->setToolTip(tr("Tint; a click chooses a colour, a right click takes it off"));
+    row.color->setAccessibleName(QString::fromStdString(slot));
+    row.color->setEnabled(selected.isTintable(slot));
+    row.color->setContextMenuPolicy(Qt::CustomContextMenu);
+    const std::vector<std::string> choices = selected.choices(slot);
+    fill(*row.choice, choices);
+    row.choice->setVisible(choices.size() > 1);
+    auto* line = new QHBoxLayout;
+    line->addWidget(row.color);
+    line->addWidget(row.choice, 1);
+    line->addStretch(0);
+    form->addRow(QString::fromStdString(slot), line);
+    connect(row.color, &QToolButton::clicked, this, [this, slot] { chooseTint(slot); });
+    connect(row.color, &QToolButton::customContextMenuRequested, this,
+            [this, slot] { setTint(slot, {}); });
+    connect(row.choice, &QComboBox::textActivated, this,
+            [this, slot](const QString& choice) { setChoice(slot, choice); });
+    m_slots.push_back(row);
+}
+
+void IndividualDock::addPart(QFormLayout* form, const std::string& part, bool isFirst)
+{
+    auto* box = new QCheckBox(QString::fromStdString(part), m_slotArea);
+    form->addRow(isFirst ? tr("Parts") : QString(), box);
+    connect(box, &QCheckBox::clicked, this, [this, part](bool on) { setPart(part, on); });
+    m_parts.push_back({part, box});
+}
+
+void IndividualDock::refreshSlots(const SelectedPeople& selected)
+{
+    using Group = SelectedPeople::Group;
+    const model::Population& all = m_state.scene().population;
     // By name: the same index means another clip in another template.
-    const auto clip = common<std::string_view>(rows, [&](std::size_t row) -> std::string_view {
+    const auto clips = all.column(model::columns::clip);
+    const auto templates = all.column(model::columns::templateId);
+    const auto clip = selected.common<std::string_view>([&](std::size_t row) -> std::string_view {
         const model::TemplateEntry* entry = m_state.scene().findTemplate(templates[row]);
         const bool isKnown = entry != nullptr && clips[row] < entry->clipNames.size();
         return isKnown ? std::string_view(entry->clipNames[clips[row]]) : std::string_view();
     });
     m_clip->setCurrentIndex(
         clip ? m_clip->findText(QString::fromUtf8(clip->data(), std::ssize(*clip))) : -1);
-    m_clip->setPlaceholderText(tr("mixed"));
-    for (std::size_t i = 0; i < m_slots.size(); ++i) {
-        const auto tints = people.column(model::columns::tint(static_cast<int>(i)));
-        m_slots[i].color->setIcon(
-            tintIcon(common<model::Tint>(rows, [&](std::size_t row) { return tints[row]; }),
-                     palette().color(QPalette::Mid)));
-        const auto choices = people.column(model::columns::materialChoices);
-        const auto choice =
-            common<int>(rows, [&](std::size_t row) { return static_cast<int>(choices[row][i]); });
-        m_slots[i].choice->setCurrentIndex(choice.value_or(-1));
-    }
-    const auto parts = people.column(model::columns::parts);
-    for (std::size_t i = 0; i < m_parts.size(); ++i) {
-        const auto shown =
-            common<bool>(rows, [&](std::size_t row) { return ((parts[row] >> i) & 1U) != 0; });
-        m_parts[i]->setCheckState(!shown   ? Qt::PartiallyChecked
-                                  : *shown ? Qt::Checked
-                                           : Qt::Unchecked);
+    for (const SlotRow& item : m_slots) {
+        const auto slotOf = [&](const Group& group) { return group.slotIndex(item.slot); };
+        item.color->setIcon(tintIcon(
+            selected.commonOf<model::Tint>(slotOf,
+                                           [&](std::size_t row, int slot) {
+                                               return all.column(model::columns::tint(slot))[row];
+                                           }),
+            palette().color(QPalette::Mid)));
+        const auto choices = all.column(model::columns::materialChoices);
+        const auto choice = selected.commonOf<std::string_view>(
+            slotOf, [&](std::size_t row, int slot) -> std::string_view {
+                const auto& entry = *m_state.scene().findTemplate(templates[row]);
+                const auto& names = entry.asset->slots[static_cast<std::size_t>(slot)].choices;
+                const std::size_t index = choices[row][static_cast<std::size_t>(slot)];
+                return names[index < names.size() ? index : 0].name;
+            });
+        item.choice->setCurrentIndex(
+            choice ? item.choice->findText(QString::fromUtf8(choice->data(), std::ssize(*choice)))
+                   : -1);
     }
 }
 
-template<class T>
-void IndividualDock::write(model::ColumnKey<T> column, const std::vector<T>& values,
-                           const QString& undoText)
+void IndividualDock::refreshParts(const SelectedPeople& selected)
 {
-    if (m_isFilling || m_state.document().isEditOpen() || values.empty()) {
-        return;
+    const auto parts = m_state.scene().population.column(model::columns::parts);
+    for (const PartRow& item : m_parts) {
+        const auto shown = selected.commonOf<bool>(
+            [&](const SelectedPeople::Group& group) { return group.partIndex(item.part); },
+            [&](std::size_t row, int part) {
+                return (parts[row] >> static_cast<unsigned>(part) & 1U) != 0;
+            });
+        item.box->setCheckState(!shown   ? Qt::PartiallyChecked
+                                : *shown ? Qt::Checked
+                                         : Qt::Unchecked);
     }
-    const std::vector<model::IndividualId> ids(m_state.selection().ids().begin(),
-                                               m_state.selection().ids().end());
-    const auto edit = m_state.document().beginEdit();
-    edit->setColumn(column, ids, std::span<const T>(values));
-    edit->commit(undoText);
-}
-
-void IndividualDock::setPosition(int axis, double value)
-{
-    std::vector<glm::vec3> positions;
-    for (const std::size_t row : rowsOf(m_state)) {
-        positions.push_back(m_state.scene().population.column(model::columns::position)[row]);
-        positions.back()[axis] = static_cast<float>(value);
-    }
-    write(model::columns::position, positions, tr("Move"));
-}
-
-void IndividualDock::setFloat(model::ColumnKey<float> column, float value)
-{
-    write(column, std::vector<float>(m_state.selection().size(), value), tr("Change Individual"));
-}
-
-void IndividualDock::setClip(const QString& name)
-{
-    std::vector<std::uint16_t> clips;
-    for (const std::size_t row : rowsOf(m_state)) {
-        const auto id = m_state.scene().population.ids()[row];
-        const model::TemplateEntry* entry = entryOf(id);
-        const int index =
-            entry != nullptr && entry->asset ? entry->asset->clipIndex(name.toStdString()) : -1;
-        // Who lacks the clip keeps his own.
-        clips.push_back(index < 0 ? m_state.scene().population.column(model::columns::clip)[row]
-                                  : static_cast<std::uint16_t>(index));
-    }
-    write(model::columns::clip, clips, tr("Change Clip"));
-}
-
-void IndividualDock::setTint(const QString& slot)
-{
-    const QColor color = QColorDialog::getColor(Qt::white, this, tr("Tint of %1").arg(slot),
-                                                QColorDialog::DontUseNativeDialog);
-    if (!color.isValid() || m_state.document().isEditOpen()) {
-        return;
-    }
-    const model::Tint tint{static_cast<std::uint8_t>(color.red()),
-                           static_cast<std::uint8_t>(color.green()),
-                           static_cast<std::uint8_t>(color.blue()), 255};
-    std::map<int, std::vector<model::IndividualId>> byColumn;
-    for (const model::IndividualId id : m_state.selection().ids()) {
-        const model::TemplateEntry* entry = entryOf(id);
-        const int index =
-            entry != nullptr && entry->asset ? entry->asset->slotIndex(slot.toStdString()) : -1;
-        if (index >= 0 && index < model::kMaxTintSlots) {
-            byColumn[index].push_back(id);
-        }
-    }
-    const auto edit = m_state.document().beginEdit();
-    for (const auto& [index, ids] : byColumn) {
-        edit->setColumn(model::columns::tint(index), ids, std::span<const model::Tint>(&tint, 1));
-    }
-    edit->commit(tr("Change Tint"));
-}
-
-void IndividualDock::setChoice(const QString& slot, int choice)
-{
-    std::vector<model::MaterialChoices> all;
-    for (const std::size_t row : rowsOf(m_state)) {
-        const auto& people = m_state.scene().population;
-        all.push_back(people.column(model::columns::materialChoices)[row]);
-        const model::TemplateEntry* entry = entryOf(people.ids()[row]);
-        const int index =
-            entry != nullptr && entry->asset ? entry->asset->slotIndex(slot.toStdString()) : -1;
-        if (index >= 0 && index < model::kMaxTintSlots &&
-            static_cast<std::size_t>(choice) <
-                entry->asset->slots[static_cast<std::size_t>(index)].choices.size()) {
-            all.back()[static_cast<std::size_t>(index)] = static_cast<std::uint8_t>(choice);
-        }
-    }
-    write(model::columns::materialChoices, all, tr("Change Outfit"));
-}
-
-void IndividualDock::setPart(int part, bool isShown)
-{
-    std::vector<std::uint32_t> bits;
-    for (const std::size_t row : rowsOf(m_state)) {
-        const std::uint32_t old = m_state.scene().population.column(model::columns::parts)[row];
-        const std::uint32_t bit = 1U << static_cast<unsigned>(part);
-        bits.push_back(isShown ? old | bit : old & ~bit);
-    }
-    write(model::columns::parts, bits, isShown ? tr("Show Part") : tr("Hide Part"));
-}
-
-void IndividualDock::setGroup(double group)
-{
-    write(model::columns::group,
-          std::vector<std::uint32_t>(m_state.selection().size(), static_cast<std::uint32_t>(group)),
-          tr("Change Group"));
 }
 
 } // namespace crowd::widgets

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include <QtCore/QTimer>
 
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/NumberField.h"
+#include "widgets/docks/SelectedPeople.h"
 #include "widgets/state/EditorState.h"
 
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QToolButton;
 
 namespace crowd::widgets {
 
-/// The properties of whoever is selected, several at once ("mixed" where they differ). Every edit
-/// is one undo step over all of them.
+/// The properties of whoever is selected, several at once ("mixed" where they differ). Clips,
+/// slots, outfits and parts of several templates are matched by name. Every edit is one undo step
+/// over all of them.
 class IndividualDock : public DockBase
 {
     Q_OBJECT
@@ -24,12 +31,20 @@ class IndividualDock : public DockBase
 public:
     IndividualDock(EditorState& state, QWidget* parent);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     struct SlotRow
     {
-        QString slot;
+        std::string slot;
         QToolButton* color;
         QComboBox* choice;
+    };
+    struct PartRow
+    {
+        std::string part;
+        QCheckBox* box;
     };
     struct FloatRow
     {
@@ -38,37 +53,58 @@ private:
         double scale; ///< shown = stored × scale
     };
 
-    void buildNumbers(QFormLayout* form);
+    void connectState();
+    void buildForm(QFormLayout* form);
+    void addPosition(QFormLayout* form);
     void addFloat(QFormLayout* form, const QString& label, model::ColumnKey<float> column,
                   double low, double high, int decimals, double scale);
-    void rebuildSlots();
+    void addSeat(QFormLayout* form);
+    /// The form of what these people have: their clips, slots and parts.
+    void rebuild(const SelectedPeople& people);
+    void addSlot(QFormLayout* form, const SelectedPeople& people, const std::string& slot);
+    void addPart(QFormLayout* form, const std::string& part, bool isFirst);
+
     void refresh();
-    void refreshSlots();
+    void refreshTitle(const SelectedPeople& people);
+    void refreshNumbers(const SelectedPeople& people);
+    void refreshSeat(const SelectedPeople& people);
+    void refreshSlots(const SelectedPeople& people);
+    void refreshParts(const SelectedPeople& people);
+
+    [[nodiscard]] SelectedPeople people() const { return {m_state.scene(), m_state.selection()}; }
+    [[nodiscard]] bool mayWrite() const;
+    void setTemplate(int index);
     void setPosition(int axis, double value);
     void setFloat(model::ColumnKey<float> column, float value);
     void setClip(const QString& name);
-    void setTint(const QString& slot);
-    void setChoice(const QString& slot, int choice);
-    void setPart(int part, bool isShown);
     void setGroup(double group);
+    void setTags(const QString& text);
+    void setSeat(double number);
+    void standUp();
+    void chooseTint(const std::string& slot);
+    void setTint(const std::string& slot, const model::Tint& tint);
+    void setChoice(const std::string& slot, const QString& choice);
+    void setPart(const std::string& part, bool isShown);
     template<class T>
-    void write(model::ColumnKey<T> column, const std::vector<T>& values, const QString& undoText);
-    [[nodiscard]] const model::TemplateEntry* entryOf(model::IndividualId id) const;
-    [[nodiscard]] const model::TemplateEntry* firstEntry() const;
+    void writeSame(model::ColumnKey<T> column, const T& value, const QString& undoText);
 
     EditorState& m_state;
     QLabel* m_title;
     QWidget* m_content;
+    QComboBox* m_template;
     std::array<NumberField*, 3> m_position{};
     std::vector<FloatRow> m_floats;
     QComboBox* m_clip;
     NumberField* m_group;
-    QLabel* m_seat;
+    QLineEdit* m_tags;
+    NumberField* m_seat;
+    QLabel* m_seatPlace;
+    QToolButton* m_standUp;
     QWidget* m_slotArea;
     std::vector<SlotRow> m_slots;
-    std::vector<QCheckBox*> m_parts;
-    model::TemplatePtr m_slotsOf; ///< whose slots are shown
-    QTimer m_refresh;             ///< many changes in a stroke make few refreshes
+    std::vector<PartRow> m_parts;
+    std::vector<model::TemplatePtr> m_builtFor; ///< whose clips, slots and parts are shown
+    QTimer m_refresh;                           ///< many changes in a stroke make few refreshes
     bool m_isFilling = false;
 };
 

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QToolButton>
+
+#include "model/brush/IndividualEdits.h"
+#include "tests/widgets/Desk.h"
+#include "widgets/docks/IndividualDock.h"
+#include "widgets/docks/NumberField.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::fieldBeside;
+using crowd::testing::type;
+
+namespace {
+
+using Desk = crowd::testing::Desk<IndividualDock>;
+
+template<class Child>
+Child* named(const Desk& desk, const QString& accessibleName)
+{
+    for (Child* child : desk.all<Child>()) {
+        if (child->accessibleName() == accessibleName) {
+            return child;
+        }
+    }
+    return nullptr;
+}
+
+/// As a hand does it: the entry, and what the box says of it.
+void choose(QComboBox& box, const QString& text)
+{
+    const int index = box.findText(text);
+    QVERIFY2(index >= 0, qPrintable(text));
+    box.setCurrentIndex(index);
+    Q_EMIT box.activated(index);
+    Q_EMIT box.textActivated(text);
+}
+
+/// A second template: the clips in another order and one less, one slot, no parts.
+model::TemplateId addPlainTemplate(Desk& desk)
+{
+    auto asset = testing::makeBoxMan();
+    asset->name = "plain";
+    asset->clips = {asset->clips[1], asset->clips[0]};
+    asset->seatedClip = -1;
+    asset->slots.resize(1);
+    asset->parts.clear();
+    model::TemplateEntry entry = testing::entryFor(asset, 0);
+    const auto edit = desk.document.beginEdit();
+    const model::TemplateId id = edit->addTemplate(entry);
+    edit->commit(QStringLiteral("Import"));
+    return id;
+}
+
+void become(Desk& desk, std::span<const model::IndividualId> ids, model::TemplateId id)
+{
+    const auto edit = desk.document.beginEdit();
+    edit->setColumn(model::columns::templateId, ids, std::span<const model::TemplateId>(&id, 1));
+    edit->commit(QStringLiteral("Change template"));
+}
+
+template<class T>
+std::vector<T> valuesOf(const Desk& desk, model::ColumnKey<T> key)
+{
+    const auto column = desk.document.scene().population.column(key);
+    return {column.begin(), column.end()};
+}
+
+} // namespace
+
+class IndividualDockTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nobodyHasNoFields();
+    void mixedNumbersAreWrittenToAll();
+    void clipsAreComparedByName();
+    void nonsenseIsIgnored();
+    void aClipGoesToThoseWhoHaveIt();
+    void aTemplateIsExchangedForAll();
+    void tagsAreWrittenAsNumbers();
+    void groupIsWrittenToAll();
+    void aFreeSeatIsTakenByItsNumber();
+    void standingUpFreesTheSeats();
+    void anOutfitIsChosenForAll();
+    void aRightClickTakesTheTintOff();
+    void partsAreHiddenAndShown();
+};
+
+void IndividualDockTest::nobodyHasNoFields()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    QVERIFY(desk.all<NumberField>().isEmpty());
+}
+
+void IndividualDockTest::mixedNumbersAreWrittenToAll()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 3);
+    {
+        const float tall = 1.25F;
+        const auto edit = desk.document.beginEdit();
+        edit->setColumn(model::columns::height, std::span(ids).first(1),
+                        std::span<const float>(&tall, 1));
+        edit->commit(QStringLiteral("Grow"));
+    }
+    desk.state.selection().set(ids);
+    QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
+    auto* height = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Height"));
+    auto* girth = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Girth"));
+    QVERIFY(height != nullptr && girth != nullptr);
+    QTRY_VERIFY2(height->text().isEmpty(), "three heights are mixed");
+    QVERIFY(!girth->text().isEmpty());
+    const int steps = desk.document.undoStack().count();
+    type(*height, QLocale().toString(1.5, 'f', 1));
+    QCOMPARE(desk.document.undoStack().count(), steps + 1);
+    for (const float value : desk.document.scene().population.column(model::columns::height)) {
+        QCOMPARE(value, 1.5F);
+    }
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.25F);
+    QTRY_VERIFY(height->text().isEmpty());
+}
+
+void IndividualDockTest::clipsAreComparedByName()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    desk.state.selection().set(ids);
+    auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
+    QVERIFY(clip != nullptr);
+    QTRY_COMPARE(clip->currentIndex(), 0);
+    const auto edit = desk.document.beginEdit();
+    model::TemplateEntry other = desk.document.scene().templates.front();
+    other.id = 0;
+    std::ranges::reverse(other.clipNames);
+    QVERIFY(other.clipNames.front() != other.clipNames.back());
+    const model::TemplateId id = edit->addTemplate(other);
+    edit->setColumn(model::columns::templateId, std::span(ids).last(1),
+                    std::span<const model::TemplateId>(&id, 1));
+    edit->commit(QStringLiteral("Change template"));
+    QTRY_VERIFY2(clip->currentIndex() < 0, "the same index is another clip in the other template");
+}
+
+void IndividualDockTest::nonsenseIsIgnored()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(testing::addPeople(desk.document, 1));
+    QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
+    auto* height = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Height"));
+    const QString shown = height->text();
+    const int steps = desk.document.undoStack().count();
+    type(*height, QStringLiteral("tall"));
+    QCOMPARE(desk.document.undoStack().count(), steps);
+    QCOMPARE(height->text(), shown);
+}
+
+void IndividualDockTest::aClipGoesToThoseWhoHaveIt()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 3);
+    become(desk, std::span(ids).last(1), addPlainTemplate(desk));
+    desk.state.selection().set(ids);
+    auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
+    QVERIFY(clip != nullptr);
+    QTRY_COMPARE(clip->count(), 3);
+    choose(*clip, QStringLiteral("rise"));
+    // The same clip has another number in the other template.
+    QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{1, 1, 0}));
+    choose(*clip, QStringLiteral("sit"));
+    QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{2, 2, 0}));
+    desk.document.undoStack().undo();
+    QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{1, 1, 0}));
+}
+
+void IndividualDockTest::aTemplateIsExchangedForAll()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 3);
+    const model::TemplateId plain = addPlainTemplate(desk);
+    desk.state.selection().set(ids);
+    auto* box = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Template"));
+    QVERIFY(box != nullptr);
+    QTRY_COMPARE(box->count(), 2);
+    QTRY_COMPARE(box->currentText(), QStringLiteral("box man"));
+    choose(*box, QStringLiteral("plain"));
+    QCOMPARE(valuesOf(desk, model::columns::templateId), std::vector<model::TemplateId>(3, plain));
+    QTRY_COMPARE(named<QToolButton>(desk, QStringLiteral("top")), nullptr);
+    desk.document.undoStack().undo();
+    QCOMPARE(valuesOf(desk, model::columns::templateId), std::vector<model::TemplateId>(3, 1));
+    QTRY_VERIFY(named<QToolButton>(desk, QStringLiteral("top")) != nullptr);
+}
+
+void IndividualDockTest::tagsAreWrittenAsNumbers()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(testing::addPeople(desk.document, 2));
+    auto* tags = fieldBeside<QLineEdit>(*desk.dock, QStringLiteral("Tags"));
+    QVERIFY(tags != nullptr);
+    QTRY_VERIFY(tags->isVisible());
+    type(*tags, QStringLiteral("1, 3-5, 64, 70"));
+    const std::uint64_t wanted = 0b11101ULL | 1ULL << 63U;
+    QCOMPARE(valuesOf(desk, model::columns::tags), std::vector<std::uint64_t>(2, wanted));
+    QTRY_COMPARE(tags->text(), QStringLiteral("1, 3-5, 64"));
+}
+
+void IndividualDockTest::groupIsWrittenToAll()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(testing::addPeople(desk.document, 2));
+    auto* group = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Group"));
+    QVERIFY(group != nullptr);
+    QTRY_VERIFY(group->isVisible());
+    type(*group, QStringLiteral("12"));
+    QCOMPARE(valuesOf(desk, model::columns::group), std::vector<std::uint32_t>(2, 12));
+}
+
+void IndividualDockTest::aFreeSeatIsTakenByItsNumber()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    desk.state.selection().set(std::vector{ids[0]});
+    auto* seat = named<NumberField>(desk, QStringLiteral("Seat"));
+    QTRY_VERIFY((seat = named<NumberField>(desk, QStringLiteral("Seat"))) != nullptr);
+    type(*seat, QStringLiteral("3"));
+    const model::SeatId third = (model::SeatId{1} << 24U) + 2;
+    QCOMPARE(valuesOf(desk, model::columns::seat).front(), third);
+    QCOMPARE(valuesOf(desk, model::columns::position).front().x,
+             desk.document.scene().stages.front().asset->seats[2].position.x);
+    // Taken, and not there at all: both are refused without an undo step.
+    const int steps = desk.document.undoStack().count();
+    desk.state.selection().set(std::vector{ids[1]});
+    QTRY_VERIFY(seat->text().isEmpty());
+    type(*seat, QStringLiteral("3"));
+    QTRY_VERIFY(seat->text().isEmpty());
+    type(*seat, QStringLiteral("9999"));
+    QTRY_VERIFY(seat->text().isEmpty());
+    QCOMPARE(desk.document.undoStack().count(), steps);
+}
+
+void IndividualDockTest::standingUpFreesTheSeats()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto edit = desk.document.beginEdit();
+        const auto number = static_cast<model::SeatId>(i);
+        QVERIFY(model::sitDown(*edit, ids[i], (model::SeatId{1} << 24U) + number) ==
+                model::SitResult::Done);
+        edit->commit(QStringLiteral("Sit"));
+    }
+    desk.state.selection().set(ids);
+    QTRY_VERIFY(named<QToolButton>(desk, QStringLiteral("Stand Up")) != nullptr);
+    auto* button = named<QToolButton>(desk, QStringLiteral("Stand Up"));
+    QTRY_VERIFY(button->isEnabled());
+    QVERIFY2(!named<NumberField>(desk, QStringLiteral("Seat"))->isEnabled(),
+             "two people cannot have one seat");
+    const int steps = desk.document.undoStack().count();
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(valuesOf(desk, model::columns::seat), std::vector<model::SeatId>(2, model::kNoSeat));
+    QCOMPARE(desk.document.undoStack().count(), steps + 1);
+    QTRY_VERIFY(!button->isEnabled());
+}
+
+void IndividualDockTest::anOutfitIsChosenForAll()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 3);
+    become(desk, std::span(ids).last(1), addPlainTemplate(desk)); // has no top
+    desk.state.selection().set(ids);
+    QComboBox* outfit = nullptr;
+    const auto offersBlue = [&] {
+        for (QComboBox* box : desk.all<QComboBox>()) {
+            outfit = box->findText(QStringLiteral("blue")) >= 0 ? box : outfit;
+        }
+        return outfit != nullptr;
+    };
+    QTRY_VERIFY(offersBlue());
+    choose(*outfit, QStringLiteral("blue"));
+    const auto choices = valuesOf(desk, model::columns::materialChoices);
+    QCOMPARE(choices[0][1], std::uint8_t{1});
+    QCOMPARE(choices[1][1], std::uint8_t{1});
+    QCOMPARE(choices[2][1], std::uint8_t{0});
+}
+
+void IndividualDockTest::aRightClickTakesTheTintOff()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    {
+        const model::Tint red{255, 0, 0, 255};
+        const auto edit = desk.document.beginEdit();
+        edit->setColumn(model::columns::tint(1), ids, std::span<const model::Tint>(&red, 1));
+        edit->commit(QStringLiteral("Tint"));
+    }
+    desk.state.selection().set(ids);
+    QTRY_VERIFY(named<QToolButton>(desk, QStringLiteral("top")) != nullptr);
+    auto* top = named<QToolButton>(desk, QStringLiteral("top"));
+    QVERIFY(top->isEnabled());
+    QVERIFY2(!named<QToolButton>(desk, QStringLiteral("hat"))->isEnabled(),
+             "what is not tintable is not offered");
+    Q_EMIT top->customContextMenuRequested({});
+    QCOMPARE(valuesOf(desk, model::columns::tint(1)), std::vector<model::Tint>(2));
+}
+
+void IndividualDockTest::partsAreHiddenAndShown()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    {
+        const std::uint32_t none = 0;
+        const auto edit = desk.document.beginEdit();
+        edit->setColumn(model::columns::parts, std::span(ids).first(1),
+                        std::span<const std::uint32_t>(&none, 1));
+        edit->commit(QStringLiteral("Take the hat off"));
+    }
+    desk.state.selection().set(ids);
+    QTRY_COMPARE(desk.all<QCheckBox>().size(), qsizetype{1});
+    QCheckBox* hat = desk.all<QCheckBox>().front();
+    QCOMPARE(hat->text(), QStringLiteral("hat"));
+    QCOMPARE(hat->checkState(), Qt::PartiallyChecked);
+    hat->click();
+    QCOMPARE(valuesOf(desk, model::columns::parts), std::vector<std::uint32_t>(2, 1));
+    QTRY_COMPARE(hat->checkState(), Qt::Checked);
+    hat->click();
+    QCOMPARE(valuesOf(desk, model::columns::parts), std::vector<std::uint32_t>(2, 0));
+    QTRY_COMPARE(hat->checkState(), Qt::Unchecked);
+}
+
+QTEST_MAIN(IndividualDockTest)
+#include "tst_IndividualDock.moc"
