@@ -2,17 +2,19 @@
 #include "widgets/docks/BrushForm.h"
 
 #include <algorithm>
-#include <set>
 
-#include <QtCore/QRegularExpression>
+#include <QtCore/QSettings>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QGridLayout>
-#include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QToolButton>
 
+#include "widgets/docks/ClipMix.h"
 #include "widgets/docks/CurveEditor.h"
+#include "widgets/docks/NumberList.h"
+#include "widgets/docks/RangeSlider.h"
 
 namespace crowd::widgets {
 
@@ -30,36 +32,18 @@ QWidget* labelled(const QString& label, QWidget* control, QWidget* parent)
     return row;
 }
 
-QString listText(const std::vector<int>& numbers)
+/// Each name once, in the order of the templates.
+std::vector<std::string> clipNamesOf(const model::Scene& scene)
 {
-    QStringList texts;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        std::size_t last = i;
-        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-            ++last;
-        }
-        texts << (last > i + 1 ? QStringLiteral("%1-%2").arg(numbers[i] + 1).arg(numbers[last] + 1)
-                               : QString::number(numbers[i] + 1));
-        i = last > i + 1 ? last : i;
-    }
-    return texts.join(QStringLiteral(", "));
-}
-
-/// People count from 1, the model from 0.
-std::vector<int> listOf(const QString& text)
-{
-    static const QRegularExpression kPiece(QStringLiteral("(\\d{1,4})(?:\\s*-\\s*(\\d{1,4}))?"));
-    std::set<int> numbers;
-    auto pieces = kPiece.globalMatch(text);
-    while (pieces.hasNext()) {
-        const auto piece = pieces.next();
-        const int low = piece.captured(1).toInt();
-        const int high = piece.captured(2).isEmpty() ? low : piece.captured(2).toInt();
-        for (int number = std::max(low, 1); number <= high; ++number) {
-            numbers.insert(number - 1);
+    std::vector<std::string> names;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (const std::string& name : entry.clipNames) {
+            if (std::ranges::find(names, name) == names.end()) {
+                names.push_back(name);
+            }
         }
     }
-    return {numbers.begin(), numbers.end()};
+    return names;
 }
 
 } // namespace
@@ -68,7 +52,7 @@ BrushForm::BrushForm(EditorState& state, model::BrushKind kind, QWidget* parent)
     : QWidget(parent), m_state(state), m_kind(kind), m_layout(new QVBoxLayout(this))
 {
     m_layout->setSpacing(4);
-    m_layout->setContentsMargins(6, 6, 6, 6);
+    m_layout->setContentsMargins(6, 4, 6, 6);
 }
 
 template<class Change>
@@ -84,20 +68,46 @@ void BrushForm::change(const Change& apply)
 
 void BrushForm::bind(QWidget* row, std::function<void(const Settings&)> refresh, Condition isShown)
 {
-    m_layout->addWidget(row);
-    m_refreshers.push_back([row, refresh, isShown](const Settings& settings) {
-        refresh(settings);
-        row->setVisible(!isShown || isShown(settings));
-    });
+    if (m_row != nullptr) {
+        m_row->addWidget(row, 1);
+    } else {
+        m_layout->addWidget(row);
+    }
+    m_rows.push_back(
+        {row, std::move(refresh), std::move(isShown), static_cast<int>(m_sections.size()) - 1});
 }
 
 void BrushForm::refresh()
 {
     m_isRefreshing = true;
-    for (const auto& refresher : m_refreshers) {
-        refresher(m_state.brush(m_kind));
+    for (const Row& row : m_rows) {
+        row.refresh(m_state.brush(m_kind));
     }
+    refreshVisibility();
     m_isRefreshing = false;
+}
+
+void BrushForm::refreshVisibility()
+{
+    const Settings& settings = m_state.brush(m_kind);
+    std::vector<bool> isUsed(m_sections.size(), false);
+    for (const Row& row : m_rows) {
+        const bool matters = !row.isShown || row.isShown(settings);
+        const auto section = static_cast<std::size_t>(row.section);
+        const bool isFolded = row.section >= 0 && !m_sections[section].isOpen;
+        row.widget->setVisible(matters && !isFolded);
+        if (row.section >= 0 && matters) {
+            isUsed[section] = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+        m_sections[i].header->setVisible(isUsed[i]);
+    }
+    for (QWidget* group : m_groups) {
+        const auto controls = group->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+        group->setVisible(std::ranges::any_of(
+            controls, [](const QWidget* control) { return !control->isHidden(); }));
+    }
 }
 
 void BrushForm::finish()
@@ -106,14 +116,43 @@ void BrushForm::finish()
     refresh();
 }
 
-void BrushForm::addTitle(const QString& text)
+void BrushForm::beginSection(const QString& title, const QString& key)
 {
-    auto* title = new QLabel(text, this);
-    QFont font = title->font();
-    font.setBold(true);
-    title->setFont(font);
-    title->setContentsMargins(0, 6, 0, 0);
-    m_layout->addWidget(title);
+    auto* header = new QToolButton(this);
+    header->setObjectName(key);
+    header->setText(title);
+    header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    header->setStyleSheet(QStringLiteral("QToolButton { border: none; font-weight: 600; "
+                                         "padding: 3px 0px 1px 0px; background: transparent; }"));
+    m_layout->addWidget(header);
+    const QString stored = QStringLiteral("brushForm/%1/%2").arg(static_cast<int>(m_kind)).arg(key);
+    const int index = static_cast<int>(m_sections.size());
+    m_sections.push_back({header, stored, true});
+    fold(index, QSettings().value(stored, true).toBool());
+    connect(header, &QToolButton::clicked, this, [this, index] {
+        const Section& section = m_sections[static_cast<std::size_t>(index)];
+        QSettings().setValue(section.key, !section.isOpen);
+        fold(index, !section.isOpen);
+        refreshVisibility();
+    });
+}
+
+void BrushForm::fold(int section, bool isOpen)
+{
+    Section& folded = m_sections[static_cast<std::size_t>(section)];
+    folded.isOpen = isOpen;
+    folded.header->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+}
+
+void BrushForm::beginRow()
+{
+    auto* group = new QWidget(this);
+    m_row = new QHBoxLayout(group);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(8);
+    m_layout->addWidget(group);
+    m_groups.push_back(group);
 }
 
 void BrushForm::addSlider(const QString& label, const ValueSlider::Range& range,
@@ -126,6 +165,18 @@ void BrushForm::addSlider(const QString& label, const ValueSlider::Range& range,
     });
     bind(
         slider, [slider, get](const Settings& s) { slider->setValue(get(s)); }, isShown);
+}
+
+void BrushForm::addRange(const QString& label, const ValueSlider::Range& range,
+                         std::function<model::ValueRange&(Settings&)> value, Condition isShown)
+{
+    auto* slider = new RangeSlider(label, range, this);
+    connect(slider, &RangeSlider::valueEdited, this,
+            [this, value](const model::ValueRange& edited) {
+                change([&](Settings& settings) { value(settings) = edited; });
+            });
+    bind(
+        slider, [slider, value](Settings settings) { slider->setValue(value(settings)); }, isShown);
 }
 
 void BrushForm::addChoice(const QString& label, const QStringList& names,
@@ -154,25 +205,28 @@ void BrushForm::addCheck(const QString& label, const QString& tip,
         box, [box, get](const Settings& s) { box->setChecked(get(s)); }, isShown);
 }
 
-void BrushForm::addNumberList(const QString& label, const QString& tip,
-                              std::function<std::vector<int>(const Settings&)> get,
-                              std::function<void(Settings&, std::vector<int>)> set,
-                              Condition isShown)
+void BrushForm::addNumberLists(const std::vector<NumberList>& lists, const Condition& isShown)
 {
-    auto* line = new QLineEdit(this);
-    line->setPlaceholderText(tr("all"));
-    line->setToolTip(tip);
-    connect(line, &QLineEdit::editingFinished, this, [this, line, set] {
-        change([&](Settings& settings) { set(settings, listOf(line->text())); });
-    });
-    bind(
-        labelled(label, line, this),
-        [line, get](const Settings& s) {
-            if (!line->hasFocus()) {
-                line->setText(listText(get(s)));
-            }
-        },
-        isShown);
+    beginRow();
+    for (const NumberList& list : lists) {
+        auto* line = new QLineEdit(this);
+        line->setMinimumWidth(40);
+        line->setPlaceholderText(tr("all"));
+        line->setToolTip(list.tip);
+        const auto numbers = list.numbers;
+        connect(line, &QLineEdit::editingFinished, this, [this, line, numbers] {
+            change([&](Settings& settings) { numbers(settings) = numberListOf(line->text()); });
+        });
+        bind(
+            labelled(list.label, line, this),
+            [line, numbers](Settings settings) {
+                if (!line->hasFocus()) {
+                    line->setText(numberListText(numbers(settings)));
+                }
+            },
+            isShown);
+    }
+    endRow();
 }
 
 void BrushForm::addCurve(std::function<model::DistributionCurve(const Settings&)> get,
@@ -180,7 +234,8 @@ void BrushForm::addCurve(std::function<model::DistributionCurve(const Settings&)
                          Condition isShown)
 {
     auto* curve = new CurveEditor(this);
-    curve->setToolTip(tr("How often low (left) to high values (right) come: draw it"));
+    curve->setToolTip(tr("How often low (left) to high values (right) come: draw it; a double "
+                         "click makes all equal"));
     connect(curve, &CurveEditor::edited, this, [this, curve, set] {
         change([&](Settings& settings) { set(settings, curve->curve()); });
     });
@@ -188,47 +243,48 @@ void BrushForm::addCurve(std::function<model::DistributionCurve(const Settings&)
         curve, [curve, get](const Settings& s) { curve->setCurve(get(s)); }, isShown);
 }
 
-void BrushForm::addClips(std::function<std::vector<model::ClipWeight>(const Settings&)> get,
-                         std::function<void(Settings&, std::vector<model::ClipWeight>)> set)
+void BrushForm::addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips)
 {
-    std::vector<std::string> names;
-    for (const model::TemplateEntry& entry : m_state.scene().templates) {
-        for (const std::string& name : entry.clipNames) {
-            if (std::ranges::find(names, name) == names.end()) {
-                names.push_back(name);
+    auto* mix = new ClipMix(clipNamesOf(m_state.scene()), this);
+    connect(mix, &ClipMix::edited, this, [this, clips](const model::ClipWeight& edited) {
+        change([&](Settings& settings) {
+            auto& all = clips(settings);
+            const auto known = std::ranges::find(all, edited.clip, &model::ClipWeight::clip);
+            if (edited.weight <= 0.0F) {
+                std::erase_if(all, [&](const auto& clip) { return clip.clip == edited.clip; });
+            } else if (known != all.end()) {
+                known->weight = edited.weight;
+            } else {
+                all.push_back(edited);
             }
-        }
-    }
-    auto* area = new QWidget(this);
-    auto* grid = new QGridLayout(area);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(2);
-    std::vector<QCheckBox*> boxes;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        auto* box = new QCheckBox(QString::fromStdString(names[i]), area);
-        const std::string name = names[i];
-        connect(box, &QCheckBox::clicked, this, [this, get, set, name](bool on) {
-            change([&](Settings& settings) {
-                auto clips = get(settings);
-                std::erase_if(clips, [&](const auto& clip) { return clip.clip == name; });
-                if (on) {
-                    clips.push_back({name, 1.0F});
-                }
-                set(settings, clips);
-            });
         });
-        boxes.push_back(box);
-        grid->addWidget(box, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
-    }
-    bind(area,
-         [boxes, names, get](const Settings& s) {
-             const auto clips = get(s);
-             for (std::size_t i = 0; i < boxes.size(); ++i) {
-                 boxes[i]->setChecked(
-                     std::ranges::find(clips, names[i], &model::ClipWeight::clip) != clips.end());
-             }
-         },
-         {});
+    });
+    bind(mix, [mix, clips](Settings settings) { mix->setClips(clips(settings)); }, {});
+}
+
+void BrushForm::addButton(const QString& label, const QString& tip, std::function<void()> run,
+                          Condition isShown)
+{
+    auto* button = new QPushButton(label, this);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, std::move(run));
+    bind(
+        button, [](const Settings&) {}, isShown);
+}
+
+void BrushForm::addLabel(const QString& text, Condition isShown)
+{
+    bind(
+        new QLabel(text, this), [](const Settings&) {}, std::move(isShown));
+}
+
+void BrushForm::addNote(const QString& text, Condition isShown)
+{
+    auto* note = new QLabel(text, this);
+    note->setWordWrap(true);
+    note->setEnabled(false);
+    bind(
+        note, [](const Settings&) {}, isShown);
 }
 
 } // namespace crowd::widgets

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QVBoxLayout>
 #include <QtWidgets/QWidget>
 
@@ -11,11 +12,13 @@
 #include "widgets/docks/ValueSlider.h"
 #include "widgets/state/EditorState.h"
 
+class QToolButton;
+
 namespace crowd::widgets {
 
 /// Puts controls bound to one brush's settings one below the other. Every control reads its value
 /// through a refresher and writes through EditorState::setBrush. A row can be shown only when
-/// the settings make it matter.
+/// the settings make it matter; sections fold, and stay folded in later sessions.
 class BrushForm : public QWidget
 {
     Q_OBJECT
@@ -26,43 +29,74 @@ public:
 
     BrushForm(EditorState& state, model::BrushKind kind, QWidget* parent);
 
-    void addTitle(const QString& text);
+    /// What is added from here on folds under the title. `key` names it in the settings.
+    void beginSection(const QString& title, const QString& key);
+    /// What is added until endRow() stands side by side.
+    void beginRow();
+    void endRow() { m_row = nullptr; }
+
     void addSlider(const QString& label, const ValueSlider::Range& range,
                    std::function<double(const Settings&)> get,
                    std::function<void(Settings&, double)> set, Condition isShown = {});
+    void addRange(const QString& label, const ValueSlider::Range& range,
+                  std::function<model::ValueRange&(Settings&)> value, Condition isShown = {});
     void addChoice(const QString& label, const QStringList& names,
                    std::function<int(const Settings&)> get, std::function<void(Settings&, int)> set,
                    Condition isShown = {});
     void addCheck(const QString& label, const QString& tip,
                   std::function<bool(const Settings&)> get,
                   std::function<void(Settings&, bool)> set, Condition isShown = {});
-    /// Numbers separated by commas or ranges "1, 3-5"; empty: all.
-    void addNumberList(const QString& label, const QString& tip,
-                       std::function<std::vector<int>(const Settings&)> get,
-                       std::function<void(Settings&, std::vector<int>)> set,
-                       Condition isShown = {});
+    struct NumberList
+    {
+        QString label;
+        QString tip;
+        std::function<std::vector<int>&(Settings&)> numbers;
+    };
+    /// Side by side; numbers separated by commas or ranges "1, 3-5"; empty: all.
+    void addNumberLists(const std::vector<NumberList>& lists, const Condition& isShown);
     void addCurve(std::function<model::DistributionCurve(const Settings&)> get,
                   std::function<void(Settings&, const model::DistributionCurve&)> set,
-                  Condition isShown);
-    /// Clips of the scene's templates with a tick each.
-    void addClips(std::function<std::vector<model::ClipWeight>(const Settings&)> get,
-                  std::function<void(Settings&, std::vector<model::ClipWeight>)> set);
+                  Condition isShown = {});
+    /// Clips of the scene's templates with a tick and a weight each.
+    void addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips);
+    void addButton(const QString& label, const QString& tip, std::function<void()> run,
+                   Condition isShown = {});
+    void addLabel(const QString& text, Condition isShown = {});
+    void addNote(const QString& text, Condition isShown = {});
     void finish();
     void refresh();
 
 private:
+    struct Section
+    {
+        QToolButton* header;
+        QString key;
+        bool isOpen = true;
+    };
+    struct Row
+    {
+        QWidget* widget;
+        std::function<void(const Settings&)> refresh;
+        Condition isShown;
+        int section; ///< -1: none
+    };
     void bind(QWidget* row, std::function<void(const Settings&)> refresh, Condition isShown);
+    void fold(int section, bool isOpen);
+    void refreshVisibility();
     template<class Change>
     void change(const Change& apply);
 
     EditorState& m_state;
     model::BrushKind m_kind;
     QVBoxLayout* m_layout;
-    std::vector<std::function<void(const Settings&)>> m_refreshers;
+    QHBoxLayout* m_row = nullptr;   ///< being filled
+    std::vector<QWidget*> m_groups; ///< rows of several controls
+    std::vector<Section> m_sections;
+    std::vector<Row> m_rows;
     bool m_isRefreshing = false;
 };
 
 /// Fills a form with everything that a brush of its kind can be set to.
-void fillBrushForm(BrushForm& form, model::BrushKind kind, const EditorState& state);
+void fillBrushForm(BrushForm& form, model::BrushKind kind, EditorState& state);
 
 } // namespace crowd::widgets

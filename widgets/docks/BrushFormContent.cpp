@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <set>
 
 #include <QtCore/QCoreApplication>
 
 #include "widgets/docks/BrushForm.h"
+#include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
 
@@ -15,58 +17,127 @@ using model::BrushSelection;
 using model::BrushSettings;
 using model::HeadingMode;
 using model::HeadingSettings;
+using model::ValueRange;
+
+using Heading = HeadingSettings& (*)(BrushSettings&);
 
 constexpr double kDegrees = 180.0 / 3.14159265358979;
+const ValueSlider::Range kPercent{0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false};
+const ValueSlider::Range kAngle{-180.0, 180.0, 5.0, 0, QStringLiteral("°"), false};
 
 float asFloat(double value)
 {
     return static_cast<float>(value);
 }
 
-void addArea(BrushForm& form, BrushKind kind)
+bool hasCircle(const BrushSettings& s)
 {
-    form.addTitle(BrushForm::tr("Area"));
+    return s.hasCircle();
+}
+
+bool isSpray(const BrushSettings& s)
+{
+    return s.selection == BrushSelection::Spray;
+}
+
+bool isArea(const BrushSettings& s)
+{
+    return s.selection == BrushSelection::AllInCircle || s.selection == BrushSelection::Rectangle;
+}
+
+bool isRandom(const BrushSettings& s)
+{
+    return s.op == BrushOperator::Random;
+}
+
+bool isGradient(const BrushSettings& s)
+{
+    return s.op == BrushOperator::Gradient;
+}
+
+/// A slider over a float that is shown as a multiple of what is stored.
+void addFloat(BrushForm& form, const QString& label, const ValueSlider::Range& range, double scale,
+              float& (*value)(BrushSettings&), const BrushForm::Condition& isShown = {})
+{
+    form.addSlider(
+        label, range,
+        [value, scale](BrushSettings s) { return static_cast<double>(value(s)) * scale; },
+        [value, scale](BrushSettings& s, double v) { value(s) = asFloat(v / scale); }, isShown);
+}
+
+void addFlag(BrushForm& form, const QString& label, const QString& tip,
+             bool& (*value)(BrushSettings&), const BrushForm::Condition& isShown = {})
+{
+    form.addCheck(
+        label, tip, [value](BrushSettings s) { return value(s); },
+        [value](BrushSettings& s, bool on) { value(s) = on; }, isShown);
+}
+
+void addPressure(BrushForm& form)
+{
+    form.beginRow();
+    form.addLabel(BrushForm::tr("Pen pressure"), hasCircle);
+    addFlag(
+        form, BrushForm::tr("Size"), BrushForm::tr("The harder the pen presses, the larger"),
+        [](BrushSettings& s) -> bool& { return s.pressureSize; }, hasCircle);
+    addFlag(
+        form, BrushForm::tr("Rate"), BrushForm::tr("The harder the pen presses, the more"),
+        [](BrushSettings& s) -> bool& { return s.pressureRate; }, isSpray);
+    form.endRow();
+}
+
+void addArea(BrushForm& form)
+{
+    QStringList names;
+    for (int i = 0; i <= static_cast<int>(BrushSelection::Rectangle); ++i) {
+        names << selectionName(static_cast<BrushSelection>(i));
+    }
+    form.beginSection(BrushForm::tr("Area"), QStringLiteral("area"));
     form.addChoice(
-        BrushForm::tr("Reaches"),
-        {BrushForm::tr("One"), BrushForm::tr("Spray"), BrushForm::tr("All in circle"),
-         BrushForm::tr("Rectangle")},
+        BrushForm::tr("Reaches"), names,
         [](const BrushSettings& s) { return static_cast<int>(s.selection); },
         [](BrushSettings& s, int i) { s.selection = static_cast<BrushSelection>(i); });
-    form.addSlider(
-        BrushForm::tr("Size"), {1.0, 400.0, 5.0, 0, BrushForm::tr(" px"), true},
-        [](const BrushSettings& s) { return static_cast<double>(s.radiusPixels); },
-        [](BrushSettings& s, double v) { s.radiusPixels = asFloat(v); },
-        [](const BrushSettings& s) { return s.hasCircle(); });
-    form.addSlider(
-        BrushForm::tr("Rate"), {1.0, 500.0, 5.0, 0, BrushForm::tr(" /s"), true},
-        [](const BrushSettings& s) { return static_cast<double>(s.ratePerSecond); },
-        [](BrushSettings& s, double v) { s.ratePerSecond = asFloat(v); },
-        [](const BrushSettings& s) { return s.selection == BrushSelection::Spray; });
-    form.addCheck(
-        BrushForm::tr("Pen pressure changes size"), {},
-        [](const BrushSettings& s) { return s.pressureSize; },
-        [](BrushSettings& s, bool on) { s.pressureSize = on; },
-        [](const BrushSettings& s) { return s.hasCircle(); });
-    if (kind != BrushKind::Create) {
-        form.addCheck(
-            BrushForm::tr("Through"),
-            BrushForm::tr("Also people hidden behind others or the stage"),
-            [](const BrushSettings& s) { return s.through; },
-            [](BrushSettings& s, bool on) { s.through = on; });
+    addFloat(
+        form, BrushForm::tr("Size"), {1.0, 400.0, 5.0, 0, BrushForm::tr(" px"), true}, 1.0,
+        [](BrushSettings& s) -> float& { return s.radiusPixels; }, hasCircle);
+    addFloat(
+        form, BrushForm::tr("Rate"), {1.0, 500.0, 5.0, 0, BrushForm::tr(" /s"), true}, 1.0,
+        [](BrushSettings& s) -> float& { return s.ratePerSecond; }, isSpray);
+    addPressure(form);
+}
+
+void addThrough(BrushForm& form, const QString& tip, const BrushForm::Condition& isShown = {})
+{
+    addFlag(
+        form, BrushForm::tr("Through"), tip, [](BrushSettings& s) -> bool& { return s.through; },
+        isShown);
+}
+
+void addReach(BrushForm& form, BrushKind kind)
+{
+    const auto isDabbed = [](const BrushSettings& s) {
+        return s.selection != BrushSelection::Rectangle && !isGradient(s);
+    };
+    form.beginRow();
+    addThrough(form, BrushForm::tr("Also people hidden behind others or the stage"));
+    if (kind != BrushKind::Delete) {
+        addFlag(
+            form, BrushForm::tr("Build up"),
+            BrushForm::tr("Each dab changes again whom it touches"),
+            [](BrushSettings& s) -> bool& { return s.buildUp; }, isDabbed);
     }
-    if (kind == BrushKind::Colour || kind == BrushKind::Orientation ||
-        kind == BrushKind::Animation) {
-        form.addCheck(
-            BrushForm::tr("Build up"), BrushForm::tr("Each dab changes again whom it touches"),
-            [](const BrushSettings& s) { return s.buildUp; },
-            [](BrushSettings& s, bool on) { s.buildUp = on; },
-            [](const BrushSettings& s) { return s.selection != BrushSelection::Rectangle; });
+    form.endRow();
+    if (kind == BrushKind::Colour || kind == BrushKind::Orientation) {
+        addFloat(
+            form, BrushForm::tr("Flow"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, 100.0,
+            [](BrushSettings& s) -> float& { return s.flow; },
+            [isDabbed](const BrushSettings& s) { return s.buildUp && isDabbed(s); });
     }
 }
 
-void addOperator(BrushForm& form)
+void addOperator(BrushForm& form, const QString& gradientNote)
 {
-    form.addTitle(BrushForm::tr("Operator"));
+    form.beginSection(BrushForm::tr("Operator"), QStringLiteral("operator"));
     form.addChoice(
         BrushForm::tr("Values"),
         {BrushForm::tr("Uniform"), BrushForm::tr("Random"), BrushForm::tr("Gradient")},
@@ -74,228 +145,230 @@ void addOperator(BrushForm& form)
         [](BrushSettings& s, int i) { s.op = static_cast<BrushOperator>(i); });
     form.addCurve([](const BrushSettings& s) { return s.distribution; },
                   [](BrushSettings& s, const model::DistributionCurve& c) { s.distribution = c; },
-                  [](const BrushSettings& s) { return s.op == BrushOperator::Random; });
+                  isRandom);
+    form.addNote(gradientNote, isGradient);
 }
 
-/// Two sliders for a range; the low one never passes the high one.
-template<class GetRange>
-void addRange(BrushForm& form, const QString& low, const QString& high,
-              const ValueSlider::Range& range, GetRange get, const BrushForm::Condition& shown = {})
+void addPoint(BrushForm& form, EditorState& state, Heading heading,
+              const BrushForm::Condition& isShown)
 {
-    form.addSlider(
-        low, range,
-        [get](const BrushSettings& s) {
-            BrushSettings copy = s;
-            return static_cast<double>(get(copy).low);
-        },
-        [get](BrushSettings& s, double v) {
-            get(s).low = asFloat(v);
-            get(s).high = std::max(get(s).high, get(s).low);
-        },
-        shown);
-    form.addSlider(
-        high, range,
-        [get](const BrushSettings& s) {
-            BrushSettings copy = s;
-            return static_cast<double>(get(copy).high);
-        },
-        [get](BrushSettings& s, double v) {
-            get(s).high = asFloat(v);
-            get(s).low = std::min(get(s).high, get(s).low);
-        },
-        shown);
-}
-
-void addHeading(BrushForm& form, HeadingSettings& (*heading)(BrushSettings&))
-{
-    const auto of = [heading](const BrushSettings& s) {
-        BrushSettings copy = s;
-        return heading(copy);
-    };
-    form.addTitle(BrushForm::tr("Facing"));
-    form.addChoice(
-        BrushForm::tr("Towards"),
-        {BrushForm::tr("A direction"), BrushForm::tr("Random"), BrushForm::tr("Along the stroke"),
-         BrushForm::tr("A point"), BrushForm::tr("The viewer")},
-        [of](const BrushSettings& s) { return static_cast<int>(of(s).mode); },
-        [heading](BrushSettings& s, int i) { heading(s).mode = static_cast<HeadingMode>(i); });
-    form.addSlider(
-        BrushForm::tr("Direction"), {-180.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
-        [of](const BrushSettings& s) {
-            return static_cast<double>(of(s).headingRadians) * kDegrees;
-        },
-        [heading](BrushSettings& s, double v) {
-            heading(s).headingRadians = asFloat(v / kDegrees);
-        },
-        [of](const BrushSettings& s) {
-            return of(s).mode == HeadingMode::Direction || of(s).mode == HeadingMode::Random;
-        });
-    form.addSlider(
-        BrushForm::tr("Spread"), {0.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
-        [of](const BrushSettings& s) {
-            return static_cast<double>(of(s).spreadRadians) * kDegrees;
-        },
-        [heading](BrushSettings& s, double v) { heading(s).spreadRadians = asFloat(v / kDegrees); },
-        [of](const BrushSettings& s) { return of(s).mode == HeadingMode::Random; });
-    for (int axis = 0; axis < 3; axis += 2) {
+    form.beginRow();
+    for (const int axis : {0, 2}) {
         form.addSlider(
-            axis == 0 ? BrushForm::tr("Point X") : BrushForm::tr("Point Z"),
+            axis == 0 ? QStringLiteral("X") : QStringLiteral("Z"),
             {-100.0, 100.0, 0.5, 1, BrushForm::tr(" m"), false},
-            [of, axis](const BrushSettings& s) {
-                return static_cast<double>(of(s).towardsPoint[axis]);
+            [heading, axis](BrushSettings s) {
+                return static_cast<double>(heading(s).towardsPoint[axis]);
             },
             [heading, axis](BrushSettings& s, double v) {
                 heading(s).towardsPoint[axis] = asFloat(v);
             },
-            [of](const BrushSettings& s) { return of(s).mode == HeadingMode::TowardsPoint; });
+            isShown);
     }
+    form.endRow();
+    form.addButton(
+        BrushForm::tr("Choose in the Picture"), BrushForm::tr("Then click the point to face"),
+        [&state] { state.setPicking(Picking::Point); }, isShown);
 }
 
-void addCreation(BrushForm& form)
+void addHeading(BrushForm& form, EditorState& state, Heading heading,
+                const BrushForm::Condition& isShown)
 {
-    const auto onSeats = [](const BrushSettings& s) { return s.create.seats.isOn; };
-    const auto onGround = [](const BrushSettings& s) { return !s.create.seats.isOn; };
-    const auto isRectangle = [](const BrushSettings& s) {
-        return s.selection == BrushSelection::Rectangle;
+    const auto modeIs = [heading, isShown](auto... modes) {
+        return [=](BrushSettings s) { return isShown(s) && ((heading(s).mode == modes) || ...); };
     };
-    form.addTitle(BrushForm::tr("Seats"));
-    form.addCheck(
-        BrushForm::tr("Only on free seats"),
-        BrushForm::tr("Seat grid: people sit down where they may"),
-        [](const BrushSettings& s) { return s.create.seats.isOn; },
-        [](BrushSettings& s, bool on) { s.create.seats.isOn = on; });
-    form.addNumberList(
-        BrushForm::tr("Ranks"), BrushForm::tr("Rows counted from the front, as 1, 3-5"),
-        [](const BrushSettings& s) { return s.create.seats.ranks; },
-        [](BrushSettings& s, std::vector<int> v) { s.create.seats.ranks = std::move(v); }, onSeats);
-    form.addNumberList(
-        BrushForm::tr("Wedges"), BrushForm::tr("Wedges of seats, as 1, 3-5"),
-        [](const BrushSettings& s) { return s.create.seats.wedges; },
-        [](BrushSettings& s, std::vector<int> v) { s.create.seats.wedges = std::move(v); },
+    const auto spreads = [heading, isShown](BrushSettings s) {
+        const bool isTurned = s.kind == BrushKind::Orientation && isRandom(s);
+        return isShown(s) && (heading(s).mode == HeadingMode::Random || isTurned);
+    };
+    using enum HeadingMode;
+    form.beginSection(BrushForm::tr("Facing"), QStringLiteral("facing"));
+    form.addChoice(
+        BrushForm::tr("Towards"),
+        {BrushForm::tr("A direction"), BrushForm::tr("Random"), BrushForm::tr("Along the stroke"),
+         BrushForm::tr("A point"), BrushForm::tr("The viewer")},
+        [heading](BrushSettings s) { return static_cast<int>(heading(s).mode); },
+        [heading](BrushSettings& s, int i) { heading(s).mode = static_cast<HeadingMode>(i); },
+        isShown);
+    const auto addAngle = [&](const QString& label, const ValueSlider::Range& range,
+                              float HeadingSettings::*value, const BrushForm::Condition& shown) {
+        form.addSlider(
+            label, range,
+            [heading, value](BrushSettings s) {
+                return static_cast<double>(heading(s).*value) * kDegrees;
+            },
+            [heading, value](BrushSettings& s, double v) {
+                heading(s).*value = asFloat(v / kDegrees);
+            },
+            shown);
+    };
+    addPoint(form, state, heading, modeIs(TowardsPoint));
+    addAngle(BrushForm::tr("Direction"), kAngle, &HeadingSettings::headingRadians,
+             modeIs(Direction, Random));
+    addAngle(BrushForm::tr("Turned by"), kAngle, &HeadingSettings::turnRadians,
+             modeIs(AlongStroke, TowardsPoint, TowardsViewer));
+    addAngle(BrushForm::tr("Spread"), {0.0, 180.0, 5.0, 0, QStringLiteral("°"), false},
+             &HeadingSettings::spreadRadians, spreads);
+}
+
+void addSeats(BrushForm& form, const BrushForm::Condition& onSeats)
+{
+    form.addNumberLists(
+        {{BrushForm::tr("Ranks"), BrushForm::tr("Rows counted from the front, as 1, 3-5"),
+          [](BrushSettings& s) -> std::vector<int>& { return s.create.seats.ranks; }},
+         {BrushForm::tr("Wedges"), BrushForm::tr("Wedges of seats, as 1, 3-5"),
+          [](BrushSettings& s) -> std::vector<int>& { return s.create.seats.wedges; }}},
         onSeats);
-    form.addSlider(
-        BrushForm::tr("Of the seats"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
-        [](const BrushSettings& s) { return static_cast<double>(s.create.seatPercent); },
-        [](BrushSettings& s, double v) { s.create.seatPercent = asFloat(v); },
-        [onSeats](const BrushSettings& s) { return onSeats(s); });
-    form.addSlider(
-        BrushForm::tr("Density"), {0.05, 6.0, 0.1, 2, BrushForm::tr(" /m²"), true},
-        [](const BrushSettings& s) { return static_cast<double>(s.create.density); },
-        [](BrushSettings& s, double v) { s.create.density = asFloat(v); },
-        [onGround, isRectangle](const BrushSettings& s) { return onGround(s) && isRectangle(s); });
-    form.addSlider(
-        BrushForm::tr("Distance"), {0.1, 10.0, 0.1, 2, BrushForm::tr(" m"), true},
-        [](const BrushSettings& s) { return static_cast<double>(s.create.minimalDistance); },
-        [](BrushSettings& s, double v) { s.create.minimalDistance = asFloat(v); }, onGround);
-    form.addTitle(BrushForm::tr("Variation"));
-    addRange(form, BrushForm::tr("Height from"), BrushForm::tr("Height to"),
-             {0.5, 2.0, 0.01, 2, {}, false},
-             [](BrushSettings& s) -> model::ValueRange& { return s.create.height; });
-    addRange(form, BrushForm::tr("Girth from"), BrushForm::tr("Girth to"),
-             {0.5, 2.0, 0.01, 2, {}, false},
-             [](BrushSettings& s) -> model::ValueRange& { return s.create.girth; });
-    form.addSlider(
-        BrushForm::tr("Colour"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
-        [](const BrushSettings& s) {
-            return static_cast<double>(s.create.paletteStrength) * 100.0;
-        },
-        [](BrushSettings& s, double v) { s.create.paletteStrength = asFloat(v / 100.0); });
-    addRange(form, BrushForm::tr("Phase from"), BrushForm::tr("Phase to"),
-             {0.0, 1.0, 0.05, 2, {}, false},
-             [](BrushSettings& s) -> model::ValueRange& { return s.create.phase; });
-    addHeading(form, [](BrushSettings& s) -> HeadingSettings& { return s.create.heading; });
-    form.addTitle(BrushForm::tr("Clips (none: what suits)"));
-    form.addClips(
-        [](const BrushSettings& s) { return s.create.clips; },
-        [](BrushSettings& s, std::vector<model::ClipWeight> v) { s.create.clips = std::move(v); });
+    addFloat(
+        form, BrushForm::tr("Of the seats"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, 1.0,
+        [](BrushSettings& s) -> float& { return s.create.seatPercent; },
+        [onSeats](const BrushSettings& s) { return onSeats(s) && s.takesShare(); });
+}
+
+void addVariation(BrushForm& form)
+{
+    const ValueSlider::Range scale{0.5, 2.0, 0.01, 2, {}, false};
+    form.beginSection(BrushForm::tr("Variation"), QStringLiteral("variation"));
+    form.addRange(BrushForm::tr("Height"), scale,
+                  [](BrushSettings& s) -> ValueRange& { return s.create.height; });
+    form.addRange(BrushForm::tr("Girth"), scale,
+                  [](BrushSettings& s) -> ValueRange& { return s.create.girth; });
+    form.addRange(BrushForm::tr("Phase"), {0.0, 1.0, 0.05, 2, {}, false},
+                  [](BrushSettings& s) -> ValueRange& { return s.create.phase; });
+    addFloat(form, BrushForm::tr("Tint"), kPercent, 100.0,
+             [](BrushSettings& s) -> float& { return s.create.paletteStrength; });
+    form.addCurve([](const BrushSettings& s) { return s.distribution; },
+                  [](BrushSettings& s, const model::DistributionCurve& c) {
+                      s.distribution = c;
+                      s.op = BrushOperator::Random;
+                  });
+}
+
+void addCreation(BrushForm& form, EditorState& state)
+{
+    const bool hasSeats = std::ranges::any_of(state.scene().stages, [](const auto& stage) {
+        return stage.asset && !stage.asset->seats.empty();
+    });
+    const auto onSeats = [hasSeats](const BrushSettings& s) {
+        return hasSeats && s.create.seats.isOn;
+    };
+    const auto onGround = [onSeats](const BrushSettings& s) { return !onSeats(s); };
+    addThrough(form, BrushForm::tr("Also places hidden behind the stage"),
+               [onSeats](const BrushSettings& s) { return onSeats(s) || isArea(s); });
+    form.beginSection(BrushForm::tr("Places"), QStringLiteral("seats"));
+    addFlag(
+        form, BrushForm::tr("Only on free seats"),
+        BrushForm::tr("Seat grid: people sit down where they may"),
+        [](BrushSettings& s) -> bool& { return s.create.seats.isOn; },
+        [hasSeats](const BrushSettings&) { return hasSeats; });
+    addSeats(form, onSeats);
+    addFloat(
+        form, BrushForm::tr("Density"), {0.05, 6.0, 0.1, 2, BrushForm::tr(" /m²"), true}, 1.0,
+        [](BrushSettings& s) -> float& { return s.create.density; },
+        [onGround](const BrushSettings& s) { return onGround(s) && isArea(s); });
+    addFloat(
+        form, BrushForm::tr("Distance"), {0.1, 10.0, 0.1, 2, BrushForm::tr(" m"), true}, 1.0,
+        [](BrushSettings& s) -> float& { return s.create.minimalDistance; }, onGround);
+    addVariation(form);
+    addHeading(
+        form, state, [](BrushSettings& s) -> HeadingSettings& { return s.create.heading; },
+        onGround);
+    form.beginSection(BrushForm::tr("Clips (none: what suits)"), QStringLiteral("clips"));
+    form.addClips([](BrushSettings & s) -> auto& { return s.create.clips; });
+}
+
+/// Names of all slots of the scene's templates, each once; the first is empty: all tintable.
+std::vector<std::string> slotNames(const model::Scene& scene)
+{
+    std::vector<std::string> names{std::string()};
+    std::set<std::string> known;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
+            if (known.insert(entry.asset->slots[i].name).second) {
+                names.push_back(entry.asset->slots[i].name);
+            }
+        }
+    }
+    return names;
 }
 
 void addColour(BrushForm& form, const EditorState& state)
 {
-    QStringList slots{BrushForm::tr("All tintable")};
-    std::vector<std::string> names{std::string()};
-    std::set<std::string> known;
-    for (const model::TemplateEntry& entry : state.scene().templates) {
-        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
-            if (known.insert(entry.asset->slots[i].name).second) {
-                names.push_back(entry.asset->slots[i].name);
-                slots << QString::fromStdString(names.back());
-            }
-        }
+    const std::vector<std::string> names = slotNames(state.scene());
+    QStringList texts{BrushForm::tr("All tintable")};
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        texts << QString::fromStdString(names[i]);
     }
-    form.addTitle(BrushForm::tr("Paint"));
+    form.beginSection(BrushForm::tr("Paint"), QStringLiteral("paint"));
     form.addChoice(
-        BrushForm::tr("Slot"), slots,
+        BrushForm::tr("Slot"), texts,
         [names](const BrushSettings& s) {
             const auto found = std::ranges::find(names, s.colour.slot);
             return found == names.end() ? 0 : static_cast<int>(found - names.begin());
         },
         [names](BrushSettings& s, int i) { s.colour.slot = names[static_cast<std::size_t>(i)]; });
-    form.addSlider(
-        BrushForm::tr("Strength"), {0.0, 100.0, 5.0, 0, QStringLiteral(" %"), false},
-        [](const BrushSettings& s) { return static_cast<double>(s.colour.strength) * 100.0; },
-        [](BrushSettings& s, double v) { s.colour.strength = asFloat(v / 100.0); });
-    const auto isRandom = [](const BrushSettings& s) { return s.op == BrushOperator::Random; };
-    form.addCheck(
-        BrushForm::tr("Blend between the colours"), {},
-        [](const BrushSettings& s) { return s.colour.blends; },
-        [](BrushSettings& s, bool on) { s.colour.blends = on; }, isRandom);
-    form.addCheck(
-        BrushForm::tr("Another colour for each slot"), {},
-        [](const BrushSettings& s) { return s.colour.eachSlotApart; },
-        [](BrushSettings& s, bool on) { s.colour.eachSlotApart = on; }, isRandom);
+    addFloat(form, BrushForm::tr("Strength"), kPercent, 100.0,
+             [](BrushSettings& s) -> float& { return s.colour.strength; });
+    addFlag(
+        form, BrushForm::tr("Blend the colours"),
+        BrushForm::tr("Also what lies between the colours, not only one of them"),
+        [](BrushSettings& s) -> bool& { return s.colour.blends; }, isRandom);
+    addFlag(
+        form, BrushForm::tr("Each slot its own"),
+        BrushForm::tr("Another colour for each slot of a person"),
+        [](BrushSettings& s) -> bool& { return s.colour.eachSlotApart; }, isRandom);
 }
 
 void addAnimation(BrushForm& form)
 {
-    form.addTitle(BrushForm::tr("Clips (none: as they are)"));
-    form.addClips([](const BrushSettings& s) { return s.animation.clips; },
-                  [](BrushSettings& s, std::vector<model::ClipWeight> v) {
-                      s.animation.clips = std::move(v);
-                  });
-    form.addCheck(
-        BrushForm::tr("Change the phase"), {},
-        [](const BrushSettings& s) { return s.animation.setsPhase; },
-        [](BrushSettings& s, bool on) { s.animation.setsPhase = on; });
-    addRange(
-        form, BrushForm::tr("Phase from"), BrushForm::tr("Phase to"),
-        {0.0, 1.0, 0.05, 2, {}, false},
-        [](BrushSettings& s) -> model::ValueRange& { return s.animation.phase; },
+    form.beginSection(BrushForm::tr("Clips (none: as they are)"), QStringLiteral("clips"));
+    form.addClips([](BrushSettings & s) -> auto& { return s.animation.clips; });
+    form.beginSection(BrushForm::tr("Timing"), QStringLiteral("timing"));
+    addFlag(form, BrushForm::tr("Change the phase"), {},
+            [](BrushSettings& s) -> bool& { return s.animation.setsPhase; });
+    form.addRange(
+        BrushForm::tr("Phase"), {0.0, 1.0, 0.05, 2, {}, false},
+        [](BrushSettings& s) -> ValueRange& { return s.animation.phase; },
         [](const BrushSettings& s) { return s.animation.setsPhase; });
-    form.addCheck(
-        BrushForm::tr("Change the speed"), {},
-        [](const BrushSettings& s) { return s.animation.setsSpeed; },
-        [](BrushSettings& s, bool on) { s.animation.setsSpeed = on; });
-    addRange(
-        form, BrushForm::tr("Speed from"), BrushForm::tr("Speed to"),
-        {0.1, 4.0, 0.05, 2, {}, false},
-        [](BrushSettings& s) -> model::ValueRange& { return s.animation.speed; },
+    addFlag(form, BrushForm::tr("Change the speed"), {},
+            [](BrushSettings& s) -> bool& { return s.animation.setsSpeed; });
+    form.addRange(
+        BrushForm::tr("Speed"), {0.0, 4.0, 0.05, 2, {}, false},
+        [](BrushSettings& s) -> ValueRange& { return s.animation.speed; },
         [](const BrushSettings& s) { return s.animation.setsSpeed; });
 }
 
 } // namespace
 
-void fillBrushForm(BrushForm& form, BrushKind kind, const EditorState& state)
+void fillBrushForm(BrushForm& form, BrushKind kind, EditorState& state)
 {
-    addArea(form, kind);
+    addArea(form);
+    if (kind != BrushKind::Create) {
+        addReach(form, kind);
+    }
     switch (kind) {
     case BrushKind::Create:
-        addCreation(form);
+        addCreation(form, state);
         break;
     case BrushKind::Delete:
+        addFloat(
+            form, BrushForm::tr("Of them"), {5.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, 1.0,
+            [](BrushSettings& s) -> float& { return s.removal.percent; },
+            [](const BrushSettings& s) { return s.takesShare(); });
         break;
     case BrushKind::Colour:
-        addOperator(form);
         addColour(form, state);
+        addOperator(form, BrushForm::tr("From the first to the last colour along the line."));
         break;
     case BrushKind::Orientation:
-        addOperator(form);
-        addHeading(form,
-                   [](BrushSettings& s) -> HeadingSettings& { return s.orientation.heading; });
+        addOperator(form, BrushForm::tr("They face along the line that is drawn."));
+        addHeading(
+            form, state, [](BrushSettings& s) -> HeadingSettings& { return s.orientation.heading; },
+            [](const BrushSettings& s) { return !isGradient(s); });
         break;
     case BrushKind::Animation:
-        addOperator(form);
         addAnimation(form);
+        addOperator(form, BrushForm::tr("From the lower to the higher values along the line."));
         break;
     }
     form.finish();

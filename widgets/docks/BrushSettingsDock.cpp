@@ -2,6 +2,7 @@
 #include "widgets/docks/BrushSettingsDock.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtGui/QAction>
 #include <QtWidgets/QLabel>
 
 namespace crowd::widgets {
@@ -18,10 +19,11 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
             m_form->refresh();
         }
     });
-    // Slots and clips on offer are those of the scene's templates.
+    // Slots, clips and seats on offer are those of the scene.
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
                 if (std::holds_alternative<model::TemplatesChanged>(change) ||
+                    std::holds_alternative<model::StagesChanged>(change) ||
                     std::holds_alternative<model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
@@ -35,6 +37,7 @@ void BrushSettingsDock::rebuild()
     m_form = nullptr;
     const ToolInfo& tool = toolInfo(m_state.tool());
     setWindowTitle(QCoreApplication::translate("Tools", tool.name));
+    toggleViewAction()->setText(tr("Brush Settings")); // the menu names the panel, not the brush
     if (!tool.brush) {
         auto* note = new QLabel(tr("This tool has no settings. Choose a brush to set it."), this);
         note->setWordWrap(true);
