@@ -108,6 +108,12 @@ void MainWindow::addDocks()
             &AssetController::importStage);
     connect(scene, &widgets::SceneDock::locateStageRequested, &m_assets,
             &AssetController::locateStage);
+    connect(scene, &widgets::SceneDock::importTemplateRequested, &m_assets,
+            &AssetController::importTemplate);
+    connect(scene, &widgets::SceneDock::locateTemplateRequested, &m_assets,
+            &AssetController::locateTemplate);
+    connect(scene, &widgets::SceneDock::removeTemplateRequested, &m_assets,
+            &AssetController::removeTemplate);
 }
 
 void MainWindow::buildMenus()

@@ -5,84 +5,21 @@
 #include <QtCore/QStandardPaths>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
-#include <QtWidgets/QComboBox>
-#include <QtWidgets/QLabel>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
-#include <QtWidgets/QMainWindow>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QUndoView>
 
-#include "tests/widgets/SmallTheatre.h"
-#include "widgets/docks/CurveEditor.h"
+#include "tests/widgets/Desk.h"
 #include "widgets/docks/Docks.h"
-#include "widgets/docks/NumberField.h"
+#include "widgets/docks/RangeSlider.h"
+#include "widgets/docks/TemplateDelegate.h"
 #include "widgets/docks/ValueSlider.h"
 #include "widgets/theme/Theme.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
-
-namespace {
-
-/// A window with one dock over the small theatre.
-template<class Dock>
-struct Desk
-{
-    Desk() : state(document), dock(nullptr)
-    {
-        document.replaceScene(testing::smallTheatre(), {});
-        dock = new Dock(state, &window);
-        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
-        window.resize(300, 700);
-        window.show();
-    }
-    ~Desk() { delete dock; }
-    /// Laid out; events are handed to the widgets, so the window need not be exposed.
-    [[nodiscard]] bool isReady()
-    {
-        return QTest::qWaitFor([this] { return dock->isVisible() && dock->width() > 0; });
-    }
-    template<class Child>
-    [[nodiscard]] QList<Child*> all() const
-    {
-        QList<Child*> found;
-        for (Child* child : dock->template findChildren<Child*>()) {
-            if (child->isVisible()) {
-                found << child;
-            }
-        }
-        return found;
-    }
-
-    model::SceneDocument document;
-    EditorState state;
-    QMainWindow window;
-    Dock* dock;
-};
-
-void type(QLineEdit& field, const QString& text)
-{
-    field.setFocus();
-    field.selectAll();
-    QTest::keyClicks(&field, text);
-    QTest::keyClick(&field, Qt::Key_Return);
-}
-
-/// The field of a form that a label stands beside.
-template<class Field>
-Field* fieldBeside(const QWidget& dock, const QString& label)
-{
-    for (const QLabel* item : dock.findChildren<QLabel*>()) {
-        if (item->text() == label && item->buddy() != nullptr) {
-            return qobject_cast<Field*>(item->buddy());
-        }
-    }
-    return nullptr;
-}
-
-} // namespace
+using crowd::testing::Desk;
 
 class DocksTest : public QObject
 {
@@ -95,18 +32,14 @@ private Q_SLOTS:
     void everyBrushHasSettingsThatFit_data();
     void everyBrushHasSettingsThatFit();
     void sliderChangesTheBrush();
-    void sliderStaysInItsRange();
-    void drawnCurveIsKept();
-    void colourEditsTheEndThatIsChosen();
-    void greyKeepsTheHueOfTheSquare();
-    void swatchesAreRemembered();
     void tickedTemplatesAreTheMix();
-    void individualShowsNobody();
-    void individualShowsMixedAndWritesAll();
-    void individualComparesClipsByName();
-    void individualIgnoresNonsense();
     void outlineListsTheScene();
     void renamedCameraCanBeUndone();
+    void stagesAndTemplatesAreRenamed();
+    void groupsAreListedAndSelected();
+    void paletteIsAsHighAsItsButtons();
+    void templatesShowTheirShareOfTheMix();
+    void sectionsStayFolded();
     void historyGoesBack();
 };
 
@@ -174,81 +107,6 @@ void DocksTest::sliderChangesTheBrush()
     QVERIFY(!(desk.state.brush(model::BrushKind::Colour) == before));
 }
 
-void DocksTest::sliderStaysInItsRange()
-{
-    ValueSlider slider(QStringLiteral("Size"), {1.0, 10.0, 1.0, 0, {}, false}, nullptr);
-    slider.resize(200, 24);
-    slider.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&slider));
-    slider.setValue(5.0);
-    QSignalSpy edited(&slider, &ValueSlider::valueEdited);
-    QTest::mousePress(&slider, Qt::LeftButton, {}, {100, 10});
-    QTest::mouseMove(&slider, {900, 10});
-    QTest::mouseRelease(&slider, Qt::LeftButton, {}, {900, 10});
-    QCOMPARE(slider.value(), 10.0);
-    QVERIFY(edited.count() > 0);
-}
-
-void DocksTest::drawnCurveIsKept()
-{
-    CurveEditor editor(nullptr);
-    editor.resize(160, 60);
-    editor.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&editor));
-    QSignalSpy edited(&editor, &CurveEditor::edited);
-    QTest::mouseClick(&editor, Qt::LeftButton, {}, {5, 58});
-    QVERIFY(edited.count() > 0);
-    QVERIFY(editor.curve().weights.front() < 0.3F);
-    QCOMPARE(editor.curve().weights.back(), 1.0F);
-    QTest::mouseDClick(&editor, Qt::LeftButton, {}, {80, 30});
-    QCOMPARE(editor.curve(), model::DistributionCurve());
-}
-
-void DocksTest::colourEditsTheEndThatIsChosen()
-{
-    Desk<ColourDock> desk;
-    QVERIFY(desk.isReady());
-    desk.dock->setColor(QColor(10, 20, 30));
-    const auto& colors = desk.state.brush(model::BrushKind::Colour).colour.colors;
-    QCOMPARE(colors.front(), (model::PaintColor{10, 20, 30}));
-    const model::PaintColor last = colors.back();
-    QVERIFY(last != colors.front());
-    type(*desk.all<QLineEdit>().front(), QStringLiteral("#ff8000"));
-    QCOMPARE(desk.dock->color(), QColor(255, 128, 0));
-    QCOMPARE(desk.state.brush(model::BrushKind::Colour).colour.colors.back(), last);
-}
-
-void DocksTest::greyKeepsTheHueOfTheSquare()
-{
-    Desk<ColourDock> desk;
-    QVERIFY(desk.isReady());
-    desk.dock->setColor(QColor::fromHsv(200, 255, 200));
-    desk.dock->setColor(QColor(90, 90, 90));
-    QCOMPARE(desk.dock->color(), QColor(90, 90, 90));
-    type(*desk.all<QLineEdit>().front(), QStringLiteral("no colour"));
-    QCOMPARE(desk.dock->color(), QColor(90, 90, 90));
-}
-
-void DocksTest::swatchesAreRemembered()
-{
-    qsizetype count = 0;
-    {
-        Desk<ColourDock> desk;
-        QVERIFY(desk.isReady());
-        count = desk.all<QToolButton>().size();
-        desk.dock->setColor(QColor(1, 2, 3));
-        for (QToolButton* button : desk.all<QToolButton>()) {
-            if (button->toolTip().startsWith(QStringLiteral("Keep"))) {
-                button->click();
-            }
-        }
-        QTRY_COMPARE(desk.all<QToolButton>().size(), count + 1);
-    }
-    Desk<ColourDock> again;
-    QVERIFY(again.isReady());
-    QCOMPARE(again.all<QToolButton>().size(), count + 1);
-}
-
 void DocksTest::tickedTemplatesAreTheMix()
 {
     Desk<TemplatesDock> desk;
@@ -274,78 +132,6 @@ void DocksTest::tickedTemplatesAreTheMix()
     QVERIFY2(list->item(1)->checkState() == Qt::Checked, "the last template stays in the mix");
 }
 
-void DocksTest::individualShowsNobody()
-{
-    Desk<IndividualDock> desk;
-    QVERIFY(desk.isReady());
-    QVERIFY(desk.all<NumberField>().isEmpty());
-}
-
-void DocksTest::individualShowsMixedAndWritesAll()
-{
-    Desk<IndividualDock> desk;
-    QVERIFY(desk.isReady());
-    const auto ids = testing::addPeople(desk.document, 3);
-    {
-        const float tall = 1.25F;
-        const auto edit = desk.document.beginEdit();
-        edit->setColumn(model::columns::height, std::span(ids).first(1),
-                        std::span<const float>(&tall, 1));
-        edit->commit(QStringLiteral("Grow"));
-    }
-    desk.state.selection().set(ids);
-    QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
-    auto* height = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Height"));
-    auto* girth = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Girth"));
-    QVERIFY(height != nullptr && girth != nullptr);
-    QTRY_VERIFY2(height->text().isEmpty(), "three heights are mixed");
-    QVERIFY(!girth->text().isEmpty());
-    const int steps = desk.document.undoStack().count();
-    type(*height, QLocale().toString(1.5, 'f', 1));
-    QCOMPARE(desk.document.undoStack().count(), steps + 1);
-    for (const float value : desk.document.scene().population.column(model::columns::height)) {
-        QCOMPARE(value, 1.5F);
-    }
-    desk.document.undoStack().undo();
-    QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.25F);
-    QTRY_VERIFY(height->text().isEmpty());
-}
-
-void DocksTest::individualComparesClipsByName()
-{
-    Desk<IndividualDock> desk;
-    QVERIFY(desk.isReady());
-    const auto ids = testing::addPeople(desk.document, 2);
-    desk.state.selection().set(ids);
-    auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
-    QVERIFY(clip != nullptr);
-    QTRY_COMPARE(clip->currentIndex(), 0);
-    const auto edit = desk.document.beginEdit();
-    model::TemplateEntry other = desk.document.scene().templates.front();
-    other.id = 0;
-    std::ranges::reverse(other.clipNames);
-    QVERIFY(other.clipNames.front() != other.clipNames.back());
-    const model::TemplateId id = edit->addTemplate(other);
-    edit->setColumn(model::columns::templateId, std::span(ids).last(1),
-                    std::span<const model::TemplateId>(&id, 1));
-    edit->commit(QStringLiteral("Change template"));
-    QTRY_VERIFY2(clip->currentIndex() < 0, "the same index is another clip in the other template");
-}
-
-void DocksTest::individualIgnoresNonsense()
-{
-    Desk<IndividualDock> desk;
-    QVERIFY(desk.isReady());
-    desk.state.selection().set(testing::addPeople(desk.document, 1));
-    QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
-    auto* height = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Height"));
-    const QString shown = height->text();
-    const int steps = desk.document.undoStack().count();
-    type(*height, QStringLiteral("tall"));
-    QCOMPARE(desk.document.undoStack().count(), steps);
-    QCOMPARE(height->text(), shown);
-}
-
 void DocksTest::outlineListsTheScene()
 {
     Desk<SceneDock> desk;
@@ -367,6 +153,115 @@ void DocksTest::renamedCameraCanBeUndone()
     QCOMPARE(desk.document.scene().cameras.front().name, std::string("balcony"));
     desk.document.undoStack().undo();
     QTRY_COMPARE(tree->topLevelItem(2)->child(0)->text(0), QStringLiteral("front"));
+}
+
+void DocksTest::stagesAndTemplatesAreRenamed()
+{
+    Desk<SceneDock> desk;
+    QVERIFY(desk.isReady());
+    auto* tree = desk.dock->findChild<QTreeWidget*>();
+    tree->topLevelItem(0)->child(0)->setText(0, QStringLiteral("arena"));
+    QCOMPARE(desk.document.scene().stages.front().name, std::string("arena"));
+    QTRY_COMPARE(tree->topLevelItem(0)->child(0)->text(0), QStringLiteral("arena"));
+    tree->topLevelItem(1)->child(0)->setText(0, QStringLiteral("citizen"));
+    QCOMPARE(desk.document.scene().templates.front().name, std::string("citizen"));
+    const int steps = desk.document.undoStack().count();
+    tree->topLevelItem(1)->child(0)->setText(0, QStringLiteral("  "));
+    QCOMPARE(desk.document.undoStack().count(), steps);
+    QTRY_COMPARE(tree->topLevelItem(1)->child(0)->text(0), QStringLiteral("citizen"));
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(tree->topLevelItem(1)->child(0)->text(0), QStringLiteral("box man"));
+}
+
+void DocksTest::groupsAreListedAndSelected()
+{
+    Desk<SceneDock> desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 5);
+    auto* tree = desk.dock->findChild<QTreeWidget*>();
+    QCOMPARE(tree->topLevelItemCount(), 3);
+    const std::uint32_t group = 4;
+    const auto edit = desk.document.beginEdit();
+    edit->setColumn(model::columns::group, std::span(ids).first(2),
+                    std::span<const std::uint32_t>(&group, 1));
+    edit->commit(QStringLiteral("Group"));
+    QTRY_COMPARE(tree->topLevelItemCount(), 4);
+    QTreeWidgetItem* item = tree->topLevelItem(2)->child(0);
+    QCOMPARE(item->text(1), QStringLiteral("2"));
+    Q_EMIT tree->itemDoubleClicked(item, 0);
+    QCOMPARE(desk.state.selection().size(), std::size_t{2});
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(tree->topLevelItemCount(), 3);
+}
+
+void DocksTest::paletteIsAsHighAsItsButtons()
+{
+    Desk<BrushPaletteDock> desk;
+    QVERIFY(desk.isReady());
+    const auto lowest = [&] {
+        int bottom = 0;
+        for (const QToolButton* button : desk.all<QToolButton>()) {
+            if (!button->objectName().startsWith(QStringLiteral("qt_"))) {
+                bottom = std::max(bottom, button->geometry().bottom());
+            }
+        }
+        return bottom;
+    };
+    for (const int width : {420, 190}) {
+        desk.window.resize(width, 700);
+        desk.dock->setFixedWidth(width);
+        QTRY_VERIFY(desk.dock->widget()->height() - lowest() < 12);
+        QVERIFY(desk.dock->widget()->height() > lowest());
+    }
+}
+
+void DocksTest::templatesShowTheirShareOfTheMix()
+{
+    Desk<TemplatesDock> desk;
+    QVERIFY(desk.isReady());
+    auto edit = desk.document.beginEdit();
+    model::TemplateEntry second = desk.document.scene().templates.front();
+    second.id = 0;
+    const model::TemplateId id = edit->addTemplate(second);
+    edit->commit(QStringLiteral("Import"));
+    auto* list = desk.dock->findChild<QListWidget*>();
+    QTRY_COMPARE(list->count(), 2);
+    model::BrushSettings brush = desk.state.brush(model::BrushKind::Create);
+    brush.create.mix = {{1, 1.0F}, {id, 0.25F}};
+    desk.state.setBrush(brush);
+    const auto share = [&](int row) {
+        return list->item(row)->data(TemplateDelegate::kShareRole).toFloat();
+    };
+    QCOMPARE(share(0), 0.8F);
+    QCOMPARE(share(1), 0.2F);
+    const QRect item = list->visualItemRect(list->item(1));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      TemplateDelegate::tickRect(item).center());
+    QVERIFY2(share(1) < 0.0F, "a click on the tick takes it out");
+    QCOMPARE(share(0), 1.0F);
+    Q_EMIT list->itemDoubleClicked(list->item(1));
+    QCOMPARE(desk.state.brush(model::BrushKind::Create).create.mix,
+             (std::vector<model::TemplateWeight>{{id, 1.0F}}));
+}
+
+void DocksTest::sectionsStayFolded()
+{
+    const auto rows = [](const Desk<BrushSettingsDock>& desk) {
+        return desk.all<RangeSlider>().size();
+    };
+    {
+        Desk<BrushSettingsDock> desk;
+        QVERIFY(desk.isReady());
+        desk.state.setTool(ToolId::BrushCreate);
+        QTRY_COMPARE(rows(desk), qsizetype{3});
+        desk.dock->findChild<QToolButton*>(QStringLiteral("variation"))->click();
+        QCOMPARE(rows(desk), qsizetype{0});
+    }
+    Desk<BrushSettingsDock> again;
+    QVERIFY(again.isReady());
+    QTRY_COMPARE(rows(again), qsizetype{0});
+    again.dock->findChild<QToolButton*>(QStringLiteral("variation"))->click();
+    QCOMPARE(rows(again), qsizetype{3});
 }
 
 void DocksTest::historyGoesBack()

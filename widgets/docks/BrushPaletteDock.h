@@ -6,11 +6,12 @@
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
+class QGridLayout;
 class QToolButton;
 
 namespace crowd::widgets {
 
-/// The tools as large buttons.
+/// The tools as large buttons, as many in a row as there is room for; no higher than they need.
 class BrushPaletteDock : public DockBase
 {
     Q_OBJECT
@@ -20,12 +21,17 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
     void refreshIcons();
+    void arrange(int width);
 
     EditorState& m_state;
+    QWidget* m_content;
+    QGridLayout* m_grid;
+    int m_columns = 0;
     std::array<QToolButton*, static_cast<std::size_t>(ToolId::Count)> m_buttons{};
 };
 

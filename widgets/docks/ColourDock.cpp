@@ -3,34 +3,28 @@
 
 #include <algorithm>
 
+#include <QtCore/QEvent>
 #include <QtCore/QSettings>
-#include <QtGui/QPainter>
-#include <QtWidgets/QGridLayout>
+#include <QtGui/QAction>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/docks/ColourSquare.h"
+#include "widgets/docks/SwatchGrid.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kSwatchColumns = 7;
-constexpr int kSwatchSize = 20;
+constexpr int kChipSize = 22;
+constexpr int kSwatchSize = 18;
+constexpr std::size_t kMostColors = 16;
+constexpr std::size_t kMostRecent = 7;
 const QString kSwatchesKey = QStringLiteral("colours/swatches");
-
-QPixmap swatch(const QColor& color, int size)
-{
-    QPixmap picture(size, size);
-    picture.fill(color);
-    QPainter painter(&picture);
-    painter.setPen(QColor(0, 0, 0, 90));
-    painter.drawRect(0, 0, size - 1, size - 1);
-    return picture;
-}
+const QString kRecentKey = QStringLiteral("colours/recent");
 
 QColor toColor(const model::PaintColor& color)
 {
@@ -44,173 +38,261 @@ model::PaintColor toPaint(const QColor& color)
 }
 
 /// Cloth and paint that look right on people, from calm to loud.
-std::vector<QColor> firstSwatches()
+QStringList firstSwatches()
 {
+    return {QStringLiteral("#f4efe6"), QStringLiteral("#d8cbb0"), QStringLiteral("#a98d68"),
+            QStringLiteral("#6b4a34"), QStringLiteral("#3a2c26"), QStringLiteral("#9aa0a8"),
+            QStringLiteral("#5c636d"), QStringLiteral("#24272c"), QStringLiteral("#d64030"),
+            QStringLiteral("#9e2b3c"), QStringLiteral("#e8842e"), QStringLiteral("#e6c34a"),
+            QStringLiteral("#7fa650"), QStringLiteral("#3f6f4f"), QStringLiteral("#4a90d9"),
+            QStringLiteral("#2c4a86"), QStringLiteral("#6a4b8c"), QStringLiteral("#b0558f"),
+            QStringLiteral("#e79aa8"), QStringLiteral("#7fc4c9")};
+}
+
+std::vector<QColor> stored(const QString& key, const QStringList& otherwise)
+{
+    const QVariant value = QSettings().value(key);
     std::vector<QColor> colors;
-    for (const char* name :
-         {"#f4efe6", "#d8cbb0", "#a98d68", "#6b4a34", "#3a2c26", "#9aa0a8", "#5c636d",
-          "#24272c", "#d64030", "#9e2b3c", "#e8842e", "#e6c34a", "#7fa650", "#3f6f4f",
-          "#4a90d9", "#2c4a86", "#6a4b8c", "#b0558f", "#e79aa8", "#7fc4c9"}) {
-        colors.emplace_back(QLatin1String(name));
+    for (const QString& name : value.isValid() ? value.toStringList() : otherwise) {
+        if (const QColor color(name); color.isValid()) {
+            colors.push_back(color);
+        }
     }
     return colors;
+}
+
+void store(const QString& key, const std::vector<QColor>& colors)
+{
+    QStringList names;
+    for (const QColor& color : colors) {
+        names << color.name();
+    }
+    QSettings().setValue(key, names);
+}
+
+/// Swatches with a control at their right.
+QWidget* rowOf(QWidget* swatches, QWidget* control, QWidget* parent)
+{
+    auto* line = new QWidget(parent);
+    auto* row = new QHBoxLayout(line);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(swatches, 1, Qt::AlignTop);
+    row->addWidget(control, 0, Qt::AlignTop);
+    return line;
 }
 
 } // namespace
 
 ColourDock::ColourDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Colour"), "colour", parent), m_state(state), m_square(new ColourSquare(this)),
-      m_hex(new QLineEdit(this)), m_swatchArea(new QWidget(this)),
-      m_swatchGrid(new QGridLayout(m_swatchArea))
+    : DockBase(tr("Colour"), "colour", parent), m_state(state),
+      m_chips(new SwatchGrid(kChipSize, this)), m_square(new ColourSquare(this)),
+      m_dropper(new QToolButton(this)), m_hex(new QLineEdit(this)),
+      m_recent(new SwatchGrid(kSwatchSize, this)), m_swatches(new SwatchGrid(kSwatchSize, this))
 {
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
-    auto* row = new QHBoxLayout;
-    const std::array<QString, 2> names{tr("A"), tr("B")};
-    for (std::size_t i = 0; i < m_ends.size(); ++i) {
-        m_ends[i] = new QToolButton(content);
-        m_ends[i]->setText(names[i]);
-        m_ends[i]->setCheckable(true);
-        m_ends[i]->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        m_ends[i]->setToolTip(i == 0 ? tr("The colour that is painted; where a gradient begins")
-                                     : tr("Where a gradient ends; the other colour of random"));
-        connect(m_ends[i], &QToolButton::clicked, this, [this, i] {
-            m_isSecond = i == 1;
-            refresh();
-        });
-        row->addWidget(m_ends[i]);
-    }
-    m_hex->setMaxLength(7);
-    m_hex->setFixedWidth(74);
-    m_hex->setToolTip(tr("The colour in hexadecimal, as #rrggbb"));
-    row->addStretch(1);
-    row->addWidget(m_hex);
-    layout->addLayout(row);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->setSpacing(5);
+    layout->addWidget(rowOf(m_chips, m_dropper, content));
     layout->addWidget(m_square, 1);
-    m_swatchGrid->setContentsMargins(0, 0, 0, 0);
-    m_swatchGrid->setSpacing(2);
-    layout->addWidget(m_swatchArea);
+    layout->addWidget(rowOf(m_recent, m_hex, content));
+    layout->addWidget(m_swatches);
+    m_hex->setMaxLength(7);
+    m_hex->setFixedWidth(68);
+    m_hex->setToolTip(tr("The colour in hexadecimal, as #rrggbb"));
+    m_dropper->setAutoRaise(true);
+    m_dropper->setCheckable(true);
+    m_dropper->setToolTip(tr("Take a colour from somebody in the picture (Ctrl and click with the "
+                             "colour brush)"));
+    m_recent->setHint(tr("Painted with lately"));
+    m_chips->setObjectName(QStringLiteral("brushColours"));
+    m_recent->setObjectName(QStringLiteral("recentColours"));
+    m_swatches->setObjectName(QStringLiteral("swatches"));
+    m_chips->setHint(tr("A right click removes it"));
+    m_swatches->setHint(tr("A right click removes it"));
+    m_swatches->setAddition(tr("Keep the colour as a swatch"));
+    m_recent->setColors(stored(kRecentKey, {}));
+    m_swatches->setColors(stored(kSwatchesKey, firstSwatches()));
     setScrolledContent(content);
+    connectState();
+    refreshIcons();
+    refresh();
+}
 
+void ColourDock::connectState()
+{
+    connect(m_chips, &SwatchGrid::chosen, this, &ColourDock::choose);
+    connect(m_chips, &SwatchGrid::additionRequested, this, &ColourDock::addColor);
+    connect(m_chips, &SwatchGrid::removalRequested, this, &ColourDock::removeColor);
+    connect(m_recent, &SwatchGrid::chosen, this,
+            [this](int index) { setColor(m_recent->colors()[static_cast<std::size_t>(index)]); });
+    connect(m_swatches, &SwatchGrid::chosen, this,
+            [this](int index) { setColor(m_swatches->colors()[static_cast<std::size_t>(index)]); });
+    connect(m_swatches, &SwatchGrid::additionRequested, this, &ColourDock::keepSwatch);
+    connect(m_swatches, &SwatchGrid::removalRequested, this, &ColourDock::removeSwatch);
     connect(m_square, &ColourSquare::colorPicked, this, &ColourDock::setColor);
+    connect(m_dropper, &QToolButton::clicked, this, &ColourDock::pick);
     connect(m_hex, &QLineEdit::editingFinished, this, [this] {
         const QColor typed(m_hex->text());
-        if (typed.isValid()) {
+        if (typed.isValid() && typed != color()) {
             setColor(typed);
         }
         refresh();
     });
-    connect(&m_state, &EditorState::brushChanged, this, [this](model::BrushKind kind) {
-        if (kind == model::BrushKind::Colour) {
-            refresh();
-        }
+    connect(&m_state, &EditorState::brushChanged, this, &ColourDock::refresh);
+    connect(&m_state, &EditorState::toolChanged, this, [this] {
+        m_chosen = 0;
+        refresh();
     });
-    loadSwatches();
-    fillSwatches();
-    refresh();
+    connect(&m_state, &EditorState::pickingChanged, this, &ColourDock::refresh);
+    connect(&m_state, &EditorState::colorPicked, this,
+            [this](const model::PaintColor& color) { setColor(toColor(color)); });
+    connect(&m_state, &EditorState::strokeCommitted, this, &ColourDock::noteUsed);
 }
 
-std::size_t ColourDock::colorIndex() const
+model::BrushKind ColourDock::kind() const
 {
-    const auto& colors = m_state.brush(model::BrushKind::Colour).colour.colors;
-    return m_isSecond ? colors.size() - 1 : 0;
+    return m_state.tool() == ToolId::BrushCreate ? model::BrushKind::Create
+                                                 : model::BrushKind::Colour;
+}
+
+std::vector<model::PaintColor>& ColourDock::colorsOf(model::BrushSettings& brush) const
+{
+    return brush.kind == model::BrushKind::Create ? brush.create.palette : brush.colour.colors;
+}
+
+std::vector<QColor> ColourDock::colors() const
+{
+    model::BrushSettings brush = m_state.brush(kind());
+    std::vector<QColor> colors;
+    for (const model::PaintColor& color : colorsOf(brush)) {
+        colors.push_back(toColor(color));
+    }
+    return colors;
 }
 
 QColor ColourDock::color() const
 {
-    return toColor(m_state.brush(model::BrushKind::Colour).colour.colors[colorIndex()]);
+    const std::vector<QColor> all = colors();
+    return all.empty() ? m_square->color().toRgb() : all[std::min(m_chosen, all.size() - 1)];
 }
 
 void ColourDock::setColor(const QColor& color)
 {
-    model::BrushSettings brush = m_state.brush(model::BrushKind::Colour);
-    if (m_isSecond && brush.colour.colors.size() < 2) {
-        brush.colour.colors.push_back(toPaint(color));
+    model::BrushSettings brush = m_state.brush(kind());
+    std::vector<model::PaintColor>& all = colorsOf(brush);
+    if (all.empty()) {
+        all.push_back(toPaint(color));
     } else {
-        brush.colour.colors[colorIndex()] = toPaint(color);
+        all[std::min(m_chosen, all.size() - 1)] = toPaint(color);
     }
     m_state.setBrush(brush);
 }
 
+void ColourDock::choose(int index)
+{
+    m_chosen = static_cast<std::size_t>(index);
+    refresh();
+}
+
+void ColourDock::addColor()
+{
+    model::BrushSettings brush = m_state.brush(kind());
+    std::vector<model::PaintColor>& all = colorsOf(brush);
+    all.push_back(toPaint(color()));
+    m_chosen = all.size() - 1;
+    m_state.setBrush(brush);
+}
+
+void ColourDock::removeColor(int index)
+{
+    model::BrushSettings brush = m_state.brush(kind());
+    std::vector<model::PaintColor>& all = colorsOf(brush);
+    // The colour brush always has something to paint with; new people may go untinted.
+    if (all.size() > 1 || brush.kind == model::BrushKind::Create) {
+        all.erase(all.begin() + index);
+        m_chosen = std::min(m_chosen, all.empty() ? 0 : all.size() - 1);
+        m_state.setBrush(brush);
+    }
+}
+
+void ColourDock::pick()
+{
+    const bool isPicking = m_state.picking() == Picking::Colour;
+    if (!isPicking && m_state.tool() != ToolId::BrushCreate) {
+        m_state.setTool(ToolId::BrushColour);
+    }
+    m_state.setPicking(isPicking ? Picking::None : Picking::Colour);
+    refresh();
+}
+
+void ColourDock::noteUsed(model::BrushKind kind)
+{
+    if (kind != model::BrushKind::Colour) {
+        return;
+    }
+    const model::BrushSettings& brush = m_state.brush(kind);
+    const bool usesAll = brush.op != model::BrushOperator::Uniform;
+    std::vector<QColor> recent = m_recent->colors();
+    for (std::size_t i = usesAll ? brush.colour.colors.size() : 1; i-- > 0;) {
+        const QColor used = toColor(brush.colour.colors[i]);
+        std::erase(recent, used);
+        recent.insert(recent.begin(), used);
+    }
+    recent.resize(std::min(recent.size(), kMostRecent));
+    store(kRecentKey, recent);
+    m_recent->setColors(std::move(recent));
+    refresh();
+}
+
 void ColourDock::refresh()
 {
-    const auto& colors = m_state.brush(model::BrushKind::Colour).colour.colors;
-    m_ends[0]->setIcon(swatch(toColor(colors.front()), kSwatchSize));
-    m_ends[1]->setIcon(swatch(toColor(colors.back()), kSwatchSize));
-    m_ends[0]->setChecked(!m_isSecond);
-    m_ends[1]->setChecked(m_isSecond);
+    const bool isCreation = kind() == model::BrushKind::Create;
+    setWindowTitle(isCreation ? tr("Colours of New People") : tr("Colour"));
+    toggleViewAction()->setText(tr("Colour"));
+    const std::vector<QColor> all = colors();
+    m_chips->setAddition(all.size() >= kMostColors ? QString()
+                         : isCreation              ? tr("Another colour that new people may wear")
+                                      : tr("Another colour for random and for gradients"));
+    m_chips->setSelected(all.empty() ? -1 : static_cast<int>(std::min(m_chosen, all.size() - 1)));
+    m_chips->setColors(all);
     m_square->setColor(color());
+    m_dropper->setChecked(m_state.picking() == Picking::Colour);
     if (!m_hex->hasFocus()) {
         m_hex->setText(color().name());
     }
 }
 
-void ColourDock::fillSwatches()
+void ColourDock::refreshIcons()
 {
-    qDeleteAll(m_swatchArea->findChildren<QToolButton*>());
-    int index = 0;
-    const auto place = [&](QToolButton* button) {
-        button->setAutoRaise(true);
-        button->setFixedSize(kSwatchSize + 6, kSwatchSize + 6);
-        m_swatchGrid->addWidget(button, index / kSwatchColumns, index % kSwatchColumns);
-        ++index;
-    };
-    for (const QColor& color : m_swatches) {
-        auto* button = new QToolButton(m_swatchArea);
-        button->setIcon(swatch(color, kSwatchSize));
-        button->setToolTip(tr("%1; a right click removes it").arg(color.name()));
-        button->setContextMenuPolicy(Qt::CustomContextMenu);
-        connect(button, &QToolButton::clicked, this, [this, color] { setColor(color); });
-        // Later: the button must not die inside its own signal.
-        connect(
-            button, &QToolButton::customContextMenuRequested, this,
-            [this, color] { removeSwatch(color); }, Qt::QueuedConnection);
-        place(button);
-    }
-    auto* addition = new QToolButton(m_swatchArea);
-    addition->setIcon(iconNamed("add"));
-    addition->setToolTip(tr("Keep the colour as a swatch"));
-    connect(
-        addition, &QToolButton::clicked, this,
-        [this] {
-            if (std::ranges::find(m_swatches, color()) == m_swatches.end()) {
-                m_swatches.push_back(color());
-                saveSwatches();
-                fillSwatches();
-            }
-        },
-        Qt::QueuedConnection);
-    place(addition);
+    m_dropper->setIcon(iconNamed("dropper"));
 }
 
-void ColourDock::removeSwatch(const QColor& color)
+void ColourDock::changeEvent(QEvent* event)
 {
-    std::erase(m_swatches, color);
-    saveSwatches();
-    fillSwatches();
-}
-
-void ColourDock::loadSwatches()
-{
-    const QVariant stored = QSettings().value(kSwatchesKey);
-    if (!stored.isValid()) {
-        m_swatches = firstSwatches();
-        return;
-    }
-    for (const QString& name : stored.toStringList()) {
-        if (const QColor color(name); color.isValid()) {
-            m_swatches.push_back(color);
-        }
+    DockBase::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        refreshIcons();
     }
 }
 
-void ColourDock::saveSwatches() const
+void ColourDock::keepSwatch()
 {
-    QStringList names;
-    for (const QColor& color : m_swatches) {
-        names << color.name();
+    std::vector<QColor> swatches = m_swatches->colors();
+    if (std::ranges::find(swatches, color()) == swatches.end()) {
+        swatches.push_back(color());
+        store(kSwatchesKey, swatches);
+        m_swatches->setColors(std::move(swatches));
     }
-    QSettings().setValue(kSwatchesKey, names);
+}
+
+void ColourDock::removeSwatch(int index)
+{
+    std::vector<QColor> swatches = m_swatches->colors();
+    swatches.erase(swatches.begin() + index);
+    store(kSwatchesKey, swatches);
+    m_swatches->setColors(std::move(swatches));
 }
 
 } // namespace crowd::widgets

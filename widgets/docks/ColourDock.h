@@ -8,16 +8,18 @@
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
-class QGridLayout;
 class QLineEdit;
 class QToolButton;
 
 namespace crowd::widgets {
 
 class ColourSquare;
+class SwatchGrid;
 
-/// The colours the colour brush paints with: A and B (what a gradient runs between), a square of
-/// saturation and value with a bar of hues, hex entry, and swatches of one's own.
+/// The colours that the colour brush paints with (a gradient runs through them from first to last),
+/// or, while the create brush is active, those that new people wear: a square of saturation and
+/// value with a bar of hues, hex entry, a dropper, the colours painted last, and swatches of one's
+/// own.
 class ColourDock : public DockBase
 {
     Q_OBJECT
@@ -28,22 +30,33 @@ public:
     [[nodiscard]] QColor color() const; ///< the one being edited
     void setColor(const QColor& color);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void connectState();
     void refresh();
-    void fillSwatches();
-    void removeSwatch(const QColor& color);
-    void loadSwatches();
-    void saveSwatches() const;
-    [[nodiscard]] std::size_t colorIndex() const;
+    void refreshIcons();
+    void choose(int index);
+    void addColor();
+    void removeColor(int index);
+    void pick();
+    void noteUsed(model::BrushKind kind);
+    void keepSwatch();
+    void removeSwatch(int index);
+    /// The brush whose colours are shown, and where they are kept in its settings.
+    [[nodiscard]] model::BrushKind kind() const;
+    [[nodiscard]] std::vector<model::PaintColor>& colorsOf(model::BrushSettings& brush) const;
+    [[nodiscard]] std::vector<QColor> colors() const;
 
     EditorState& m_state;
+    SwatchGrid* m_chips;
     ColourSquare* m_square;
+    QToolButton* m_dropper;
     QLineEdit* m_hex;
-    std::array<QToolButton*, 2> m_ends{};
-    QWidget* m_swatchArea;
-    QGridLayout* m_swatchGrid;
-    std::vector<QColor> m_swatches;
-    bool m_isSecond = false;
+    SwatchGrid* m_recent;
+    SwatchGrid* m_swatches;
+    std::size_t m_chosen = 0; ///< which of the brush's colours is edited
 };
 
 } // namespace crowd::widgets

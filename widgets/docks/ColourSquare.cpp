@@ -23,7 +23,7 @@ double share(int position, int low, int length)
 
 ColourSquare::ColourSquare(QWidget* parent) : QWidget(parent)
 {
-    setMinimumSize(120, 100);
+    setMinimumSize(120, 72);
     setCursor(Qt::CrossCursor);
 }
 

@@ -17,7 +17,7 @@ public:
 
     void setColor(const QColor& color); ///< without signal
     [[nodiscard]] QColor color() const;
-    [[nodiscard]] QSize sizeHint() const override { return {220, 150}; }
+    [[nodiscard]] QSize sizeHint() const override { return {220, 104}; }
 
 Q_SIGNALS:
     void colorPicked(const QColor& color);

@@ -3,8 +3,9 @@
 
 #include <map>
 
-#include <QtWidgets/QFormLayout>
+#include <QtCore/QEvent>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
@@ -18,10 +19,50 @@ namespace crowd::widgets {
 
 namespace {
 
-enum ItemType { Heading = QTreeWidgetItem::UserType, StageItem, TemplateItem, CameraItem };
+enum ItemType {
+    Heading = QTreeWidgetItem::UserType,
+    StageItem,
+    TemplateItem,
+    GroupItem,
+    CameraItem
+};
 
 constexpr int kIdRole = Qt::UserRole;
 constexpr int kRebuildMs = 150;
+
+/// Ids of those whose column has a value.
+template<class T>
+std::vector<model::IndividualId> peopleWith(const model::Population& people,
+                                            model::ColumnKey<T> key, const T& value)
+{
+    const auto column = people.column(key);
+    std::vector<model::IndividualId> ids;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (column[row] == value) {
+            ids.push_back(people.ids()[row]);
+        }
+    }
+    return ids;
+}
+
+/// How many people have each value.
+template<class T>
+std::map<T, int> countsOf(std::span<const T> column)
+{
+    std::map<T, int> counts;
+    for (const T value : column) {
+        ++counts[value];
+    }
+    return counts;
+}
+
+bool changesOutline(const model::SceneChange& change)
+{
+    constexpr std::uint32_t kShown = (1U << static_cast<unsigned>(model::ColumnId::Group)) |
+                                     (1U << static_cast<unsigned>(model::ColumnId::Template));
+    const auto* columns = std::get_if<model::ColumnsChanged>(&change);
+    return columns == nullptr || (columns->columns & kShown) != 0;
+}
 
 QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& text)
 {
@@ -56,8 +97,7 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
     connect(&m_rebuild, &QTimer::timeout, this, &SceneDock::rebuild);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (!std::holds_alternative<model::ColumnsChanged>(change) &&
-                    !m_rebuild.isActive()) {
+                if (changesOutline(change) && !m_rebuild.isActive()) {
                     m_rebuild.start();
                 }
             });
@@ -71,72 +111,139 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
     rebuild();
 }
 
+void SceneDock::changeEvent(QEvent* event)
+{
+    DockBase::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        m_rebuild.start(); // icons in the theme's colour
+    }
+}
+
 void SceneDock::rebuild()
 {
+    if (m_tree->viewport()->findChild<QLineEdit*>() != nullptr) {
+        m_rebuild.start(); // not under the hands of who renames
+        return;
+    }
     m_isFilling = true;
     m_tree->clear();
-    const model::Scene& scene = m_state.scene();
+    addStages();
+    addPeople();
+    addGroups();
+    addCameras();
+    m_isFilling = false;
+}
+
+void SceneDock::addStages()
+{
     QTreeWidgetItem* stages = heading(m_tree, "stage", tr("Stage"));
-    for (const model::StageEntry& entry : scene.stages) {
+    for (const model::StageEntry& entry : m_state.scene().stages) {
         auto* item = new QTreeWidgetItem(stages, {QString::fromStdString(entry.name)}, StageItem);
         item->setData(0, kIdRole, entry.id);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setToolTip(
             0, QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
         item->setText(1, entry.asset
                              ? tr("%n seats", nullptr, static_cast<int>(entry.asset->seats.size()))
                              : tr("missing"));
     }
-    std::map<model::TemplateId, int> counts;
-    for (const model::TemplateId id : scene.population.column(model::columns::templateId)) {
-        ++counts[id];
-    }
+}
+
+void SceneDock::addPeople()
+{
+    auto counts = countsOf(m_state.scene().population.column(model::columns::templateId));
     QTreeWidgetItem* templates = heading(m_tree, "person", tr("People"));
-    for (const model::TemplateEntry& entry : scene.templates) {
+    for (const model::TemplateEntry& entry : m_state.scene().templates) {
         auto* item =
             new QTreeWidgetItem(templates, {QString::fromStdString(entry.name)}, TemplateItem);
         item->setData(0, kIdRole, entry.id);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setToolTip(
+            0, QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
         item->setText(1, entry.asset ? QLocale().toString(counts[entry.id]) : tr("missing"));
     }
+}
+
+void SceneDock::addGroups()
+{
+    const auto counts = countsOf(m_state.scene().population.column(model::columns::group));
+    QTreeWidgetItem* groups = nullptr;
+    for (const auto& [group, count] : counts) {
+        if (group == 0) {
+            continue; // in no group
+        }
+        groups = groups == nullptr ? heading(m_tree, "group", tr("Groups")) : groups;
+        auto* item = new QTreeWidgetItem(groups, {tr("Group %1").arg(group)}, GroupItem);
+        item->setData(0, kIdRole, group);
+        item->setText(1, QLocale().toString(count));
+    }
+}
+
+void SceneDock::addCameras()
+{
     QTreeWidgetItem* cameras = heading(m_tree, "camera", tr("Cameras"));
-    for (const model::NamedCamera& camera : scene.cameras) {
+    for (const model::NamedCamera& camera : m_state.scene().cameras) {
         auto* item =
             new QTreeWidgetItem(cameras, {QString::fromStdString(camera.name)}, CameraItem);
         item->setData(0, kIdRole, QString::fromStdString(camera.name));
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
-    m_isFilling = false;
 }
 
 void SceneDock::activate(QTreeWidgetItem* item)
 {
-    if (item->type() == CameraItem) {
-        goToCamera(m_state, item->data(0, kIdRole).toString());
-    } else if (item->type() == TemplateItem) {
-        selectTemplate(static_cast<model::TemplateId>(item->data(0, kIdRole).toUInt()));
-    }
-}
-
-void SceneDock::selectTemplate(model::TemplateId id)
-{
     const model::Population& people = m_state.scene().population;
-    const auto templates = people.column(model::columns::templateId);
-    std::vector<model::IndividualId> ids;
-    for (std::size_t row = 0; row < people.size(); ++row) {
-        if (templates[row] == id) {
-            ids.push_back(people.ids()[row]);
-        }
+    const QVariant id = item->data(0, kIdRole);
+    if (item->type() == CameraItem) {
+        goToCamera(m_state, id.toString());
+    } else if (item->type() == TemplateItem) {
+        m_state.selection().set(peopleWith(people, model::columns::templateId,
+                                           static_cast<model::TemplateId>(id.toUInt())));
+    } else if (item->type() == GroupItem) {
+        m_state.selection().set(peopleWith(people, model::columns::group, id.toUInt()));
     }
-    m_state.selection().set(ids);
 }
 
 void SceneDock::rename(QTreeWidgetItem* item)
 {
-    if (item->type() != CameraItem) {
-        return;
+    const QString name = item->text(0).trimmed();
+    const QVariant id = item->data(0, kIdRole);
+    bool isRenamed = false;
+    if (!name.isEmpty() && !m_state.document().isEditOpen()) {
+        if (item->type() == CameraItem) {
+            isRenamed = renameCamera(m_state, id.toString(), name);
+        } else if (item->type() == StageItem) {
+            renameStage(static_cast<std::uint8_t>(id.toUInt()), name.toStdString());
+        } else if (item->type() == TemplateItem) {
+            renameTemplate(static_cast<model::TemplateId>(id.toUInt()), name.toStdString());
+        }
     }
-    const QString old = item->data(0, kIdRole).toString();
-    if (!renameCamera(m_state, old, item->text(0).trimmed())) {
-        m_rebuild.start(); // the old name comes back
+    if (!isRenamed) {
+        m_rebuild.start(); // what was refused gets its old name back
+    }
+}
+
+void SceneDock::renameStage(std::uint8_t id, const std::string& name)
+{
+    const model::StageEntry* entry = m_state.scene().findStage(id);
+    if (entry != nullptr && entry->name != name) {
+        model::StageEntry renamed = *entry;
+        renamed.name = name;
+        const auto edit = m_state.document().beginEdit();
+        edit->changeStage(renamed);
+        edit->commit(tr("Rename Stage"));
+    }
+}
+
+void SceneDock::renameTemplate(model::TemplateId id, const std::string& name)
+{
+    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+    if (entry != nullptr && entry->name != name) {
+        model::TemplateEntry renamed = *entry;
+        renamed.name = name;
+        const auto edit = m_state.document().beginEdit();
+        edit->changeTemplate(renamed);
+        edit->commit(tr("Rename Template"));
     }
 }
 
@@ -147,37 +254,106 @@ void SceneDock::removeStage(std::uint8_t id)
     edit->commit(tr("Remove Stage"));
 }
 
-void SceneDock::showMenu(const QPoint& position)
+void SceneDock::setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
+                         const QString& undoText)
 {
-    QTreeWidgetItem* item = m_tree->itemAt(position);
-    QMenu menu(this);
-    if (item != nullptr && item->type() == CameraItem) {
-        const QString name = item->data(0, kIdRole).toString();
-        menu.addAction(iconNamed("camera"), tr("Go There"), this,
-                       [this, name] { goToCamera(m_state, name); });
-        menu.addAction(iconNamed("frame"), tr("Set to This View"), this,
-                       [this, name] { updateCamera(m_state, name); });
+    if (!ids.empty() && !m_state.document().isEditOpen()) {
+        const auto edit = m_state.document().beginEdit();
+        edit->setColumn(model::columns::group, ids, std::span<const std::uint32_t>(&group, 1));
+        edit->commit(undoText);
+    }
+}
+
+void SceneDock::groupSelected()
+{
+    const auto counts = countsOf(m_state.scene().population.column(model::columns::group));
+    std::uint32_t group = 1;
+    while (counts.contains(group)) {
+        ++group;
+    }
+    const auto selected = m_state.selection().ids();
+    setGroup({selected.begin(), selected.end()}, group, tr("Group"));
+}
+
+void SceneDock::fillStageMenu(QMenu& menu, std::uint8_t id)
+{
+    menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
+                   [this, id] { Q_EMIT locateStageRequested(id); });
+    menu.addAction(iconNamed("delete"), tr("Remove"), this, [this, id] { removeStage(id); });
+}
+
+void SceneDock::fillTemplateMenu(QMenu& menu, model::TemplateId id)
+{
+    menu.addAction(iconNamed("select-all"), tr("Select These People"), this, [this, id] {
+        m_state.selection().set(
+            peopleWith(m_state.scene().population, model::columns::templateId, id));
+    });
+    menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
+                   [this, id] { Q_EMIT locateTemplateRequested(id); });
+    menu.addAction(iconNamed("delete"), tr("Remove"), this,
+                   [this, id] { Q_EMIT removeTemplateRequested(id); });
+}
+
+void SceneDock::fillGroupMenu(QMenu& menu, std::uint32_t group)
+{
+    const auto ids = peopleWith(m_state.scene().population, model::columns::group, group);
+    menu.addAction(iconNamed("select-all"), tr("Select These People"), this,
+                   [this, ids] { m_state.selection().set(ids); });
+    menu.addAction(iconNamed("remove"), tr("Dissolve the Group"), this,
+                   [this, ids] { setGroup(ids, 0, tr("Dissolve Group")); });
+}
+
+void SceneDock::fillCameraMenu(QMenu& menu, const QString& name)
+{
+    menu.addAction(iconNamed("camera"), tr("Go There"), this,
+                   [this, name] { goToCamera(m_state, name); });
+    menu.addAction(iconNamed("frame"), tr("Set to This View"), this,
+                   [this, name] { updateCamera(m_state, name); });
+    menu.addAction(iconNamed("delete"), tr("Remove"), this,
+                   [this, name] { removeCamera(m_state, name); });
+}
+
+void SceneDock::fillMenu(QMenu& menu, QTreeWidgetItem* item)
+{
+    const QVariant id = item->data(0, kIdRole);
+    switch (item->type()) {
+    case StageItem:
+        fillStageMenu(menu, static_cast<std::uint8_t>(id.toUInt()));
+        break;
+    case TemplateItem:
+        fillTemplateMenu(menu, static_cast<model::TemplateId>(id.toUInt()));
+        break;
+    case GroupItem:
+        fillGroupMenu(menu, id.toUInt());
+        break;
+    case CameraItem:
+        fillCameraMenu(menu, id.toString());
+        break;
+    default:
+        break;
+    }
+    if (item->flags().testFlag(Qt::ItemIsEditable)) {
         menu.addAction(iconNamed("rename"), tr("Rename"), this,
                        [this, item] { m_tree->editItem(item, 0); });
-        menu.addAction(iconNamed("delete"), tr("Remove"), this,
-                       [this, name] { removeCamera(m_state, name); });
-        menu.addSeparator();
-    } else if (item != nullptr && item->type() == TemplateItem) {
-        const auto id = static_cast<model::TemplateId>(item->data(0, kIdRole).toUInt());
-        menu.addAction(iconNamed("select-all"), tr("Select These People"), this,
-                       [this, id] { selectTemplate(id); });
-        menu.addSeparator();
-    } else if (item != nullptr && item->type() == StageItem) {
-        const auto id = static_cast<std::uint8_t>(item->data(0, kIdRole).toUInt());
-        menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
-                       [this, id] { Q_EMIT locateStageRequested(id); });
-        menu.addAction(iconNamed("delete"), tr("Remove"), this, [this, id] { removeStage(id); });
-        menu.addSeparator();
     }
+    menu.addSeparator();
+}
+
+void SceneDock::showMenu(const QPoint& position)
+{
+    QMenu menu(this);
+    if (QTreeWidgetItem* item = m_tree->itemAt(position)) {
+        fillMenu(menu, item);
+    }
+    QAction* group = menu.addAction(iconNamed("group"), tr("Group the Selected"), this,
+                                    &SceneDock::groupSelected);
+    group->setEnabled(!m_state.selection().isEmpty());
     menu.addAction(iconNamed("camera-add"), tr("Keep This View"), this,
                    [this] { (void)addCamera(m_state); });
     menu.addAction(iconNamed("import"), tr("Import Stage…"), this,
                    [this] { Q_EMIT importStageRequested(); });
+    menu.addAction(iconNamed("import"), tr("Import Template…"), this,
+                   [this] { Q_EMIT importTemplateRequested(); });
     menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 

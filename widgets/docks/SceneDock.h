@@ -6,13 +6,15 @@
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
+class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace crowd::widgets {
 
-/// What the scene consists of: stages, templates with how many people each has, cameras; and its
-/// light. A double click goes to a camera or selects the people of a template.
+/// What the scene consists of: stages, templates with how many people each has, groups, cameras;
+/// and its light. A double click goes to a camera or selects the people of a template or group;
+/// F2 renames.
 class SceneDock : public DockBase
 {
     Q_OBJECT
@@ -23,14 +25,33 @@ public:
 Q_SIGNALS:
     void importStageRequested();
     void locateStageRequested(std::uint8_t id);
+    void importTemplateRequested();
+    void locateTemplateRequested(crowd::model::TemplateId id);
+    void removeTemplateRequested(crowd::model::TemplateId id);
+
+protected:
+    void changeEvent(QEvent* event) override;
 
 private:
     void rebuild();
+    void addStages();
+    void addPeople();
+    void addGroups();
+    void addCameras();
     void activate(QTreeWidgetItem* item);
     void rename(QTreeWidgetItem* item);
+    void renameStage(std::uint8_t id, const std::string& name);
+    void renameTemplate(model::TemplateId id, const std::string& name);
     void showMenu(const QPoint& position);
-    void selectTemplate(model::TemplateId id);
+    void fillMenu(QMenu& menu, QTreeWidgetItem* item);
+    void fillStageMenu(QMenu& menu, std::uint8_t id);
+    void fillTemplateMenu(QMenu& menu, model::TemplateId id);
+    void fillGroupMenu(QMenu& menu, std::uint32_t group);
+    void fillCameraMenu(QMenu& menu, const QString& name);
     void removeStage(std::uint8_t id);
+    void groupSelected();
+    void setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
+                  const QString& undoText);
 
     EditorState& m_state;
     QTreeWidget* m_tree;

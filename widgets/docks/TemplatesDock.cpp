@@ -3,23 +3,23 @@
 
 #include <algorithm>
 
+#include <QtCore/QEvent>
 #include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
-#include <QtWidgets/QSlider>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
 #include "widgets/dialogs/TemplatePictures.h"
+#include "widgets/docks/TemplateDelegate.h"
+#include "widgets/docks/ValueSlider.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kPictureSize = 72;
 constexpr int kIdRole = Qt::UserRole;
 
 std::vector<model::TemplateWeight>::iterator weightOf(std::vector<model::TemplateWeight>& mix,
@@ -32,37 +32,41 @@ std::vector<model::TemplateWeight>::iterator weightOf(std::vector<model::Templat
 
 TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Templates"), "templates", parent), m_state(state), m_list(new QListWidget(this)),
-      m_weight(new QSlider(Qt::Horizontal, this)), m_weightLabel(new QLabel(this))
+      m_weight(
+          new ValueSlider(tr("Weight"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this)),
+      m_import(new QToolButton(this))
 {
+    m_list->setItemDelegate(new TemplateDelegate(m_list));
     m_list->setViewMode(QListView::IconMode);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setMovement(QListView::Static);
-    m_list->setIconSize({kPictureSize, kPictureSize});
-    m_list->setGridSize({kPictureSize + 20, kPictureSize + 26});
     m_list->setUniformItemSizes(true);
+    m_list->setSpacing(2);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
-    m_list->setToolTip(tr("Ticked templates are painted by the create brush"));
-    m_weight->setRange(1, 100);
-    m_weight->setToolTip(tr("How often the template comes in the mix"));
-    auto* importButton = new QToolButton(this);
-    importButton->setIcon(iconNamed("import"));
-    importButton->setToolTip(tr("Import a template"));
-    importButton->setAutoRaise(true);
+    m_list->setToolTip(tr("Ticked templates are painted by the create brush; a double click "
+                          "paints one alone"));
+    m_weight->setToolTip(tr("How often the chosen template comes in the mix"));
+    m_import->setToolTip(tr("Import a template"));
+    m_import->setAutoRaise(true);
+    m_import->setIcon(iconNamed("import"));
 
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(m_list, 1);
     auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel(tr("Weight"), this));
     row->addWidget(m_weight, 1);
-    row->addWidget(m_weightLabel);
-    row->addWidget(importButton);
+    row->addWidget(m_import);
     layout->addLayout(row);
     setWidget(content);
+    connectParts();
+    rebuild();
+}
 
+void TemplatesDock::connectParts()
+{
     m_rebuild.setSingleShot(true);
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, &TemplatesDock::rebuild);
@@ -74,7 +78,7 @@ TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
                 }
             });
     connect(&m_state, &EditorState::brushChanged, this, &TemplatesDock::refreshMix);
-    connect(importButton, &QToolButton::clicked, this, &TemplatesDock::importRequested);
+    connect(m_import, &QToolButton::clicked, this, &TemplatesDock::importRequested);
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
             rename(item);
@@ -89,8 +93,17 @@ TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
         brush.create.mix = {{static_cast<model::TemplateId>(item->data(kIdRole).toUInt()), 1.0F}};
         m_state.setBrush(brush);
     });
-    connect(m_weight, &QSlider::sliderMoved, this, &TemplatesDock::setWeight);
-    rebuild();
+    connect(m_weight, &ValueSlider::valueEdited, this, &TemplatesDock::setWeight);
+}
+
+void TemplatesDock::changeEvent(QEvent* event)
+{
+    DockBase::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        m_import->setIcon(iconNamed("import"));
+        m_pictures.clear(); // their ground is the list's
+        m_rebuild.start();
+    }
 }
 
 QIcon TemplatesDock::pictureOf(const model::TemplateEntry& entry)
@@ -104,7 +117,7 @@ QIcon TemplatesDock::pictureOf(const model::TemplateEntry& entry)
     }
     render::ThumbnailRequest request;
     request.asset = entry.asset;
-    request.size = static_cast<int>(kPictureSize * devicePixelRatioF());
+    request.size = static_cast<int>(TemplateDelegate::kPictureSize * devicePixelRatioF());
     const QColor base = palette().color(QPalette::AlternateBase);
     request.background = {base.redF(), base.greenF(), base.blueF(), 1.0F};
     QPixmap picture = QPixmap::fromImage(templatePicture(m_state.keyframes(), request));
@@ -141,19 +154,28 @@ void TemplatesDock::refreshMix()
 {
     m_isFilling = true;
     std::vector<model::TemplateWeight> mix = m_state.brush(model::BrushKind::Create).create.mix;
+    if (mix.empty()) {
+        for (const model::TemplateEntry& entry : m_state.scene().templates) {
+            mix.push_back({entry.id, 1.0F});
+        }
+    }
+    float total = 0.0F;
+    for (const model::TemplateWeight& item : mix) {
+        total += item.weight;
+    }
     for (int row = 0; row < m_list->count(); ++row) {
         QListWidgetItem* item = m_list->item(row);
         const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
-        // An empty mix paints every template.
-        const bool isIn = mix.empty() || weightOf(mix, id) != mix.end();
+        const auto known = weightOf(mix, id);
+        const bool isIn = known != mix.end();
         item->setCheckState(isIn ? Qt::Checked : Qt::Unchecked);
+        item->setData(TemplateDelegate::kShareRole,
+                      isIn ? static_cast<double>(known->weight / total) : -1.0);
     }
     const auto current = weightOf(mix, currentId());
     const bool hasWeight = current != mix.end();
     m_weight->setEnabled(hasWeight && mix.size() > 1);
-    const int percent = hasWeight ? qRound(current->weight * 100.0F) : 100;
-    m_weight->setValue(percent);
-    m_weightLabel->setText(tr("%1 %").arg(percent));
+    m_weight->setValue(hasWeight ? static_cast<double>(current->weight) * 100.0 : 100.0);
     m_isFilling = false;
 }
 
@@ -176,12 +198,12 @@ void TemplatesDock::setInMix(model::TemplateId id, bool isIn)
     refreshMix(); // the last one stays in
 }
 
-void TemplatesDock::setWeight(int percent)
+void TemplatesDock::setWeight(double percent)
 {
     model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
     const auto known = weightOf(brush.create.mix, currentId());
     if (known != brush.create.mix.end()) {
-        known->weight = static_cast<float>(percent) / 100.0F;
+        known->weight = static_cast<float>(percent / 100.0);
         m_state.setBrush(brush);
     }
 }

@@ -10,10 +10,11 @@
 
 class QListWidget;
 class QListWidgetItem;
-class QSlider;
-class QLabel;
+class QToolButton;
 
 namespace crowd::widgets {
+
+class ValueSlider;
 
 /// The scene's templates as swatches with rendered pictures. A tick puts one into the create
 /// brush's mix; the slider sets its weight in the mix.
@@ -29,11 +30,15 @@ Q_SIGNALS:
     void locateRequested(crowd::model::TemplateId id);
     void removeRequested(crowd::model::TemplateId id);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void connectParts();
     void rebuild();
     void refreshMix();
     void setInMix(model::TemplateId id, bool isIn);
-    void setWeight(int percent);
+    void setWeight(double percent);
     void showMenu(const QPoint& position);
     void rename(QListWidgetItem* item);
     [[nodiscard]] model::TemplateId currentId() const;
@@ -41,8 +46,8 @@ private:
 
     EditorState& m_state;
     QListWidget* m_list;
-    QSlider* m_weight;
-    QLabel* m_weightLabel;
+    ValueSlider* m_weight;
+    QToolButton* m_import;
     QTimer m_rebuild; ///< several changes in a row make one rebuild
     std::map<model::TemplatePtr, QIcon> m_pictures;
     bool m_isFilling = false;
