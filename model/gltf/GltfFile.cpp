@@ -12,6 +12,7 @@
 
 #include "model/gltf/GltfContainer.h"
 #include "model/gltf/GltfDraco.h"
+#include "model/gltf/GltfInstances.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMeshopt.h"
 #include "model/gltf/GltfValidate.h"
@@ -202,6 +203,22 @@ Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
     return Error{"the file cannot be read: " + problem};
 }
 
+/// Extensions that may change what is seen more than the shine of a surface, and are not read.
+void addUnreadExtensions(const Json& root, std::vector<std::string>& warnings)
+{
+    constexpr std::array<std::pair<std::string_view, const char*>, 2> kUnread{
+        {{"KHR_animation_pointer", "what only it animates stands still"},
+         {"KHR_node_visibility", "what it hides is drawn"}}};
+    const Json& used = member(root, "extensionsUsed");
+    for (std::size_t i = 0; used.is_array() && i < used.size(); ++i) {
+        for (const auto& [name, effect] : kUnread) {
+            if (used[i].is_string() && used[i] == name) {
+                warnings.push_back(std::string(name) + " is not read: " + effect + ".");
+            }
+        }
+    }
+}
+
 Result<GltfFile> readChecked(const std::string& path)
 {
     const QFileInfo info(QString::fromStdString(path));
@@ -244,6 +261,10 @@ Result<GltfFile> readChecked(const std::string& path)
     if (const Result<void> done = parse(plain, memory, *file.model); !done) {
         return done.error();
     }
+    if (const Result<void> expanded = expandInstances(*file.model); !expanded) {
+        return expanded.error();
+    }
+    addUnreadExtensions(root, file.warnings);
     return file;
 }
 

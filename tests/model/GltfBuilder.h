@@ -27,7 +27,9 @@ public:
         bytes.resize((bytes.size() + 3) / 4 * 4);
         const std::size_t offset = bytes.size();
         bytes.resize(offset + values.size() * sizeof(T));
-        std::memcpy(bytes.data() + offset, values.data(), values.size() * sizeof(T));
+        if (!values.empty()) {
+            std::memcpy(bytes.data() + offset, values.data(), values.size() * sizeof(T));
+        }
         root["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", values.size() * sizeof(T)}});
         return static_cast<int>(root["bufferViews"].size()) - 1;

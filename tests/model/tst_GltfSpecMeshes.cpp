@@ -32,6 +32,7 @@ private Q_SLOTS:
     void readsFilesThatDrawNothing();
     void ignoresCamerasAndLights();
     void drawsAMeshForEachOfItsNodes();
+    void drawsAMeshForEachInstance();
     void shearsUnderScaledParents();
     void turnsOverOnlyWhatIsMirroredOddly();
     void readsNodesAsMatrices();
@@ -326,6 +327,33 @@ void tst_GltfSpecMeshes::drawsAMeshForEachOfItsNodes()
     QVERIFY(near(p[0], {1, 0, 0}) && near(p[3], {2, 0, 0}) && near(p[7], {2, 0, 0}));
     QCOMPARE(asset->slots.size(), std::size_t{1});
     QCOMPARE(asset->jointCount, 0);
+}
+
+void tst_GltfSpecMeshes::drawsAMeshForEachInstance()
+{
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+    builder.root["nodes"][0]["translation"] = {0, 10, 0};
+    const int places = builder.accessor<float>({0, 0, 0, 5, 0, 0}, "VEC3");
+    const int sizes = builder.accessor<float>({1, 1, 1, 2, 1, 1}, "VEC3");
+    const int turns = builder.accessor<std::int8_t>({0, 0, 0, 127, 0, 0, 127, 0}, "VEC4");
+    accessorAt(builder, turns)["normalized"] = true;
+    Json& extension = builder.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"];
+    extension["attributes"] = {{"TRANSLATION", places}, {"SCALE", sizes}, {"ROTATION", turns}};
+    const TemplatePtr asset = load(builder);
+    const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
+    QCOMPARE(p.size(), std::size_t{6});
+    QVERIFY(near(p[1], {1, 10, 0}));
+    QVERIFY(near(p[4], {3, 10, 0})); // half a turn about Z, twice as long
+    QVERIFY(near(p[5], {5, 9, 0}));
+    for (const Json& wrong : {Json(99), Json("x"), Json(places + 100), Json(0.5)}) {
+        extension["attributes"]["TRANSLATION"] = wrong;
+        const Result<TemplatePtr> refused = importTemplate(save(builder));
+        QVERIFY(!refused.isOk());
+        QVERIFY2(refused.error().message.find("nodes[0].extensions.EXT_mesh_gpu_instancing") !=
+                     std::string::npos,
+                 refused.error().message.c_str());
+    }
 }
 
 void tst_GltfSpecMeshes::shearsUnderScaledParents()
