@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include <QtCore/QDir>
+#include <QtTest/QTest>
+
+#include "app/commands/PictureMaker.h"
+#include "app/commands/SceneSource.h"
+#include "tests/images/ComparePictures.h"
+#include "tests/render/TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+/// Whole pictures against ones that somebody has looked at, tests/data/pictures/NAME.png. Where one
+/// differs, the new one is left in pictures-that-differ beside the test programs. When it is right:
+/// CROWD_ACCEPT_PICTURES=1 makes the test write them into the source tree instead.
+class tst_Pictures : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void looksAsBefore_data();
+    void looksAsBefore();
+    void seesWhatPeopleSee_data();
+    void seesWhatPeopleSee();
+    void overlooksWhatDriversDo_data();
+    void overlooksWhatDriversDo();
+
+private:
+    [[nodiscard]] QImage draw(const model::Scene& scene, const char* camera = "",
+                              render::Look look = render::Look::Lit, int scale = 1);
+
+    model::KeyframeStore m_keyframes;
+    std::unique_ptr<app::PictureMaker> m_maker;
+};
+
+namespace {
+
+constexpr glm::ivec2 kSize{320, 180};
+constexpr double kSeconds = 0.4;
+
+model::Scene loaded(const char* file)
+{
+    auto scene = app::loadForPicture(QStringLiteral(CROWD_RESOURCES) + QLatin1String(file));
+    if (!scene) {
+        qFatal("%s", scene.error().message.c_str());
+    }
+    return std::move(scene).value();
+}
+
+template<class T>
+void setOne(model::Scene& scene, model::IndividualId id, model::ColumnKey<T> key, const T& value)
+{
+    scene.population.setValues(key, std::span(&id, 1), std::span<const T>(&value, 1));
+}
+
+/// Seven people of boxes with tints of their own, some without a hat, on the empty ground.
+model::Scene boxPeople()
+{
+    model::Scene scene;
+    scene.templates = {entryFor(makeBoxMan())};
+    scene.population = makeRow(7);
+    for (model::IndividualId id = 1; id <= 7; ++id) {
+        const auto level = static_cast<std::uint8_t>(30 * id);
+        const auto rest = static_cast<std::uint8_t>(255 - level);
+        setOne(scene, id, model::columns::tint(0), model::Tint{90, 60, level, 255});
+        setOne(scene, id, model::columns::tint(1), model::Tint{level, rest, 90, 255});
+        setOne(scene, id, model::columns::heading, 0.5F * static_cast<float>(id));
+        setOne(scene, id, model::columns::parts, id % 3 == 0 ? 0U : 1U);
+    }
+    scene.cameras.push_back(
+        {"front", model::Camera::lookingAt({5.0F, 3.0F, 7.0F}, {3.0F, 0.8F, 0.0F})});
+    return scene;
+}
+
+QString accepted(const QString& name)
+{
+    return QStringLiteral(CROWD_TEST_DATA "/pictures/") + name + QStringLiteral(".png");
+}
+
+QString told(const PictureDifference& difference)
+{
+    return QStringLiteral("differs by %1 everywhere, by %2 around pixel %3, %4")
+        .arg(difference.shift, 0, 'f', 2)
+        .arg(difference.worst, 0, 'f', 1)
+        .arg(difference.x)
+        .arg(difference.y);
+}
+
+} // namespace
+
+void tst_Pictures::initTestCase()
+{
+    auto maker = app::PictureMaker::create(m_keyframes);
+    QVERIFY2(maker.isOk(), maker ? "" : maker.error().message.c_str());
+    m_maker = std::move(maker).value();
+}
+
+QImage tst_Pictures::draw(const model::Scene& scene, const char* camera, render::Look look,
+                          int scale)
+{
+    const std::vector<model::WorldSeat> seats = scene.worldSeats();
+    app::PictureRequest request;
+    auto frame = std::make_shared<model::CrowdFrame>();
+    frame->population = scene.population;
+    frame->templates = std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates);
+    frame->seconds = kSeconds;
+    request.frame = frame;
+    request.stages = scene.stages;
+    request.seats = seats;
+    static std::uint64_t version = 0;
+    request.seatsVersion = ++version;
+    request.lighting = scene.lighting;
+    const auto found = std::ranges::find(scene.cameras, camera, &model::NamedCamera::name);
+    request.camera = (found == scene.cameras.end() ? scene.cameras.front() : *found).camera;
+    request.size = kSize * scale;
+    request.look = look;
+    const auto drawn = m_maker->draw(request);
+    if (!drawn) {
+        qFatal("%s", drawn.error().message.c_str());
+    }
+    const std::vector<std::uint8_t> pixels = m_maker->pixels();
+    return QImage(pixels.data(), request.size.x, request.size.y, request.size.x * 4,
+                  QImage::Format_RGBX8888)
+        .convertToFormat(QImage::Format_RGB888);
+}
+
+void tst_Pictures::looksAsBefore_data()
+{
+    QTest::addColumn<QString>("scene");
+    QTest::addColumn<QString>("camera");
+    QTest::addColumn<int>("look");
+    const int lit = static_cast<int>(render::Look::Lit);
+    const QString theatre = QStringLiteral("/scenes/theatre.crowd");
+    QTest::newRow("theatre_audience") << theatre << QStringLiteral("Audience") << lit;
+    QTest::newRow("theatre_close") << theatre << QStringLiteral("Close") << lit;
+    QTest::newRow("stage_alone") << QStringLiteral("/stages/theatre.glb") << QString() << lit;
+    QTest::newRow("man") << QStringLiteral("/templates/man.glb") << QString() << lit;
+    QTest::newRow("box_people") << QString() << QString() << lit;
+    QTest::newRow("box_people_plain")
+        << QString() << QString() << static_cast<int>(render::Look::Plain);
+}
+
+void tst_Pictures::looksAsBefore()
+{
+    QFETCH(const QString, scene);
+    QFETCH(const QString, camera);
+    QFETCH(const int, look);
+    const QString name = QString::fromLatin1(QTest::currentDataTag());
+    const QImage picture = draw(scene.isEmpty() ? boxPeople() : loaded(scene.toUtf8().constData()),
+                                camera.toUtf8().constData(), static_cast<render::Look>(look));
+    if (qEnvironmentVariableIsSet("CROWD_ACCEPT_PICTURES")) {
+        QVERIFY(picture.save(accepted(name)));
+        QSKIP("The picture is accepted as it is now.");
+    }
+    const QImage before(accepted(name));
+    QCOMPARE(picture.size(), before.size());
+    const PictureDifference difference = comparePictures(before, picture);
+    if (difference.isVisible()) {
+        const QDir folder(QCoreApplication::applicationDirPath() +
+                          QStringLiteral("/pictures-that-differ"));
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        const QString now = folder.filePath(name + QStringLiteral(".png"));
+        QVERIFY(picture.save(now));
+        QFAIL(
+            qPrintable(now + u' ' + told(difference) +
+                       QStringLiteral(". Look at it; if it is right, run this test with "
+                                      "CROWD_ACCEPT_PICTURES=1 and commit tests/data/pictures.")));
+    }
+}
+
+void tst_Pictures::seesWhatPeopleSee_data()
+{
+    QTest::addColumn<int>("change");
+    QTest::newRow("a person too few") << 0;
+    QTest::newRow("another tint of one slot") << 1;
+    QTest::newRow("another tint of all") << 2;
+    QTest::newRow("less sun") << 3;
+    QTest::newRow("no ambient light") << 4;
+    QTest::newRow("a hat too many") << 5;
+    QTest::newRow("a person turned round") << 6;
+}
+
+void tst_Pictures::seesWhatPeopleSee()
+{
+    QFETCH(const int, change);
+    model::Scene scene = boxPeople();
+    const QImage before = draw(scene);
+    const std::array<model::IndividualId, 1> one{4};
+    switch (change) {
+    case 0:
+        (void)scene.population.remove(one);
+        break;
+    case 1:
+        setOne(scene, 4, model::columns::tint(1), model::Tint{200, 60, 60, 255});
+        break;
+    case 2:
+        setAll(scene.population, model::columns::tint(0), model::Tint{70, 90, 120, 255});
+        break;
+    case 3:
+        scene.lighting.sunStrength *= 0.85F;
+        break;
+    case 4:
+        scene.lighting.ambientStrength = 0.0F;
+        break;
+    case 5:
+        setOne(scene, 3, model::columns::parts, 1U);
+        break;
+    default:
+        setOne(scene, 4, model::columns::heading, 0.5F);
+        break;
+    }
+    const PictureDifference difference = comparePictures(before, draw(scene));
+    QVERIFY2(difference.isVisible(), qPrintable(told(difference)));
+}
+
+void tst_Pictures::overlooksWhatDriversDo_data()
+{
+    QTest::addColumn<bool>("isNoise");
+    QTest::newRow("other smoothing of edges") << false;
+    QTest::newRow("other rounding") << true;
+}
+
+void tst_Pictures::overlooksWhatDriversDo()
+{
+    QFETCH(const bool, isNoise);
+    for (const model::Scene& scene : {boxPeople(), loaded("/scenes/theatre.crowd")}) {
+        const QImage before = draw(scene);
+        QImage other = before;
+        if (isNoise) {
+            for (int y = 0; y < other.height(); ++y) {
+                for (int i = 0; i < other.width() * 3; ++i) {
+                    uchar& value = other.scanLine(y)[i];
+                    const int step = (i * 7 + y * 13) % 5 - 2;
+                    value = static_cast<uchar>(std::clamp(int{value} + step, 0, 255));
+                }
+            }
+        } else {
+            // Twice as large and made smaller: sixteen samples a pixel instead of four.
+            other = draw(scene, "", render::Look::Lit, 2)
+                        .scaled(kSize.x, kSize.y, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        }
+        const PictureDifference difference = comparePictures(before, other);
+        QVERIFY2(!difference.isVisible(), qPrintable(told(difference)));
+    }
+}
+
+QTEST_GUILESS_MAIN(tst_Pictures)
+#include "tst_Pictures.moc"
