@@ -11,6 +11,7 @@
 #include "app/commands/InfoCommand.h"
 #include "app/commands/RenderCli.h"
 #include "app/commands/RenderCommand.h"
+#include "app/commands/ScriptCommand.h"
 
 namespace {
 
@@ -27,6 +28,7 @@ struct CommandLine
     BenchIoOptions benchIo;
     BenchPaintOptions benchPaint;
     BenchRenderOptions benchRender;
+    ScriptOptions script;
     int status = 0;
 };
 
@@ -59,6 +61,19 @@ void addBenchPaint(CLI::App& bench, CommandLine& line)
     command->callback([&line] { line.status = runBenchPaint(line.benchPaint); });
 }
 
+void addScript(CLI::App& cli, CommandLine& line)
+{
+    CLI::App* command = cli.add_subcommand("script", "Run a Python script");
+    command->add_option("FILE", line.script.file, "A .py file")->required();
+    command->add_option("ARGS", line.script.arguments, "What the script finds in sys.argv");
+    command->prefix_command(); // also what looks like an option is the script's
+    command->callback([command, &line] {
+        const std::vector<std::string> rest = command->remaining();
+        line.script.arguments.insert(line.script.arguments.end(), rest.begin(), rest.end());
+        line.status = runScript(line.script);
+    });
+}
+
 void addCommands(CLI::App& cli, CommandLine& line)
 {
     cli.set_version_flag("--version", std::string("crowdbrush ") + CROWD_VERSION);
@@ -66,6 +81,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
     cli.add_option("FILE", line.files, "Scenes and models to open in the editor");
     addInfo(cli, line);
     addRenderCommand(cli, line.render, line.status);
+    addScript(cli, line);
     CLI::App* bench = cli.add_subcommand("bench", "Measure");
     bench->require_subcommand(1);
     addBenchIo(*bench, line);

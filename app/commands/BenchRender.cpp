@@ -15,7 +15,7 @@
 
 #include "app/commands/BenchScene.h"
 #include "app/commands/OptionText.h"
-#include "app/commands/PictureFile.h"
+#include "app/pictures/PictureFile.h"
 #include "app/commands/SceneSource.h"
 #include "model/bake/ClipBaker.h"
 #include "render/OffscreenContext.h"

@@ -11,8 +11,8 @@
 #include <QtCore/QStringList>
 
 #include "app/commands/OptionText.h"
-#include "app/commands/PictureFile.h"
-#include "app/commands/PictureMaker.h"
+#include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureMaker.h"
 #include "app/commands/SceneSource.h"
 
 namespace crowd::app {

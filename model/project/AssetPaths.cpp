@@ -11,6 +11,13 @@ namespace {
 
 constexpr const char* kBuiltinPrefix = "builtin:";
 
+/// Set once when a module is loaded, before any thread reads it.
+QString& moduleFolder()
+{
+    static QString folder;
+    return folder;
+}
+
 } // namespace
 
 bool isBuiltin(const std::string& assetPath)
@@ -25,7 +32,9 @@ QString builtinFolder()
         return fromEnvironment;
     }
     // The link that /proc keeps needs no application object: modules and tests have none.
-    const QDir program(QFileInfo(QStringLiteral("/proc/self/exe")).canonicalPath());
+    const QDir program(moduleFolder().isEmpty()
+                           ? QFileInfo(QStringLiteral("/proc/self/exe")).canonicalPath()
+                           : moduleFolder());
     for (const char* candidate : {"../../resources", "../../../resources", "../share/crowdbrush"}) {
         const QString folder =
             QDir::cleanPath(program.absoluteFilePath(QString::fromLatin1(candidate)));
@@ -34,6 +43,11 @@ QString builtinFolder()
         }
     }
     return {};
+}
+
+void setProgramFolder(const QString& folder)
+{
+    moduleFolder() = folder;
 }
 
 QString assetFile(const std::string& assetPath)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/commands/PictureMaker.h"
+#include "app/pictures/PictureMaker.h"
 
 namespace crowd::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/commands/PictureFile.h"
+#include "app/pictures/PictureFile.h"
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QSaveFile>

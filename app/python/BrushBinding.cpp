@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/operators.h>
+
+#include "app/python/Binding.h"
+#include "model/brush/BrushSettings.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+using Range = std::pair<float, float>;
+
+/// A range as the pair that scripts see.
+template<class Owner>
+auto rangeGetter(ValueRange Owner::*member)
+{
+    return
+        [member](const Owner& owner) { return Range((owner.*member).low, (owner.*member).high); };
+}
+template<class Owner>
+auto rangeSetter(ValueRange Owner::*member)
+{
+    return [member](Owner& owner, const Range& range) {
+        owner.*member = {range.first, range.second};
+    };
+}
+
+/// Weighted clips as the dict of name → weight that scripts see.
+py::dict clipsAsDict(const std::vector<ClipWeight>& weights)
+{
+    py::dict clips;
+    for (const ClipWeight& each : weights) {
+        clips[py::str(each.clip)] = each.weight;
+    }
+    return clips;
+}
+
+std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
+{
+    std::vector<ClipWeight> weights;
+    for (const auto& [name, weight] : clips) {
+        weights.push_back({name.cast<std::string>(), weight.cast<float>()});
+    }
+    return weights;
+}
+
+py::dict mixOf(const CreateSettings& create)
+{
+    py::dict mix;
+    for (const TemplateWeight& each : create.mix) {
+        mix[py::int_(each.id)] = each.weight;
+    }
+    return mix;
+}
+
+void setMix(CreateSettings& create, const py::dict& mix)
+{
+    std::vector<TemplateWeight> weights;
+    for (const auto& [key, weight] : mix) {
+        const TemplateId id = py::isinstance<TemplateHandle>(key)
+                                  ? key.cast<const TemplateHandle&>().id
+                                  : key.cast<TemplateId>();
+        weights.push_back({id, weight.cast<float>()});
+    }
+    create.mix = std::move(weights);
+}
+
+void bindEnums(py::module_& module)
+{
+    py::enum_<BrushKind>(module, "BrushKind")
+        .value("CREATE", BrushKind::Create)
+        .value("DELETE", BrushKind::Delete)
+        .value("COLOUR", BrushKind::Colour)
+        .value("ORIENTATION", BrushKind::Orientation)
+        .value("ANIMATION", BrushKind::Animation);
+    py::enum_<BrushSelection>(module, "Selection", "Screen area to individuals or points.")
+        .value("POINT", BrushSelection::Point, "What is under the cursor.")
+        .value("SPRAY", BrushSelection::Spray, "Random points of a circle, so many a second.")
+        .value("ALL_IN_CIRCLE", BrushSelection::AllInCircle)
+        .value("RECTANGLE", BrushSelection::Rectangle, "Between press and release.");
+    py::enum_<BrushOperator>(module, "Operator", "How values vary over what is selected.")
+        .value("UNIFORM", BrushOperator::Uniform)
+        .value("RANDOM", BrushOperator::Random)
+        .value("GRADIENT", BrushOperator::Gradient);
+    py::enum_<HeadingMode>(module, "Facing")
+        .value("DIRECTION", HeadingMode::Direction)
+        .value("RANDOM", HeadingMode::Random)
+        .value("ALONG_STROKE", HeadingMode::AlongStroke)
+        .value("TOWARDS_POINT", HeadingMode::TowardsPoint)
+        .value("TOWARDS_VIEWER", HeadingMode::TowardsViewer);
+}
+
+void bindParts(py::module_& module)
+{
+    py::class_<HeadingSettings>(module, "HeadingSettings")
+        .def_readwrite("mode", &HeadingSettings::mode)
+        .def_readwrite("heading", &HeadingSettings::headingRadians, "Radians, 0 faces +Z.")
+        .def_readwrite("spread", &HeadingSettings::spreadRadians, "Radians to each side.")
+        .def_readwrite("turn", &HeadingSettings::turnRadians,
+                       "Radians, added where the heading follows something else.")
+        .def_property(
+            "towards_point",
+            [](const HeadingSettings& h) {
+                return std::array<float, 3>{h.towardsPoint.x, h.towardsPoint.y, h.towardsPoint.z};
+            },
+            [](HeadingSettings& h, const std::array<float, 3>& p) {
+                h.towardsPoint = {p[0], p[1], p[2]};
+            },
+            "World frame, metres.");
+    py::class_<SeatGridSettings>(module, "SeatGridSettings")
+        .def_readwrite("is_on", &SeatGridSettings::isOn, "Create on free seats only.")
+        .def_readwrite("ranks", &SeatGridSettings::ranks, "Empty: all. Assign a whole list.")
+        .def_readwrite("wedges", &SeatGridSettings::wedges, "Empty: all. Assign a whole list.");
+    py::class_<CreateSettings>(module, "CreateSettings")
+        .def_property("mix", &mixOf, &setMix, "Template (or its id) → weight.")
+        .def_readwrite("minimal_distance", &CreateSettings::minimalDistance, "Metres.")
+        .def_property("height", rangeGetter(&CreateSettings::height),
+                      rangeSetter(&CreateSettings::height), "Scale, (lowest, highest).")
+        .def_property("girth", rangeGetter(&CreateSettings::girth),
+                      rangeSetter(&CreateSettings::girth), "Scale, (lowest, highest).")
+        .def_readwrite("palette", &CreateSettings::palette,
+                       "List of (red, green, blue), 0–255. Assign a whole list.")
+        .def_readwrite("palette_strength", &CreateSettings::paletteStrength, "0–1.")
+        .def_property("phase", rangeGetter(&CreateSettings::phase),
+                      rangeSetter(&CreateSettings::phase))
+        .def_property(
+            "clips", [](const CreateSettings& owner) { return clipsAsDict(owner.clips); },
+            [](CreateSettings& owner, const py::dict& clips) {
+                owner.clips = clipsFromDict(clips);
+            },
+            "Name → weight; empty: what suits the place.")
+        .def_readwrite("facing", &CreateSettings::heading)
+        .def_readwrite("density", &CreateSettings::density, "Persons per m², rectangles.")
+        .def_readwrite("seat_percent", &CreateSettings::seatPercent, "Per cent, rectangles.")
+        .def_readwrite("seats", &CreateSettings::seats);
+}
+
+void bindChanges(py::module_& module)
+{
+    py::class_<DeleteSettings>(module, "DeleteSettings")
+        .def_readwrite("percent", &DeleteSettings::percent, "Of those in the area.");
+    py::class_<ColourSettings>(module, "ColourSettings")
+        .def_readwrite("slot", &ColourSettings::slot, "By name; empty: all tintable slots.")
+        .def_readwrite("colors", &ColourSettings::colors,
+                       "List of (red, green, blue), 0–255. Assign a whole list.")
+        .def_readwrite("strength", &ColourSettings::strength, "0–1.")
+        .def_readwrite("blends", &ColourSettings::blends)
+        .def_readwrite("each_slot_apart", &ColourSettings::eachSlotApart);
+    py::class_<OrientationSettings>(module, "OrientationSettings")
+        .def_readwrite("facing", &OrientationSettings::heading);
+    py::class_<AnimationSettings>(module, "AnimationSettings")
+        .def_property(
+            "clips", [](const AnimationSettings& owner) { return clipsAsDict(owner.clips); },
+            [](AnimationSettings& owner, const py::dict& clips) {
+                owner.clips = clipsFromDict(clips);
+            },
+            "Name → weight; empty: unchanged.")
+        .def_readwrite("sets_phase", &AnimationSettings::setsPhase)
+        .def_property("phase", rangeGetter(&AnimationSettings::phase),
+                      rangeSetter(&AnimationSettings::phase))
+        .def_readwrite("sets_speed", &AnimationSettings::setsSpeed)
+        .def_property("speed", rangeGetter(&AnimationSettings::speed),
+                      rangeSetter(&AnimationSettings::speed));
+}
+
+BrushSettings brushOf(BrushKind kind)
+{
+    BrushSettings settings;
+    settings.kind = kind;
+    return settings;
+}
+
+} // namespace
+
+void bindBrushes(py::module_& module)
+{
+    bindEnums(module);
+    bindParts(module);
+    bindChanges(module);
+    py::class_<BrushSettings>(module, "Brush", "A brush with the editor's own settings.")
+        .def(py::init(&brushOf), py::arg("kind"))
+        .def("copy", [](const BrushSettings& brush) { return BrushSettings(brush); })
+        .def(py::self == py::self)
+        .def_readwrite("kind", &BrushSettings::kind)
+        .def_readwrite("selection", &BrushSettings::selection)
+        .def_readwrite("operator", &BrushSettings::op)
+        .def_readwrite("radius", &BrushSettings::radiusPixels, "Logical pixels.")
+        .def_readwrite("rate", &BrushSettings::ratePerSecond, "Spray: points a second.")
+        .def_readwrite("through", &BrushSettings::through, "Also those hidden behind others.")
+        .def_readwrite("build_up", &BrushSettings::buildUp)
+        .def_readwrite("flow", &BrushSettings::flow)
+        .def_readwrite("pressure_size", &BrushSettings::pressureSize)
+        .def_readwrite("pressure_rate", &BrushSettings::pressureRate)
+        .def_property(
+            "distribution", [](const BrushSettings& b) { return b.distribution.weights; },
+            [](BrushSettings& b, const std::array<float, 16>& weights) {
+                b.distribution.weights = weights;
+            },
+            "16 weights over the range, for the random operator.")
+        .def_readwrite("create", &BrushSettings::create)
+        .def_readwrite("removal", &BrushSettings::removal)
+        .def_readwrite("colour", &BrushSettings::colour)
+        .def_readwrite("orientation", &BrushSettings::orientation)
+        .def_readwrite("animation", &BrushSettings::animation);
+}
+
+} // namespace crowd::app

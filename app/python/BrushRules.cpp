@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/BrushRules.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+constexpr float kLargest = 1e6F;
+
+/// Collects the first complaint.
+class Complaint
+{
+public:
+    void number(const char* name, float value, float low, float high)
+    {
+        if (!(value >= low && value <= high)) { // also when it is not a number
+            std::ostringstream text;
+            text.imbue(std::locale::classic());
+            text << "brush." << name << " is " << value << "; it must lie from " << low << " to "
+                 << high << ".";
+            refuse(text.str());
+        }
+    }
+    void range(const char* name, const ValueRange& range, float low, float high)
+    {
+        number(name, range.low, low, high);
+        number(name, range.high, low, high);
+        if (range.low > range.high) {
+            refuse(std::string("brush.") + name + " runs from the lowest to the highest value.");
+        }
+    }
+    void heading(const char* name, const HeadingSettings& heading)
+    {
+        number(name, heading.headingRadians, -kLargest, kLargest);
+        number(name, heading.spreadRadians, -kLargest, kLargest);
+        number(name, heading.turnRadians, -kLargest, kLargest);
+        for (int axis = 0; axis < 3; ++axis) {
+            number(name, heading.towardsPoint[axis], -kLargest, kLargest);
+        }
+    }
+    void weights(const char* name, const std::vector<ClipWeight>& clips)
+    {
+        for (const ClipWeight& each : clips) {
+            number(name, each.weight, 0.0F, kLargest);
+        }
+    }
+    void refuse(const std::string& message)
+    {
+        if (m_first.empty()) {
+            m_first = message;
+        }
+    }
+    [[nodiscard]] Result<void> result() const
+    {
+        if (m_first.empty()) {
+            return {};
+        }
+        return Error{m_first};
+    }
+
+private:
+    std::string m_first;
+};
+
+void checkCreation(const Scene& scene, const CreateSettings& create, Complaint& complaint)
+{
+    for (const TemplateWeight& each : create.mix) {
+        if (scene.findTemplate(each.id) == nullptr) {
+            complaint.refuse("brush.create.mix names template " + std::to_string(each.id) +
+                             ", which the scene does not have: take one of scene.templates.");
+        }
+        complaint.number("create.mix", each.weight, 0.0F, kLargest);
+    }
+    constexpr float kSmallestScale = 0.01F;
+    constexpr float kLargestScale = 100.0F;
+    complaint.number("create.minimal_distance", create.minimalDistance, 0.0F, kLargest);
+    complaint.range("create.height", create.height, kSmallestScale, kLargestScale);
+    complaint.range("create.girth", create.girth, kSmallestScale, kLargestScale);
+    complaint.number("create.palette_strength", create.paletteStrength, 0.0F, 1.0F);
+    complaint.range("create.phase", create.phase, 0.0F, 1.0F);
+    complaint.weights("create.clips", create.clips);
+    complaint.heading("create.facing", create.heading);
+    complaint.number("create.density", create.density, 0.0F, 100.0F);
+    complaint.number("create.seat_percent", create.seatPercent, 0.0F, 100.0F);
+    if (!std::ranges::is_sorted(create.seats.ranks) ||
+        !std::ranges::is_sorted(create.seats.wedges)) {
+        complaint.refuse("brush.create.seats.ranks and .wedges must be in ascending order.");
+    }
+}
+
+void checkProperties(const BrushSettings& brush, Complaint& complaint)
+{
+    complaint.number("removal.percent", brush.removal.percent, 0.0F, 100.0F);
+    complaint.number("colour.strength", brush.colour.strength, 0.0F, 1.0F);
+    if (brush.colour.colors.empty()) {
+        complaint.refuse("brush.colour.colors must hold at least one colour.");
+    }
+    complaint.heading("orientation.facing", brush.orientation.heading);
+    complaint.weights("animation.clips", brush.animation.clips);
+    complaint.range("animation.phase", brush.animation.phase, 0.0F, 1.0F);
+    complaint.range("animation.speed", brush.animation.speed, 0.0F, 100.0F);
+}
+
+} // namespace
+
+Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
+{
+    constexpr float kHighestRate = 10'000.0F;
+    Complaint complaint;
+    complaint.number("radius", brush.radiusPixels, kMinRadiusPixels, kMaxRadiusPixels);
+    complaint.number("rate", brush.ratePerSecond, 0.0F, kHighestRate);
+    complaint.number("flow", brush.flow, 0.0F, 1.0F);
+    for (const float weight : brush.distribution.weights) {
+        complaint.number("distribution", weight, 0.0F, kLargest);
+    }
+    checkCreation(scene, brush.create, complaint);
+    checkProperties(brush, complaint);
+    return complaint.result();
+}
+
+} // namespace crowd::app

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/ColumnRules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "model/base/Random.h"
+#include "model/brush/ClipChoice.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+const ColumnValues* find(std::span<const ColumnValues> values, ColumnId column)
+{
+    const auto found = std::ranges::find(values, column, &ColumnValues::column);
+    return found == values.end() ? nullptr : &*found;
+}
+
+template<class T>
+std::span<const T> itemsOf(const ColumnValues& values)
+{
+    return {reinterpret_cast<const T*>(values.bytes.data()), values.bytes.size() / sizeof(T)};
+}
+
+Error refused(ColumnId column, std::size_t index, const std::string& why)
+{
+    return Error{std::string(columnInfo(column).name) + "[" + std::to_string(index) + "] " + why};
+}
+
+Result<void> checkNumbers(const ColumnValues& values)
+{
+    const ColumnInfo& info = columnInfo(values.column);
+    if (info.type != ColumnType::Float && info.type != ColumnType::Vec3) {
+        return {};
+    }
+    const auto numbers = itemsOf<float>(values);
+    const std::size_t width = info.stride / sizeof(float);
+    const bool isScale = values.column == ColumnId::Height || values.column == ColumnId::Girth;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!std::isfinite(numbers[i])) {
+            return refused(values.column, i / width, "is not a finite number.");
+        }
+        if (isScale && numbers[i] <= 0.0F) {
+            return refused(values.column, i / width, "is a scale: it must be above zero.");
+        }
+        if (values.column == ColumnId::Phase && (numbers[i] < 0.0F || numbers[i] > 1.0F)) {
+            return refused(values.column, i / width, "is a phase: it must lie between 0 and 1.");
+        }
+    }
+    return {};
+}
+
+/// Entries of a scene by id, found fast.
+class TemplateTable
+{
+public:
+    explicit TemplateTable(const Scene& scene)
+    {
+        for (const TemplateEntry& entry : scene.templates) {
+            m_entries[entry.id] = &entry;
+        }
+    }
+    [[nodiscard]] const TemplateEntry* find(TemplateId id) const
+    {
+        const auto found = m_entries.find(id);
+        return found == m_entries.end() ? nullptr : found->second;
+    }
+
+private:
+    std::unordered_map<TemplateId, const TemplateEntry*> m_entries;
+};
+
+Result<void> checkTemplates(const TemplateTable& table, std::span<const TemplateId> ids)
+{
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (table.find(ids[i]) == nullptr) {
+            return refused(ColumnId::Template, i,
+                           "is " + std::to_string(ids[i]) +
+                               ", and the scene has no such template: take the id of one of "
+                               "scene.templates.");
+        }
+    }
+    return {};
+}
+
+Result<void> checkClips(const TemplateTable& table, std::span<const TemplateId> templates,
+                        std::span<const std::uint16_t> clips)
+{
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+        const TemplateEntry& entry = *table.find(templates[i]);
+        if (clips[i] >= entry.clipNames.size()) {
+            return refused(ColumnId::Clip, i,
+                           "is " + std::to_string(clips[i]) + ", but template " + entry.name +
+                               " has " + std::to_string(entry.clipNames.size()) +
+                               " clips, counted from 0.");
+        }
+    }
+    return {};
+}
+
+using Seats = std::unordered_map<SeatId, const WorldSeat*>;
+
+Result<void> checkSeats(const Seats& seats, std::unordered_set<SeatId> taken,
+                        std::span<const SeatId> wanted)
+{
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (wanted[i] == kNoSeat) {
+            continue;
+        }
+        if (!seats.contains(wanted[i])) {
+            return refused(ColumnId::Seat, i,
+                           "is " + std::to_string(wanted[i]) +
+                               ", and no stage has such a seat: take one of scene.seats[\"id\"].");
+        }
+        if (!taken.insert(wanted[i]).second) {
+            return refused(ColumnId::Seat, i,
+                           "is " + std::to_string(wanted[i]) +
+                               ", which is taken: take one where "
+                               "scene.seats[\"free\"] is true.");
+        }
+    }
+    return {};
+}
+
+Seats seatsById(const std::vector<WorldSeat>& seats)
+{
+    Seats table;
+    for (const WorldSeat& seat : seats) {
+        table[seat.id] = &seat;
+    }
+    return table;
+}
+
+/// Seats of everyone but these (ascending).
+std::unordered_set<SeatId> takenByOthers(const Scene& scene, std::span<const IndividualId> ids)
+{
+    std::unordered_set<SeatId> taken;
+    const auto all = scene.population.ids();
+    const auto seats = scene.population.column(columns::seat);
+    for (std::size_t row = 0; row < all.size(); ++row) {
+        if (seats[row] != kNoSeat && !std::ranges::binary_search(ids, all[row])) {
+            taken.insert(seats[row]);
+        }
+    }
+    return taken;
+}
+
+Result<void> checkCommon(std::size_t n, std::span<const ColumnValues> values)
+{
+    for (const ColumnValues& each : values) {
+        const ColumnInfo& info = columnInfo(each.column);
+        if (each.bytes.size() != n * info.stride) {
+            return Error{std::string(info.name) + " has " +
+                         std::to_string(each.bytes.size() / info.stride) + " values for " +
+                         std::to_string(n) + " individuals: give one each, or one for all."};
+        }
+        if (auto valid = checkNumbers(each); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+/// Where the values say nothing: what the template and the seat suggest.
+void fillDefaults(const Scene& scene, const TemplateTable& table, const Seats& seats,
+                  IndividualRows& rows)
+{
+    for (std::size_t i = 0; i < rows.ids.size(); ++i) {
+        const TemplateEntry& entry = *table.find(rows.column(columns::templateId)[i]);
+        const SeatId seat = rows.column(columns::seat)[i];
+        rows.column(columns::clip)[i] = usualClip(entry, seat != kNoSeat);
+        rows.column(columns::seed)[i] =
+            static_cast<std::uint32_t>(hashKeys(scene.seed, scene.nextId + i));
+        if (entry.asset) {
+            rows.column(columns::parts)[i] = defaultParts(*entry.asset);
+        }
+        if (seat != kNoSeat) {
+            rows.column(columns::position)[i] = seats.at(seat)->seat.position;
+            rows.column(columns::heading)[i] = seats.at(seat)->seat.headingRadians;
+        }
+    }
+}
+
+void put(IndividualRows& rows, const ColumnValues& values)
+{
+    rows.bytes[static_cast<std::size_t>(values.column)] = values.bytes;
+}
+
+} // namespace
+
+Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
+                               std::span<const ColumnValues> values)
+{
+    if (auto valid = checkCommon(n, values); !valid) {
+        return valid.error();
+    }
+    const ColumnValues* templates = find(values, ColumnId::Template);
+    const ColumnValues* seats = find(values, ColumnId::Seat);
+    if (templates == nullptr) {
+        return Error{"create needs a template, as in create(template=t, position=...)."};
+    }
+    if (seats == nullptr && find(values, ColumnId::Position) == nullptr) {
+        return Error{"create needs a position or a seat for each individual."};
+    }
+    const TemplateTable table(scene);
+    if (auto known = checkTemplates(table, itemsOf<TemplateId>(*templates)); !known) {
+        return known.error();
+    }
+    const std::vector<WorldSeat> places = scene.worldSeats();
+    const Seats seatTable = seatsById(places);
+    IndividualRows rows = IndividualRows::withDefaults(std::vector<IndividualId>(n));
+    put(rows, *templates);
+    if (seats != nullptr) {
+        const auto wanted = itemsOf<SeatId>(*seats);
+        if (auto free = checkSeats(seatTable, takenByOthers(scene, {}), wanted); !free) {
+            return free.error();
+        }
+        put(rows, *seats);
+    }
+    fillDefaults(scene, table, seatTable, rows);
+    for (const ColumnValues& each : values) {
+        put(rows, each);
+    }
+    if (auto valid =
+            checkClips(table, rows.column(columns::templateId), rows.column(columns::clip));
+        !valid) {
+        return valid.error();
+    }
+    return rows;
+}
+
+Result<void> checkAlive(const Scene& scene, std::span<const IndividualId> ids)
+{
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (i > 0 && ids[i] <= ids[i - 1]) {
+            return Error{"Individual " + std::to_string(ids[i]) +
+                         " is named twice: name each once."};
+        }
+        if (scene.population.rowOf(ids[i]) == Population::npos) {
+            return Error{"There is no individual " + std::to_string(ids[i]) +
+                         ": it was removed or never created."};
+        }
+    }
+    return {};
+}
+
+Result<void> checkChange(const Scene& scene, std::span<const IndividualId> ids,
+                         std::span<const ColumnValues> values)
+{
+    if (auto valid = checkCommon(ids.size(), values); !valid) {
+        return valid;
+    }
+    const TemplateTable table(scene);
+    IndividualRows rows = scene.population.rows(ids);
+    const ColumnValues* templates = find(values, ColumnId::Template);
+    if (templates != nullptr) {
+        if (auto known = checkTemplates(table, itemsOf<TemplateId>(*templates)); !known) {
+            return known;
+        }
+        put(rows, *templates);
+    }
+    if (const ColumnValues* clips = find(values, ColumnId::Clip)) {
+        put(rows, *clips);
+    }
+    if (templates != nullptr || find(values, ColumnId::Clip) != nullptr) {
+        if (auto valid =
+                checkClips(table, rows.column(columns::templateId), rows.column(columns::clip));
+            !valid) {
+            return valid;
+        }
+    }
+    if (const ColumnValues* seats = find(values, ColumnId::Seat)) {
+        const std::vector<WorldSeat> places = scene.worldSeats();
+        return checkSeats(seatsById(places), takenByOthers(scene, ids), itemsOf<SeatId>(*seats));
+    }
+    return {};
+}
+
+} // namespace crowd::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "app/python/ScriptScene.h"
+#include "model/base/Result.h"
+#include "model/scene/Scene.h"
+
+/// What values a script may give to individuals. Everything is checked before anything changes;
+/// a message names the column, the place in the array and what would do.
+namespace crowd::app {
+
+/// n rows for addIndividuals: the given columns (n values each), elsewhere what the template and
+/// the seat suggest. "template" is needed, and "position" or "seat".
+[[nodiscard]] model::Result<model::IndividualRows> newRows(const model::Scene& scene, std::size_t n,
+                                                           std::span<const ColumnValues> values);
+
+/// Ids strictly ascending and all alive.
+[[nodiscard]] model::Result<void> checkAlive(const model::Scene& scene,
+                                             std::span<const model::IndividualId> ids);
+
+/// Values for individuals that are there: ids ascending and alive.
+[[nodiscard]] model::Result<void> checkChange(const model::Scene& scene,
+                                              std::span<const model::IndividualId> ids,
+                                              std::span<const ColumnValues> values);
+
+} // namespace crowd::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <pybind11/eval.h>
+
+#include "app/pictures/PictureFile.h"
+#include "app/python/Binding.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+glm::vec3 toVector(const Point3& point, const char* name)
+{
+    for (const float each : point) {
+        if (!std::isfinite(each)) {
+            throw ScriptError(std::string(name) + " must hold three finite numbers.");
+        }
+    }
+    return {point[0], point[1], point[2]};
+}
+
+std::optional<Camera> cameraOf(const ScriptScene& scene, const CameraKey& key)
+{
+    if (const auto* name = std::get_if<std::string>(&key)) {
+        return valueOrRaise(scene.camera(*name));
+    }
+    if (const auto* camera = std::get_if<Camera>(&key)) {
+        return *camera;
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+Camera makeCamera(const Point3& from, const Point3& at, float fovDegrees)
+{
+    const glm::vec3 eye = toVector(from, "position");
+    const glm::vec3 target = toVector(at, "target");
+    if (glm::length(target - eye) < 1e-6F) {
+        throw ScriptError("A camera's position and target must differ.");
+    }
+    if (!(fovDegrees >= 1.0F && fovDegrees <= 170.0F)) {
+        throw ScriptError("fov is in degrees, from 1 to 170.");
+    }
+    Camera camera = Camera::lookingAt(eye, target);
+    camera.fovYRadians = glm::radians(fovDegrees);
+    return camera;
+}
+
+render::Look lookNamed(const std::string& name)
+{
+    std::string names;
+    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
+        const auto look = static_cast<render::Look>(i);
+        if (name == render::lookName(look)) {
+            return look;
+        }
+        names += (i > 0 ? ", " : "") + std::string(render::lookName(look));
+    }
+    throw ScriptError("There is no look \"" + name + "\"; there are: " + names + ".");
+}
+
+py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
+                   double time, const std::string& look)
+{
+    constexpr int kMost = 16384;
+    if (width < 1 || height < 1 || width > kMost || height > kMost) {
+        throw ScriptError("A picture is 1 to 16384 pixels wide and high.");
+    }
+    if (!std::isfinite(time)) {
+        throw ScriptError("time must be a finite number of seconds.");
+    }
+    ScriptPicture request;
+    request.size = {width, height};
+    request.camera = cameraOf(*scene, camera);
+    request.seconds = time;
+    request.look = lookNamed(look);
+    const std::vector<std::uint8_t> pixels = valueOrRaise(scene->picture(request));
+    const py::array_t<std::uint8_t> array({height, width, 4}, pixels.data());
+    return py::module_::import("crowdbrush").attr("Picture")(array);
+}
+
+void savePicture(const std::string& path,
+                 const py::array_t<std::uint8_t, py::array::c_style>& array)
+{
+    if (array.ndim() != 3 || array.shape(2) != 4) {
+        throw ScriptError("A picture is an array of height × width × 4.");
+    }
+    const std::vector<std::uint8_t> pixels(array.data(), array.data() + array.size());
+    valueOrRaise(
+        writePicture(QString::fromStdString(path), pixels,
+                     {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))}));
+}
+
+/// A picture is an array that can save itself; a subclass of NumPy's is shortest in Python.
+void bindPicture(py::module_& module)
+{
+    module.def("_save_png", &savePicture);
+    py::exec(R"(
+import numpy as _numpy
+
+class Picture(_numpy.ndarray):
+    """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
+
+    def __new__(cls, pixels):
+        return _numpy.asarray(pixels).view(cls)
+
+    def save_png(self, path):
+        """Writes the picture to a file, whole or not at all."""
+        _save_png(str(path), _numpy.ascontiguousarray(self, dtype=_numpy.uint8))
+)",
+             module.attr("__dict__"));
+}
+
+void bindCamera(py::module_& module)
+{
+    py::class_<Camera>(module, "Camera", "Where a picture is taken from. World frame, metres.")
+        .def(py::init(&makeCamera), py::arg("position"), py::arg("target"), py::arg("fov") = 45.0F,
+             "fov: vertical, degrees.")
+        .def_property_readonly(
+            "position",
+            [](const Camera& camera) {
+                return Point3{camera.position.x, camera.position.y, camera.position.z};
+            })
+        .def_property_readonly("target", [](const Camera& camera) {
+            const glm::vec3 pivot = camera.pivot();
+            return Point3{pivot.x, pivot.y, pivot.z};
+        });
+}
+
+} // namespace
+
+void bindPictures(py::module_& module, SceneClass& scene)
+{
+    bindCamera(module);
+    bindPicture(module);
+    scene.def("render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
+              py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
+              "The picture as height × width × 4 uint8. Needs no display.");
+}
+
+} // namespace crowd::app

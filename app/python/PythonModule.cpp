@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/PythonModule.h"
+
+#include "app/python/Binding.h"
+
+namespace crowd::app {
+
+namespace {
+
+void needNumPy()
+{
+    try {
+        py::module_::import("numpy");
+    } catch (py::error_already_set&) {
+        throw py::import_error("crowdbrush needs NumPy, which this Python does not have: install "
+                               "the package python3-numpy, or run /usr/bin/python3.");
+    }
+}
+
+} // namespace
+
+void registerModule(py::module_& module)
+{
+    needNumPy();
+    module.doc() = "Everything the editor can do to a crowd, scripted. Metres, seconds, radians; "
+                   "Y is up and characters face +Z at heading 0. Columns are NumPy arrays.";
+    py::register_exception<ScriptError>(module, "Error", PyExc_RuntimeError);
+    bindTemplates(module);
+    bindBrushes(module);
+    bindScene(module);
+}
+
+} // namespace crowd::app

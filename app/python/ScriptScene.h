@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/pictures/PictureMaker.h"
+#include "model/brush/Stroke.h"
+#include "model/document/SceneDocument.h"
+#include "model/document/SceneEdit.h"
+#include "model/pick/StageRays.h"
+
+namespace crowd::app {
+
+/// Values for some columns of some individuals, as a script gives them: each n × stride bytes, in
+/// the order of the ids it goes with.
+struct ColumnValues
+{
+    model::ColumnId column = model::ColumnId::Position;
+    std::vector<std::byte> bytes;
+};
+
+/// A stroke as a script asks for it. Points in logical pixels of a view of this size.
+struct ScriptStroke
+{
+    model::BrushSettings settings;
+    std::vector<model::PointerInput> inputs; ///< never empty
+    std::optional<model::Camera> camera;     ///< the scene's first one without
+    glm::vec2 viewSize{1280.0F, 720.0F};
+    std::uint64_t seed = 1;
+};
+
+/// A picture as a script asks for it.
+struct ScriptPicture
+{
+    glm::ivec2 size{1280, 720};
+    std::optional<model::Camera> camera; ///< the scene's first one without
+    double seconds = 0.0;                ///< of the transport
+    render::Look look = render::Look::Lit;
+};
+
+/// A document that belongs to somebody else: the editor's. All of it outlives the ScriptScene.
+struct ScriptHost
+{
+    model::SceneDocument* document;
+    model::KeyframeStore* keyframes; ///< what is on screen; strokes pick by it
+    const model::StageRays* stage;
+    /// Runs work on the thread that the document belongs to, and waits for it.
+    std::function<void(const std::function<void()>& work)> run;
+};
+
+/// What a script works on: a document with all that painting and drawing need, without a window.
+/// Every change goes through the undoable edits that the editor's own tools use. What is refused
+/// is refused before anything changes, with a message. Knows nothing of Python. With a host its
+/// functions may be called from any one thread at a time: they reach the document through
+/// ScriptHost::run.
+class ScriptScene
+{
+public:
+    ScriptScene(); ///< an empty scene of its own
+    explicit ScriptScene(ScriptHost host);
+    ~ScriptScene(); ///< takes back an edit that is still open
+    ScriptScene(const ScriptScene&) = delete;
+    ScriptScene& operator=(const ScriptScene&) = delete;
+
+    /// The scene as it is now, for reading: a snapshot where a host could change it meanwhile.
+    [[nodiscard]] std::shared_ptr<const model::Scene> scene() const;
+    [[nodiscard]] std::string path() const;
+    [[nodiscard]] bool isModified() const;
+
+    [[nodiscard]] model::Result<void> open(const std::string& path);
+    [[nodiscard]] model::Result<void> save(const std::string& path); ///< empty: where it was opened
+
+    [[nodiscard]] model::Result<bool> undo(); ///< false: there was nothing to undo
+    [[nodiscard]] model::Result<bool> redo();
+    [[nodiscard]] std::vector<std::string> history() const; ///< texts of all steps
+    [[nodiscard]] int historyIndex() const;                 ///< how many of them are done
+
+    /// Everything until endEdit becomes one step (isKept) or is taken back.
+    [[nodiscard]] model::Result<void> beginEdit(const std::string& text);
+    void endEdit(bool isKept);
+
+    [[nodiscard]] model::Result<model::TemplateId> addTemplate(const std::string& path,
+                                                               const std::string& name);
+    [[nodiscard]] model::Result<std::uint8_t> addStage(const model::StageEntry& placed);
+    [[nodiscard]] model::Result<void> setCamera(const std::string& name,
+                                                const model::Camera& camera);
+    [[nodiscard]] model::Result<model::Camera> camera(const std::string& name) const;
+
+    /// n individuals with these values; the rest gets the defaults of their templates. Their ids.
+    [[nodiscard]] model::Result<std::vector<model::IndividualId>>
+    create(std::size_t n, std::span<const ColumnValues> values);
+    /// Ids ascending, all alive.
+    [[nodiscard]] model::Result<void> remove(std::span<const model::IndividualId> ids);
+    [[nodiscard]] model::Result<void> change(std::span<const model::IndividualId> ids,
+                                             std::span<const ColumnValues> values);
+
+    [[nodiscard]] model::Result<model::StrokeOutcome> stroke(const ScriptStroke& stroke);
+    /// RGBA8, sRGB, rows from the top.
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(const ScriptPicture& picture);
+
+private:
+    using Work = std::function<void(model::SceneEdit&)>;
+    struct OwnParts;
+
+    template<class Action>
+    [[nodiscard]] auto onDocument(const Action& work) const;
+    /// As part of the open edit, or as a step of its own. Where the document is.
+    [[nodiscard]] model::Result<void> edit(const QString& text, const Work& work);
+    [[nodiscard]] model::Result<void> refuseDuringEdit(const char* what) const;
+    [[nodiscard]] model::Result<void> refuseDuringStroke() const;
+    [[nodiscard]] model::Result<bool> step(bool isUndo);
+
+    std::unique_ptr<OwnParts> m_own; ///< null with a host
+    ScriptHost m_host;
+    model::KeyframeStore m_pictureKeyframes; ///< pictures wait for all of it, whatever else goes on
+    std::unique_ptr<PictureMaker> m_pictures; ///< made when first asked for
+    std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
+    QString m_editText;
+    std::uint64_t m_pictureCount = 0;
+};
+
+} // namespace crowd::app

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "app/python/Binding.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+/// Points as rows of x, y, then pressure, then time; without times one each 1/60 s.
+std::vector<PointerInput> inputsFrom(const py::object& points, double shownSeconds)
+{
+    const auto rows =
+        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(points);
+    if (!rows || rows.ndim() != 2 || rows.shape(0) == 0 || rows.shape(1) < 2 || rows.shape(1) > 4) {
+        PyErr_Clear();
+        throw ScriptError("points must be an array of at least one row of x, y, optionally "
+                          "pressure, optionally time.");
+    }
+    std::vector<PointerInput> inputs;
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        const auto at = [&](py::ssize_t k, double otherwise) {
+            return k < rows.shape(1) ? rows.at(i, k) : otherwise;
+        };
+        const double seconds = at(3, static_cast<double>(i) / 60.0);
+        const double pressure = at(2, 1.0);
+        const glm::dvec2 pixels(at(0, 0.0), at(1, 0.0));
+        constexpr double kFarthest = 1e6;
+        if (!(std::abs(pixels.x) < kFarthest && std::abs(pixels.y) < kFarthest) ||
+            !(pressure >= 0.0 && pressure <= 1.0) || !std::isfinite(seconds) ||
+            (i > 0 && seconds < inputs.back().timeSeconds)) {
+            throw ScriptError("points[" + std::to_string(i) +
+                              "] must be finite, with a pressure from 0 to 1 and a time that does "
+                              "not go back.");
+        }
+        PointerInput input = PointerInput::at(pixels, seconds, shownSeconds);
+        input.pressure = static_cast<float>(pressure);
+        input.buttons = LeftButton;
+        inputs.push_back(input);
+    }
+    return inputs;
+}
+
+StrokeOutcome stroke(const ScenePtr& scene, const BrushSettings& brush, const py::object& points,
+                     const CameraKey& camera, const std::pair<float, float>& size,
+                     std::uint64_t seed, double time)
+{
+    if (!(size.first >= 1.0F && size.second >= 1.0F && size.first <= 16384.0F &&
+          size.second <= 16384.0F)) {
+        throw ScriptError("size is a width and a height in pixels, from 1 to 16384.");
+    }
+    if (!std::isfinite(time)) {
+        throw ScriptError("time must be a finite number of seconds.");
+    }
+    ScriptStroke request;
+    request.settings = brush;
+    request.inputs = inputsFrom(points, time);
+    request.camera = cameraOf(*scene, camera);
+    request.viewSize = {size.first, size.second};
+    request.seed = seed;
+    return valueOrRaise(scene->stroke(request));
+}
+
+} // namespace
+
+void bindStrokes(py::module_& module, SceneClass& scene)
+{
+    py::class_<StrokeOutcome>(module, "StrokeOutcome", "What a stroke did.")
+        .def_readonly("committed", &StrokeOutcome::isCommitted, "Whether it made an undo step.")
+        .def_readonly("affected", &StrokeOutcome::affected, "Created, removed or changed.")
+        .def_property_readonly(
+            "message", [](const StrokeOutcome& outcome) { return outcome.message.toStdString(); },
+            "Why nothing happened; empty otherwise.");
+    scene.def("stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
+              py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
+              py::arg("seed") = 1, py::arg("time") = 0.0,
+              "Paints as the mouse does: points in logical pixels of a view of this size, "
+              "rows of x, y[, pressure[, time]]; one undo step. time: the transport's.");
+}
+
+} // namespace crowd::app

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/python/Binding.h"
+#include "model/bake/Pose.h"
+#include "model/bake/Skinning.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+TemplateEntry TemplateHandle::entry() const
+{
+    const auto scene = owner->scene();
+    const TemplateEntry* found = scene->findTemplate(id);
+    if (found == nullptr) {
+        throw ScriptError("The template with id " + std::to_string(id) +
+                          " is no longer in the scene.");
+    }
+    return *found;
+}
+
+TemplatePtr TemplateHandle::asset() const
+{
+    const TemplateEntry known = entry();
+    if (!known.asset) {
+        throw ScriptError("Template " + known.name + " is not loaded. " + known.problem);
+    }
+    return known.asset;
+}
+
+namespace {
+
+/// A clip for reading.
+struct ClipInfo
+{
+    std::string name;
+    double seconds;
+    int keyframes;
+    double speed;
+    bool loop;
+    std::optional<float> seatHeight;
+};
+
+std::vector<ClipInfo> clipsOf(const TemplateHandle& handle)
+{
+    std::vector<ClipInfo> clips;
+    const TemplatePtr asset = handle.asset();
+    for (const Clip& clip : asset->clips) {
+        clips.push_back({clip.name, static_cast<double>(clip.seconds), clip.keyframeCount(),
+                         static_cast<double>(clip.speed), clip.loop, clip.seatHeight});
+    }
+    return clips;
+}
+
+int clipIndex(const Template& asset, const std::variant<int, std::string>& clip)
+{
+    const auto count = static_cast<int>(asset.clips.size());
+    if (const int* index = std::get_if<int>(&clip)) {
+        if (*index < 0 || *index >= count) {
+            throw ScriptError("Clip " + std::to_string(*index) + " is out of range: " + asset.name +
+                              " has " + std::to_string(count) + ", counted from 0.");
+        }
+        return *index;
+    }
+    const auto& name = std::get<std::string>(clip);
+    const auto found = std::ranges::find(asset.clips, name, &Clip::name);
+    if (found == asset.clips.end()) {
+        throw ScriptError("Template " + asset.name + " has no clip \"" + name + "\".");
+    }
+    return static_cast<int>(found - asset.clips.begin());
+}
+
+struct Keyframe
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+};
+
+/// Level 0 at full precision, file order.
+Keyframe keyframeOf(const TemplateHandle& handle, const std::variant<int, std::string>& clip, int k)
+{
+    const TemplatePtr held = handle.asset();
+    const Template& asset = *held;
+    const int index = clipIndex(asset, clip);
+    const Clip& chosen = asset.clips[static_cast<std::size_t>(index)];
+    if (k < 0 || k >= chosen.keyframeCount()) {
+        throw ScriptError("Keyframe " + std::to_string(k) + " is out of range: " + chosen.name +
+                          " has " + std::to_string(chosen.keyframeCount()) + ", counted from 0.");
+    }
+    const Mesh& mesh = asset.levels.front();
+    Pose pose;
+    evaluatePose(asset, index, chosen.keyframeSeconds(k), pose);
+    Keyframe keyframe;
+    keyframe.positions.resize(mesh.positions.size());
+    keyframe.normals.resize(mesh.positions.size());
+    skin(mesh, pose.bones, keyframe.positions, keyframe.normals);
+    if (mesh.fileVertexCount > 0) {
+        keyframe.positions.resize(mesh.fileVertexCount);
+        keyframe.normals.resize(mesh.fileVertexCount);
+    }
+    return keyframe;
+}
+
+py::array_t<float> toArray(const std::vector<glm::vec3>& vectors)
+{
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+    return py::array_t<float>({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}},
+                              reinterpret_cast<const float*>(vectors.data()));
+}
+
+py::array_t<std::uint32_t> trianglesOf(const TemplateHandle& handle)
+{
+    const TemplatePtr asset = handle.asset();
+    const std::vector<std::uint32_t>& indices = asset->levels.front().indices;
+    return py::array_t<std::uint32_t>(
+        {static_cast<py::ssize_t>(indices.size() / 3), py::ssize_t{3}}, indices.data());
+}
+
+template<class Items>
+std::vector<std::string> namesOf(const Items& items)
+{
+    std::vector<std::string> names;
+    for (const auto& item : items) {
+        names.push_back(item.name);
+    }
+    return names;
+}
+
+std::vector<std::size_t> levelTriangles(const TemplateHandle& handle)
+{
+    std::vector<std::size_t> triangles;
+    const TemplatePtr asset = handle.asset();
+    for (const Mesh& level : asset->levels) {
+        triangles.push_back(level.triangleCount());
+    }
+    return triangles;
+}
+
+void bindClip(py::module_& module)
+{
+    py::class_<ClipInfo>(module, "Clip", "An animation of a template, for reading.")
+        .def_readonly("name", &ClipInfo::name)
+        .def_readonly("seconds", &ClipInfo::seconds)
+        .def_readonly("keyframes", &ClipInfo::keyframes, "Sampled 32 times a second.")
+        .def_readonly("speed", &ClipInfo::speed, "Ground speed at playback speed 1, m/s.")
+        .def_readonly("loop", &ClipInfo::loop)
+        .def_readonly("seat_height", &ClipInfo::seatHeight, "Metres; None: it does not sit.")
+        .def("__repr__", [](const ClipInfo& clip) { return "<Clip " + clip.name + ">"; });
+}
+
+} // namespace
+
+void bindTemplates(py::module_& module)
+{
+    using ClipKey = std::variant<int, std::string>;
+    bindClip(module);
+    py::class_<TemplateHandle>(module, "Template",
+                               "A character of a scene, to make copies of. Follows undo: using one "
+                               "whose template is gone raises Error.")
+        .def_property_readonly("id", [](const TemplateHandle& t) { return t.id; })
+        .def_property_readonly("name", [](const TemplateHandle& t) { return t.entry().name; })
+        .def_property_readonly("path", [](const TemplateHandle& t) { return t.entry().path; })
+        .def_property_readonly("clips", &clipsOf)
+        .def_property_readonly(
+            "clip_names", [](const TemplateHandle& t) { return t.entry().clipNames; },
+            "What the column \"clip\" counts.")
+        .def_property_readonly("slots",
+                               [](const TemplateHandle& t) { return namesOf(t.asset()->slots); })
+        .def_property_readonly(
+            "parts", [](const TemplateHandle& t) { return namesOf(t.asset()->parts); },
+            "Bit i of the column \"parts\" shows part i.")
+        .def_property_readonly("levels", &levelTriangles, "Triangles of each level of detail.")
+        .def_property_readonly("height_m",
+                               [](const TemplateHandle& t) { return t.asset()->bounds.size().y; })
+        .def_property_readonly("triangles", &trianglesOf, "T×3 uint32: vertex indices of level 0.")
+        .def(
+            "keyframe_vertices",
+            [](const TemplateHandle& t, const ClipKey& clip, int k) {
+                return toArray(keyframeOf(t, clip, k).positions);
+            },
+            py::arg("clip"), py::arg("k"),
+            "V×3 float32: level 0 of keyframe k, metres, the template's own frame, file order.")
+        .def(
+            "keyframe_normals",
+            [](const TemplateHandle& t, const ClipKey& clip, int k) {
+                return toArray(keyframeOf(t, clip, k).normals);
+            },
+            py::arg("clip"), py::arg("k"), "V×3 float32: unit normals of the same vertices.")
+        .def("__eq__", [](const TemplateHandle& a,
+                          const TemplateHandle& b) { return a.owner == b.owner && a.id == b.id; })
+        .def("__hash__", [](const TemplateHandle& t) { return t.id; })
+        .def("__repr__",
+             [](const TemplateHandle& t) { return "<Template " + t.entry().name + ">"; });
+}
+
+} // namespace crowd::app
