@@ -2,8 +2,8 @@
 #include <QtCore/QDir>
 #include <QtTest/QTest>
 
-#include "app/commands/PictureMaker.h"
 #include "app/commands/SceneSource.h"
+#include "app/pictures/PictureMaker.h"
 #include "tests/images/ComparePictures.h"
 #include "tests/render/TestScene.h"
 
