@@ -225,6 +225,13 @@ Slot SlotTable::makeSlot(const Key& key)
     for (std::size_t i = 1; i + 1 < key.size(); i += 2) {
         slot.choices.push_back(makeChoice(key[i + 1]));
         slot.choices.back().name = variantName(key[i]);
+        const int texCoord = baseColorOf(materialAt(*m_file.model, key[i + 1])).texCoord;
+        if (slot.choices.back().image >= 0 && texCoord != baseColorOf(material).texCoord) {
+            m_warnings.push_back("Slot \"" + slot.name + "\", variant \"" +
+                                 slot.choices.back().name +
+                                 "\": its picture lies by another set of coordinates than the "
+                                 "default's, which is used for both.");
+        }
     }
     return slot;
 }

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void refusesUnknownDemands();
     void readsUnlitAndGlowingMaterials();
     void readsTheOtherWorkflow();
+    void warnsOfVariantsWithOtherCoordinates();
     void saysWhichCompressionItCannotRead();
 
 private:
@@ -429,6 +430,23 @@ void tst_GltfSpecFiles::readsTheOtherWorkflow()
     const TemplatePtr asset = load(builder);
     QCOMPARE(asset->slots.front().choices.front().baseColor, glm::vec4(0.5F, 0.25F, 1, 1));
     QCOMPARE(imageOf(asset), 0);
+}
+
+void tst_GltfSpecFiles::warnsOfVariantsWithOtherCoordinates()
+{
+    GltfBuilder builder = textured();
+    addImage(builder, encoded(picture(), "png"), "image/png");
+    builder.add("textures", {{"source", 0}});
+    builder.root["materials"].push_back(builder.root["materials"][0]);
+    builder.root["extensions"]["KHR_materials_variants"] = {{"variants", {{{"name", "night"}}}}};
+    primitive(builder)["extensions"]["KHR_materials_variants"] = {
+        {"mappings", {{{"material", 1}, {"variants", {0}}}}}};
+    QVERIFY(load(builder)->warnings.empty());
+    builder.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
+    const TemplatePtr asset = load(builder);
+    QCOMPARE(asset->slots.front().choices[1].image, 0);
+    QCOMPARE(asset->warnings.size(), std::size_t{1});
+    QVERIFY(asset->warnings[0].find("variant \"night\"") != std::string::npos);
 }
 
 void tst_GltfSpecFiles::saysWhichCompressionItCannotRead()
