@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/gltf/GltfText.h"
+
 namespace crowd::model::gltf {
 
 bool JsonCheck::fail(const std::string& where, const std::string& what)
@@ -63,7 +65,7 @@ bool JsonCheck::whole(Json& object, const char* key, const std::string& where, s
     }
     const std::optional<std::uint64_t> value = asWhole(*found);
     if (!value || *value < low || *value > high) {
-        return fail(where + "." + key, "is " + found->dump().substr(0, 40) +
+        return fail(where + "." + key, "is " + shortened(found->dump(), 40) +
                                            ", not a whole number from " + std::to_string(low) +
                                            " to " + std::to_string(high));
     }

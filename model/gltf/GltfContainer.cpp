@@ -12,6 +12,7 @@
 #include <QtCore/QString>
 
 #include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfText.h"
 
 namespace crowd::model::gltf {
 
@@ -250,7 +251,7 @@ Result<Bytes> readUri(const std::string& uri, const std::string& folder)
     const QString decoded =
         QString::fromUtf8(QByteArray::fromPercentEncoding(QByteArray::fromStdString(uri)));
     if (hasScheme(raw) || isNoRelativePath(decoded) || isNoRelativePath(raw)) {
-        return Error{"\"" + uri.substr(0, 200) + "\" is not a path that begins at the file"};
+        return Error{"\"" + shortened(uri, 200) + "\" is not a path that begins at the file"};
     }
     const QString base = QString::fromStdString(folder) + u'/';
     // Some exporters write file names with a literal per cent sign, unescaped.
@@ -259,7 +260,7 @@ Result<Bytes> readUri(const std::string& uri, const std::string& folder)
                              : base + decoded;
     Result<Bytes> bytes = readFile(path.toStdString());
     if (!bytes) {
-        return Error{"\"" + uri.substr(0, 200) + "\": " + bytes.error().message};
+        return Error{"\"" + shortened(uri, 200) + "\": " + bytes.error().message};
     }
     return bytes;
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/GltfJson.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <QtCore/QByteArrayView>
+
 #include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfText.h"
 
 namespace crowd::model::gltf {
 
@@ -46,9 +50,15 @@ std::string excess(std::string_view text)
 /// "… parse error at line 3, column 7: …" without nlohmann's error number in front.
 std::string parseMessage(const char* what)
 {
-    const std::string text(what);
-    const std::size_t bracket = text.find("] ");
-    return bracket == std::string::npos ? text : text.substr(bracket + 2);
+    std::string text(what);
+    if (const std::size_t bracket = text.find("] "); bracket != std::string::npos) {
+        text.erase(0, bracket + 2);
+    }
+    // It ends with all that was read of the last word, which may be megabytes, or no UTF-8.
+    if (!QByteArrayView(text).isValidUtf8()) {
+        text.resize(std::min(text.size(), text.find("; last read")));
+    }
+    return shortened(std::move(text), 240);
 }
 
 } // namespace

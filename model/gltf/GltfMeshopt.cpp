@@ -8,6 +8,7 @@
 #include <meshoptimizer.h>
 
 #include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfText.h"
 
 namespace crowd::model::gltf {
 
@@ -47,10 +48,10 @@ std::string unknownKind(const Packed& packed)
                                                        "EXPONENTIAL"};
     if (!packed.mode.empty() &&
         std::find(kModes.begin(), kModes.end(), packed.mode) == kModes.end()) {
-        return "the mode \"" + packed.mode.substr(0, 40) + "\"";
+        return "the mode \"" + shortened(packed.mode, 40) + "\"";
     }
     return std::find(kFilters.begin(), kFilters.end(), packed.filter) == kFilters.end()
-               ? "the filter \"" + packed.filter.substr(0, 40) + "\""
+               ? "the filter \"" + shortened(packed.filter, 40) + "\""
                : std::string();
 }
 

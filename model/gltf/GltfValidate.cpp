@@ -7,6 +7,7 @@
 
 #include "model/gltf/GltfCheck.h"
 #include "model/gltf/GltfLimits.h"
+#include "model/gltf/GltfText.h"
 
 namespace crowd::model::gltf {
 
@@ -53,8 +54,8 @@ bool checkVersion(JsonCheck& check)
         return check.fail("asset.version", "is missing, so this is no glTF 2.0 file");
     }
     if (!version.starts_with("2.") || (!minimum.empty() && minimum != "2.0")) {
-        return check.fail("asset.version",
-                          "asks for glTF " + version.substr(0, 20) + "; only glTF 2.0 can be read");
+        return check.fail("asset.version", "asks for glTF " + shortened(version, 20) +
+                                               "; only glTF 2.0 can be read");
     }
     return true;
 }
@@ -70,7 +71,7 @@ bool checkExtensions(JsonCheck& check)
         const auto& name = required[i].get_ref<const std::string&>();
         if (!isKnown(name)) {
             return check.fail(where,
-                              "demands the extension " + name.substr(0, 80) +
+                              "demands the extension " + shortened(name, 80) +
                                   ", which Crowdbrush cannot read; export the file without it");
         }
     }
