@@ -13,8 +13,8 @@
 
 #include "model/bake/ClipBaker.h"
 #include "model/gltf/ImportProposal.h"
-#include "tests/model/GltfBuilder.h"
 #include "tests/model/GltfMutator.h"
+#include "tests/model/GltfSamples.h"
 
 using namespace crowd::model;
 
@@ -35,6 +35,7 @@ private:
     void tryMutant(const QString& path);
 
     QTemporaryDir m_temporary;
+    QTemporaryDir m_made; ///< files with a little of everything
     QString m_folder;
     QString m_scratch;
     int m_rounds = 60;
@@ -64,23 +65,36 @@ void tst_GltfFuzz::initTestCase()
     m_rounds = qEnvironmentVariable("CROWD_FUZZ_ROUNDS", QStringLiteral("60")).toInt();
     m_seed = qEnvironmentVariable("CROWD_FUZZ_SEED", QStringLiteral("1")).toULongLong();
     m_scratch = qEnvironmentVariable("CROWD_FUZZ_KEEP", m_temporary.path());
+    const GltfBuilder everything = gltf_samples::everything();
+    writeFile(m_made.filePath(QStringLiteral("everything.glb")), everything.glb());
+    writeFile(m_made.filePath(QStringLiteral("everything.gltf")), everything.embedded());
+    for (const char* name : {"everything.glb", "everything.gltf"}) {
+        const auto whole = importTemplate(m_made.filePath(QLatin1String(name)).toStdString());
+        QVERIFY2(whole.isOk(), whole ? "" : whole.error().message.c_str());
+        QCOMPARE(whole.value()->levels.size(), std::size_t{2});
+    }
 }
 
 void tst_GltfFuzz::survivesDamage_data()
 {
     QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("rounds");
+    for (const char* name : {"everything.glb", "everything.gltf"}) {
+        QTest::newRow(name) << m_made.filePath(QLatin1String(name)) << 10 * m_rounds;
+    }
     const QDir folder(m_folder);
     QDirIterator files(m_folder, {QStringLiteral("*.glb"), QStringLiteral("*.gltf")}, QDir::Files,
                        QDirIterator::Subdirectories);
     while (files.hasNext()) {
         const QString file = files.next();
-        QTest::newRow(folder.relativeFilePath(file).toUtf8().constData()) << file;
+        QTest::newRow(folder.relativeFilePath(file).toUtf8().constData()) << file << m_rounds;
     }
 }
 
 void tst_GltfFuzz::survivesDamage()
 {
     QFETCH(const QString, file);
+    QFETCH(const int, rounds);
     const QByteArray whole = contentOf(file);
     const QString suffix = QFileInfo(file).suffix();
     const QDir beside = QFileInfo(file).dir();
@@ -91,7 +105,7 @@ void tst_GltfFuzz::survivesDamage()
         }
     }
     const QString path = m_scratch + QStringLiteral("/mutant.") + suffix;
-    for (int round = 0; round < m_rounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         GltfMutator mutator(m_seed + static_cast<quint64>(round));
         writeFile(path, mutator.mutate(whole));
         tryMutant(path);
