@@ -83,7 +83,7 @@ class MeshBuilder
 public:
     MeshBuilder(GltfFile& file, const SceneNodes& scene, Template& asset,
                 const std::function<bool(float)>& report)
-        : m_file(file), m_model(*file.model), m_scene(scene), m_asset(asset), m_report(report),
+        : m_model(*file.model), m_scene(scene), m_asset(asset), m_report(report),
           m_slots(file, asset.warnings), m_bones(m_model, scene, asset.bones)
     {
     }
@@ -92,12 +92,12 @@ public:
     {
         const auto plan = planLevels(m_model, m_scene, m_asset.warnings);
         findJoints();
-        if (const Result<void> counted = countPrimitives(plan); !counted) {
+        if (Result<void> counted = countPrimitives(plan); !counted) {
             return counted;
         }
         announceSlots(plan);
         for (const std::vector<MeshUse>& level : plan) {
-            if (const Result<void> built = buildLevel(level); !built) {
+            if (Result<void> built = buildLevel(level); !built) {
                 return built;
             }
         }
@@ -192,7 +192,7 @@ private:
             if (!m_report(static_cast<float>(m_done++) / static_cast<float>(m_total))) {
                 return Error{kCancelled};
             }
-            if (const Result<void> added = addMesh(use, mesh, flat); !added) {
+            if (Result<void> added = addMesh(use, mesh, flat); !added) {
                 return added;
             }
         }
@@ -240,7 +240,7 @@ private:
             request.morphWeights = node.weights.empty() ? from.weights : node.weights;
             request.place =
                 place("meshes", static_cast<std::size_t>(node.mesh)) + "." + place("primitives", i);
-            if (const Result<void> fits = takeBudget(primitive, request.place); !fits) {
+            if (Result<void> fits = takeBudget(primitive, request.place); !fits) {
                 return fits;
             }
             const bool skinned = isSkinned(use, primitive);
@@ -355,7 +355,6 @@ private:
         }
     }
 
-    GltfFile& m_file;
     const tinygltf::Model& m_model;
     const SceneNodes& m_scene;
     Template& m_asset;

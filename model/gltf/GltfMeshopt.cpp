@@ -55,6 +55,12 @@ std::string unknownKind(const Packed& packed)
                : std::string();
 }
 
+Error unreadable(const std::string& where, const std::string& kind)
+{
+    return Error{where + ": it asks for " + kind +
+                 ", which Crowdbrush cannot read; export the file without compression"};
+}
+
 /// The limits that the decoders assume; meshoptimizer asserts them.
 bool isSound(const Packed& packed, const std::vector<Bytes>& buffers)
 {
@@ -131,8 +137,7 @@ Result<void> decodeMeshopt(Json& root, std::vector<Bytes>& buffers)
                             textOf(extension, "filter")};
         const std::string where = place("bufferViews", i) + ".extensions.EXT_meshopt_compression";
         if (const std::string kind = unknownKind(packed); !kind.empty()) {
-            return Error{where + ": it asks for " + kind +
-                         ", which Crowdbrush cannot read; export the file without compression"};
+            return unreadable(where, kind);
         }
         if (!isSound(packed, buffers)) {
             return Error{where + " does not describe data of the file"};

@@ -131,7 +131,7 @@ Result<void> checkAccessorLayout(const Json& root, std::size_t i)
     const std::size_t element =
         elementBytes(wholeOr(accessor, "componentType", 0), textOf(accessor, "type"));
     if (accessor.contains("bufferView")) {
-        const Result<void> run =
+        Result<void> run =
             checkRun(root, wholeOr(accessor, "bufferView", 0), wholeOr(accessor, "byteOffset", 0),
                      wholeOr(accessor, "count", 0), element, true, where);
         if (!run) {
@@ -144,7 +144,7 @@ Result<void> checkAccessorLayout(const Json& root, std::size_t i)
     }
     const std::uint64_t count = wholeOr(sparse, "count", 0);
     const Json& indexPart = member(sparse, "indices");
-    const Result<void> indexRun = checkRun(
+    Result<void> indexRun = checkRun(
         root, wholeOr(indexPart, "bufferView", 0), wholeOr(indexPart, "byteOffset", 0), count,
         componentBytes(wholeOr(indexPart, "componentType", 0)), false, where + ".sparse.indices");
     if (!indexRun) {
@@ -224,7 +224,7 @@ Result<void> validateLayout(const Json& root, const std::vector<std::size_t>& bu
         }
     }
     for (std::size_t i = 0; i < countOf(root, "accessors"); ++i) {
-        const Result<void> layout = checkAccessorLayout(root, i);
+        Result<void> layout = checkAccessorLayout(root, i);
         if (!layout) {
             return layout;
         }
