@@ -111,7 +111,9 @@ struct RenderStatistics
     std::array<int, model::kMaxLevels> byLevel{};
     int draws = 0;                    ///< GL draw calls, all passes
     std::int64_t triangles = 0;       ///< sent, all passes
-    int uploadedBlocks = 0;           ///< of Population::kBlockRows rows, static records
+    int uploadedPlacements = 0;       ///< rows whose static records were sent: where they stand
+    int uploadedAppearances = 0;      ///< ... and how they look
+    std::int64_t uploadedBytes = 0;   ///< of static records
     bool areKeyframesMissing = false; ///< somebody stands in his clip's first keyframe
     double recordsMs = 0.0;           ///< CPU: static records of changed rows
     double planMs = 0.0;              ///< CPU: phase, cull, level, sort

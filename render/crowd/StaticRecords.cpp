@@ -2,6 +2,7 @@
 #include "render/crowd/StaticRecords.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "model/base/Parallel.h"
@@ -13,6 +14,8 @@ namespace {
 using namespace model;
 
 constexpr std::size_t kBlocksPerChunk = 8;
+constexpr std::uint8_t kNewPlacement = 1;
+constexpr std::uint8_t kNewAppearance = 2;
 
 float seatHeight(std::span<const WorldSeat> seats, SeatId id)
 {
@@ -20,11 +23,31 @@ float seatHeight(std::span<const WorldSeat> seats, SeatId id)
     return found != seats.end() && found->id == id ? found->seat.height : 0.0F;
 }
 
+template<class Record>
+bool isSame(const Record& a, const Record& b)
+{
+    using Words = std::array<std::uint32_t, sizeof(Record) / sizeof(std::uint32_t)>;
+    return std::bit_cast<Words>(a) == std::bit_cast<Words>(b);
+}
+
+void append(std::vector<RowRange>& ranges, std::size_t row)
+{
+    if (!ranges.empty()) {
+        RowRange& last = ranges.back();
+        if (row - (last.first + last.count) <= StaticRecords::kJoinedGap) {
+            last.count = row + 1 - last.first;
+            return;
+        }
+    }
+    ranges.push_back({row, 1});
+}
+
 } // namespace
 
 void StaticRecords::forget()
 {
     m_blockVersions.clear();
+    m_knownRows = 0;
 }
 
 void StaticRecords::update(const Request& request)
@@ -43,19 +66,52 @@ void StaticRecords::update(const Request& request)
     m_placements.resize(population.size());
     m_appearances.resize(population.size());
     m_lifts.resize(population.size());
-    m_changed.clear();
+    m_changes.resize(population.size());
+    m_knownRows = std::min(m_knownRows, population.size());
+    m_changedBlocks.clear();
     for (std::size_t block = 0; block < versions.size(); ++block) {
         // Stamps are unique in the process: equal ones mean equal rows, older or newer.
         if (block >= m_blockVersions.size() || m_blockVersions[block] != versions[block]) {
-            m_changed.push_back(static_cast<std::uint32_t>(block));
+            m_changedBlocks.push_back(static_cast<std::uint32_t>(block));
         }
     }
     m_blockVersions.assign(versions.begin(), versions.end());
-    parallelFor(m_changed.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_changedBlocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            compute(request, m_changed[i]);
+            compute(request, m_changedBlocks[i]);
         }
     });
+    listChanges(population.size());
+}
+
+void StaticRecords::listChanges(std::size_t rows)
+{
+    m_newPlacements.clear();
+    m_newAppearances.clear();
+    for (const std::size_t block : m_changedBlocks) {
+        const std::size_t end = std::min((block + 1) * Population::kBlockRows, rows);
+        for (std::size_t row = block * Population::kBlockRows; row < end; ++row) {
+            if ((m_changes[row] & kNewPlacement) != 0) {
+                append(m_newPlacements, row);
+            }
+            if ((m_changes[row] & kNewAppearance) != 0) {
+                append(m_newAppearances, row);
+            }
+        }
+    }
+    m_knownRows = rows;
+}
+
+void StaticRecords::store(std::size_t row, const PlacementRecord& placement,
+                          const AppearanceRecord& look)
+{
+    const bool isKnown = row < m_knownRows;
+    const bool isMoved = !isKnown || !isSame(m_placements[row], placement);
+    const bool isRestyled = !isKnown || !isSame(m_appearances[row], look);
+    m_changes[row] = static_cast<std::uint8_t>((isMoved ? kNewPlacement : 0) |
+                                               (isRestyled ? kNewAppearance : 0));
+    m_placements[row] = placement;
+    m_appearances[row] = look;
 }
 
 void StaticRecords::compute(const Request& request, std::size_t block)
@@ -84,19 +140,17 @@ void StaticRecords::compute(const Request& request, std::size_t block)
         }
         const float heading = rows.column(columns::heading)[row];
         m_lifts[row] = lift;
-        m_placements[row] = {rows.column(columns::position)[row] + glm::vec3(0.0F, lift, 0.0F),
-                             std::cos(heading),
-                             std::sin(heading),
-                             height,
-                             girth,
-                             lift};
-        AppearanceRecord& look = m_appearances[row];
+        AppearanceRecord look;
         for (std::size_t slot = 0; slot < tints.size(); ++slot) {
             look.tints[slot] = tints[slot][row];
         }
         look.choices = rows.column(columns::materialChoices)[row];
         look.parts = rows.column(columns::parts)[row];
         look.shadowRadius = radius;
+        store(row,
+              {rows.column(columns::position)[row] + glm::vec3(0.0F, lift, 0.0F), std::cos(heading),
+               std::sin(heading), height, girth, lift},
+              look);
     }
 }
 

@@ -42,9 +42,17 @@ struct RecordTemplate
     float shadowRadius = 0.0F;                  ///< at girth 1
 };
 
-/// The part of each individual that only editing changes, kept from frame to frame; tells which
-/// blocks of Population::kBlockRows rows differ from those of the last frame, so that only they are
-/// computed and uploaded. No GL.
+/// Rows that are uploaded with one call.
+struct RowRange
+{
+    std::size_t first = 0;
+    std::size_t count = 0;
+    friend bool operator==(const RowRange&, const RowRange&) = default;
+};
+
+/// The part of each individual that only editing changes, kept from frame to frame. Blocks of
+/// Population::kBlockRows rows whose stamps differ from those of the last frame are computed; of
+/// them, the rows whose records came out different are listed for upload. No GL.
 class StaticRecords
 {
 public:
@@ -56,12 +64,16 @@ public:
         std::uint64_t seatsVersion = 0;
         std::uint64_t templatesVersion = 0; ///< changes with `templates`
     };
-    /// Brings the records up to date and lists the blocks that changed.
+    /// Brings the records up to date and lists the rows that changed.
     void update(const Request& request);
-    /// The next update() lists every block.
+    /// The next update() lists every row.
     void forget();
 
-    [[nodiscard]] std::span<const std::uint32_t> changedBlocks() const { return m_changed; }
+    /// Ascending, apart from each other. Up to kJoinedGap unchanged rows between changed ones are
+    /// taken along: a call costs more than they do.
+    [[nodiscard]] std::span<const RowRange> changedPlacements() const { return m_newPlacements; }
+    [[nodiscard]] std::span<const RowRange> changedAppearances() const { return m_newAppearances; }
+    static constexpr std::size_t kJoinedGap = 4;
     [[nodiscard]] std::span<const PlacementRecord> placements() const { return m_placements; }
     [[nodiscard]] std::span<const AppearanceRecord> appearances() const { return m_appearances; }
     /// Metres each row is lifted.
@@ -69,11 +81,17 @@ public:
 
 private:
     void compute(const Request& request, std::size_t block);
+    void store(std::size_t row, const PlacementRecord& placement, const AppearanceRecord& look);
+    void listChanges(std::size_t rows);
 
     std::vector<std::uint64_t> m_blockVersions;
+    std::size_t m_knownRows = 0; ///< at the front: what was listed before
     std::uint64_t m_seatsVersion = 0;
     std::uint64_t m_templatesVersion = 0;
-    std::vector<std::uint32_t> m_changed;
+    std::vector<std::uint32_t> m_changedBlocks;
+    std::vector<std::uint8_t> m_changes; ///< per row of changed blocks, what is new of it
+    std::vector<RowRange> m_newPlacements;
+    std::vector<RowRange> m_newAppearances;
     std::vector<std::int32_t> m_entryOfId;
     std::vector<PlacementRecord> m_placements;
     std::vector<AppearanceRecord> m_appearances;

@@ -24,7 +24,6 @@ constexpr int kTemplateUnit = 2; ///< and the three after it
 constexpr int kFramesBeforeDropping = 600;
 /// A software rasteriser works on what was flushed while the next piece is prepared.
 constexpr std::size_t kSoftwarePiece = 100;
-constexpr std::size_t kMaxBlockRun = 64; ///< blocks written by one call
 constexpr int kShadowCorners = 8;
 constexpr float kShadowStrength = 0.42F;
 constexpr float kSelectedTint = 0.22F;
@@ -45,6 +44,20 @@ constexpr std::array<glm::vec2, 8> kSides{{{0.75F, 0.75F},
 double millisecondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// How many rows were written.
+template<class Record>
+std::size_t writeRows(TexelBuffer& buffer, std::span<const Record> records,
+                      std::span<const RowRange> ranges)
+{
+    std::size_t rows = 0;
+    for (const RowRange& range : ranges) {
+        buffer.write(range.first * sizeof(Record),
+                     std::as_bytes(records.subspan(range.first, range.count)));
+        rows += range.count;
+    }
+    return rows;
 }
 
 glm::vec4 highlight(const glm::vec3& srgb, float strength)
@@ -189,22 +202,14 @@ void CrowdPass::uploadRecords(const PassContext& context)
     const std::span<const AppearanceRecord> appearances = m_records.appearances();
     m_rows.placement.reserve(placements.size_bytes());
     m_rows.appearance.reserve(appearances.size_bytes());
-    const std::span<const std::uint32_t> blocks = m_records.changedBlocks();
-    for (std::size_t i = 0; i < blocks.size();) {
-        std::size_t run = 1;
-        while (i + run < blocks.size() && run < kMaxBlockRun &&
-               blocks[i + run] == blocks[i] + run) {
-            ++run;
-        }
-        const std::size_t first = blocks[i] * Population::kBlockRows;
-        const std::size_t count = std::min(run * Population::kBlockRows, placements.size() - first);
-        m_rows.placement.write(first * sizeof(PlacementRecord),
-                               std::as_bytes(placements.subspan(first, count)));
-        m_rows.appearance.write(first * sizeof(AppearanceRecord),
-                                std::as_bytes(appearances.subspan(first, count)));
-        i += run;
-    }
-    context.statistics.uploadedBlocks = static_cast<int>(blocks.size());
+    const std::size_t moved =
+        writeRows(m_rows.placement, placements, m_records.changedPlacements());
+    const std::size_t restyled =
+        writeRows(m_rows.appearance, appearances, m_records.changedAppearances());
+    context.statistics.uploadedPlacements = static_cast<int>(moved);
+    context.statistics.uploadedAppearances = static_cast<int>(restyled);
+    context.statistics.uploadedBytes = static_cast<std::int64_t>(
+        moved * sizeof(PlacementRecord) + restyled * sizeof(AppearanceRecord));
 }
 
 void CrowdPass::uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const

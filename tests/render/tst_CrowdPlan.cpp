@@ -26,7 +26,8 @@ private Q_SLOTS:
     void levelsFollowTheIndividualWhenRowsMove();
     void highlightedAreListed();
     void standInsAreReported();
-    void recordsOfChangedBlocksOnly();
+    void onlyChangedRowsAreListed();
+    void rowsThatComeBackAreListed();
     void olderPopulationIsNoticed();
     void hundredThousandArePlannedInMilliseconds();
 
@@ -233,8 +234,14 @@ void TestCrowdPlan::standInsAreReported()
     QVERIFY(made.areKeyframesMissing());
 }
 
-void TestCrowdPlan::recordsOfChangedBlocksOnly()
+std::vector<render::RowRange> listed(std::span<const render::RowRange> ranges)
 {
+    return {ranges.begin(), ranges.end()};
+}
+
+void TestCrowdPlan::onlyChangedRowsAreListed()
+{
+    using Ranges = std::vector<render::RowRange>;
     model::Population people = makeRow(1000);
     const std::vector<model::TemplateEntry> entries{entryFor(m_man)};
     std::vector<render::RecordTemplate> templates(1);
@@ -242,21 +249,53 @@ void TestCrowdPlan::recordsOfChangedBlocksOnly()
         templates[0].clipOfName.push_back(&clip);
     }
     render::StaticRecords records;
-    const auto update = [&] {
-        const model::CrowdFramePtr frame = frameOf(people, entries);
-        records.update({*frame, templates, {}, 1, 1});
-        return std::vector<std::uint32_t>(records.changedBlocks().begin(),
-                                          records.changedBlocks().end());
-    };
-    QCOMPARE(update().size(), std::size_t{4});
-    QVERIFY(update().empty());
-    const std::array<model::IndividualId, 2> changed{300, 1000};
+    const auto update = [&] { records.update({*frameOf(people, entries), templates, {}, 1, 1}); };
+    const auto placements = [&] { return listed(records.changedPlacements()); };
+    const auto appearances = [&] { return listed(records.changedAppearances()); };
+    update();
+    QCOMPARE(placements(), (Ranges{{0, 1000}}));
+    QCOMPARE(appearances(), (Ranges{{0, 1000}}));
+    update();
+    QVERIFY(placements().empty() && appearances().empty());
+
+    const std::array<model::IndividualId, 4> changed{300, 301, 303, 1000};
     const model::Tint red{255, 0, 0, 255};
     people.setValues(model::columns::tint(3), changed, std::span(&red, 1));
-    QCOMPARE(update(), (std::vector<std::uint32_t>{1, 3}));
+    update();
+    QVERIFY(placements().empty());
+    QCOMPARE(appearances(), (Ranges{{299, 4}, {999, 1}}));
     QVERIFY(records.appearances()[299].tints[3] == red);
     QVERIFY(records.appearances()[999].tints[3] == red);
     QVERIFY(records.appearances()[998].tints[3] != red);
+
+    people.setValues(model::columns::tint(3), changed, std::span(&red, 1));
+    const float phase = 0.5F;
+    people.setValues(model::columns::phase, changed, std::span(&phase, 1));
+    update();
+    QVERIFY(placements().empty() && appearances().empty());
+}
+
+void TestCrowdPlan::rowsThatComeBackAreListed()
+{
+    using Ranges = std::vector<render::RowRange>;
+    model::Population people = makeRow(700);
+    const std::vector<model::TemplateEntry> entries{entryFor(m_man)};
+    std::vector<render::RecordTemplate> templates(1);
+    templates[0].clipOfName.push_back(&m_man->clips[0]);
+    render::StaticRecords records;
+    const auto update = [&] { records.update({*frameOf(people, entries), templates, {}, 1, 1}); };
+    update();
+    const std::array<model::IndividualId, 2> last{699, 700};
+    const model::IndividualRows removed = people.remove(last);
+    update();
+    QVERIFY(listed(records.changedPlacements()).empty());
+    people.add(removed);
+    update();
+    QCOMPARE(listed(records.changedPlacements()), (Ranges{{698, 2}}));
+    QCOMPARE(listed(records.changedAppearances()), (Ranges{{698, 2}}));
+    records.forget();
+    update();
+    QCOMPARE(listed(records.changedPlacements()), (Ranges{{0, 700}}));
 }
 
 void TestCrowdPlan::olderPopulationIsNoticed()
@@ -273,7 +312,7 @@ void TestCrowdPlan::olderPopulationIsNoticed()
     records.update({*frameOf(after, entries), templates, {}, 1, 1});
     QVERIFY(records.placements()[0].position == place);
     records.update({*frameOf(before, entries), templates, {}, 1, 1});
-    QCOMPARE(records.changedBlocks().size(), std::size_t{1});
+    QCOMPARE(listed(records.changedPlacements()), (std::vector<render::RowRange>{{0, 1}}));
     QVERIFY(records.placements()[0].position == glm::vec3(0.0F));
 }
 

@@ -50,7 +50,7 @@ private Q_SLOTS:
     void cutOutTexelsAreNotDrawn();
     void samePictureTwice();
     void picturesAreOpaque();
-    void onlyChangedBlocksAreUploaded();
+    void onlyChangedRowsAreUploaded();
     void whoIsOutOfViewIsNotDrawn();
     void contextIsReplaced();
 
@@ -385,7 +385,7 @@ void TestRenderer::picturesAreOpaque()
     }
 }
 
-void TestRenderer::onlyChangedBlocksAreUploaded()
+void TestRenderer::onlyChangedRowsAreUploaded()
 {
     model::Population people = makeRow(2000);
     const model::TemplateEntry entry = entryFor(m_man);
@@ -399,7 +399,7 @@ void TestRenderer::onlyChangedBlocksAreUploaded()
         QVERIFY(drawn.isOk());
     };
     drawPeople();
-    QCOMPARE(m_renderer->statistics().uploadedBlocks, 0);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, 0);
     const std::array<model::IndividualId, 2> changed{1, 700};
     const float heading = 1.0F;
     people.setValues(model::columns::heading, changed, std::span(&heading, 1));
@@ -407,7 +407,9 @@ void TestRenderer::onlyChangedBlocksAreUploaded()
     frame->population = people;
     frame->templates = entries;
     QVERIFY(m_renderer->draw(inputFor(frame)).isOk());
-    QCOMPARE(m_renderer->statistics().uploadedBlocks, 2);
+    QCOMPARE(m_renderer->statistics().uploadedPlacements, 2);
+    QCOMPARE(m_renderer->statistics().uploadedAppearances, 0);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, 64);
 }
 
 void TestRenderer::whoIsOutOfViewIsNotDrawn()
