@@ -7,6 +7,7 @@
 #include "app/commands/BenchIo.h"
 #include "app/commands/BenchPaint.h"
 #include "app/commands/BenchRender.h"
+#include "app/commands/BenchSimulate.h"
 #include "app/commands/EditorCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/RenderCli.h"
@@ -28,6 +29,7 @@ struct CommandLine
     BenchIoOptions benchIo;
     BenchPaintOptions benchPaint;
     BenchRenderOptions benchRender;
+    BenchSimulateOptions benchSimulate;
     ScriptOptions script;
     int status = 0;
 };
@@ -74,6 +76,31 @@ void addScript(CLI::App& cli, CommandLine& line)
     });
 }
 
+void addBenchSimulate(CLI::App& bench, CommandLine& line)
+{
+    BenchSimulateOptions& options = line.benchSimulate;
+    CLI::App* command = bench.add_subcommand("simulate", "How long a crowd takes to walk");
+    command->add_option("--workload", options.workload, "What the crowd does")
+        ->check(CLI::IsMember({"square", "corridor", "city"}))
+        ->capture_default_str();
+    command->add_option("--count", options.count, "People")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--steps", options.steps, "Steps of 1/30 s")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--threads", options.threads, "Threads at most")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command
+        ->add_option("--slowing", options.slowing,
+                     "How much density slows walkers: 0 not at all, 1 as observed")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command->add_flag("--json", options.json, "Print one JSON object");
+    command->callback([&line] { line.status = runBenchSimulate(line.benchSimulate); });
+}
+
 void addCommands(CLI::App& cli, CommandLine& line)
 {
     cli.set_version_flag("--version", std::string("crowdbrush ") + CROWD_VERSION);
@@ -87,6 +114,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
     addBenchIo(*bench, line);
     addBenchPaint(*bench, line);
     addBenchRenderCommand(*bench, line.benchRender, line.status);
+    addBenchSimulate(*bench, line);
 }
 
 QStringList toList(const std::vector<std::string>& texts)

@@ -9,10 +9,42 @@
 #include <thread>
 #include <vector>
 #else
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #endif
 
 namespace crowd::model {
+
+#ifdef CROWD_PARALLEL_STD_THREADS
+namespace {
+std::atomic<std::size_t> g_mostThreads{1024};
+}
+
+struct ThreadLimit::Limit
+{
+    explicit Limit(std::size_t threads) : before(g_mostThreads.exchange(threads)) {}
+    ~Limit() { g_mostThreads = before; }
+    Limit(const Limit&) = delete;
+    Limit& operator=(const Limit&) = delete;
+    std::size_t before;
+};
+#else
+struct ThreadLimit::Limit
+{
+    explicit Limit(std::size_t threads)
+        : control(oneapi::tbb::global_control::max_allowed_parallelism, threads)
+    {
+    }
+    oneapi::tbb::global_control control;
+};
+#endif
+
+ThreadLimit::ThreadLimit(int threads)
+    : m_limit(std::make_unique<Limit>(static_cast<std::size_t>(std::max(threads, 1))))
+{
+}
+
+ThreadLimit::~ThreadLimit() = default;
 
 namespace {
 
@@ -27,7 +59,8 @@ void runChunk(std::size_t index, std::size_t count, std::size_t chunk,
 void runChunks(std::size_t chunks, const std::function<void(std::size_t)>& run)
 {
     std::atomic<std::size_t> next{0};
-    const std::size_t workers = std::max<std::size_t>(2, std::thread::hardware_concurrency());
+    const std::size_t workers = std::min<std::size_t>(
+        g_mostThreads, std::max<std::size_t>(2, std::thread::hardware_concurrency()));
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < std::min(workers, chunks); ++i) {
         threads.emplace_back([&] {

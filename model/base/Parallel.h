@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace crowd::model {
 
@@ -12,5 +13,19 @@ namespace crowd::model {
 /// sanitizer build puts std::thread behind it instead of TBB. body must not throw.
 void parallelFor(std::size_t count, std::size_t chunk,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// While it lives, parallelFor uses at most so many threads (at least 1): for measuring.
+class ThreadLimit
+{
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct Limit;
+    std::unique_ptr<Limit> m_limit;
+};
 
 } // namespace crowd::model

@@ -121,6 +121,14 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
                           "triangles_drawn bytes_per_keyframe reference ratio samples clock");
     QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
                               << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms");
+    for (const char* workload : {"square", "corridor", "city"}) {
+        QTest::newRow(qPrintable(QStringLiteral("simulating a %1").arg(QLatin1String(workload))))
+            << QStringLiteral("bench simulate --count 100 --steps 10 --workload %1")
+                   .arg(QLatin1String(workload))
+            << QStringLiteral("workload count steps threads agent_steps_per_second median_step_ms "
+                              "overlaps_per_1000 efficiency rms_acceleration bytes_per_agent "
+                              "outside_walls");
+    }
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
                            << QStringLiteral("count bytes save_ms load_ms parse_floor_ms");
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/BenchSimulate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+
+#include "behavior/workload/Workload.h"
+#include "model/base/Parallel.h"
+
+namespace crowd::app {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+double nowMs()
+{
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count();
+}
+
+double rounded(double value)
+{
+    return std::round(value * 1000.0) / 1000.0;
+}
+
+QJsonObject report(const BenchSimulateOptions& options, const behavior::WorkloadFigures& figures)
+{
+    std::vector<double> stepMs = figures.stepMs;
+    std::ranges::sort(stepMs);
+    const double totalMs = std::accumulate(stepMs.begin(), stepMs.end(), 0.0);
+    const double agentSteps = static_cast<double>(options.count) * options.steps;
+    QJsonObject object{{QStringLiteral("workload"), QString::fromStdString(options.workload)},
+                       {QStringLiteral("count"), options.count},
+                       {QStringLiteral("steps"), options.steps},
+                       {QStringLiteral("threads"), options.threads}};
+    object[QStringLiteral("agent_steps_per_second")] = std::round(agentSteps / totalMs * 1000.0);
+    object[QStringLiteral("median_step_ms")] = rounded(stepMs[stepMs.size() / 2]);
+    object[QStringLiteral("overlaps_per_1000")] = rounded(figures.overlapsPer1000);
+    object[QStringLiteral("efficiency")] = rounded(figures.efficiency);
+    object[QStringLiteral("rms_acceleration")] = rounded(figures.rmsAcceleration);
+    object[QStringLiteral("bytes_per_agent")] = std::round(figures.bytesPerAgent);
+    object[QStringLiteral("outside_walls")] = rounded(figures.outsideWalls);
+    object[QStringLiteral("broken_numbers")] = static_cast<int>(figures.brokenNumbers);
+    return object;
+}
+
+void print(const QJsonObject& object, bool isJson)
+{
+    if (isJson) {
+        std::cout << QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() << '\n';
+        return;
+    }
+    for (auto item = object.begin(); item != object.end(); ++item) {
+        std::cout << item.key().toStdString() << ": "
+                  << item.value().toVariant().toString().toStdString() << '\n';
+    }
+}
+
+} // namespace
+
+int runBenchSimulate(const BenchSimulateOptions& options)
+{
+    auto workload =
+        behavior::makeWorkload(options.workload, static_cast<std::size_t>(options.count), kSeed);
+    if (!workload) {
+        std::cerr << workload.error().message << '\n';
+        return 1;
+    }
+    const model::ThreadLimit limit(options.threads);
+    behavior::Workload& crowd = *workload.value();
+    crowd.crowd().parameters.slowing = static_cast<float>(options.slowing);
+    print(report(options, behavior::runWorkload(crowd, options.steps, &nowMs)), options.json);
+    return 0;
+}
+
+} // namespace crowd::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace crowd::app {
+
+/// crowdbrush bench simulate: how many agent-steps a second, and whether they are right.
+struct BenchSimulateOptions
+{
+    std::string workload = "square"; ///< "square", "corridor" or "city"
+    int count = 10000;
+    int steps = 300;
+    int threads = 1;
+    double slowing = 0.0; ///< how much density slows walkers, 0 (free) to 1 (as observed)
+    bool json = false;
+};
+
+/// The exit code; prints the result, or one line on standard error. Needs no display.
+[[nodiscard]] int runBenchSimulate(const BenchSimulateOptions& options);
+
+} // namespace crowd::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "behavior/crowd/AgentColumns.h"
+
+namespace crowd::behavior {
+
+/// Square bins over all agents, filled by a counting sort. After sort() the rows of a bin lie next
+/// to each other, ascending by agent: the order depends on where people stand, not on how they came
+/// there. Bins of one row of the lattice lie next to each other too, so the neighbourhood of a bin
+/// is three spans.
+class BinLattice
+{
+public:
+    struct Span
+    {
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+    };
+
+    /// Bins at least `binSize` wide (wider where people are spread thin, so that there are never
+    /// many more bins than people). Reorders the rows of `columns`, using `spare` as the other
+    /// copy.
+    void sort(AgentColumns& columns, AgentColumns& spare, float binSize);
+
+    [[nodiscard]] std::uint32_t binOfRow(std::size_t row) const { return m_binOfRow[row]; }
+    /// Rows of the 3 × 3 bins around a bin: lattice rows below, same, above; empty ones outside.
+    void neighbourhood(std::uint32_t bin, Span (&spans)[3]) const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    void place(const AgentColumns& columns, float binSize);
+    void fill(const AgentColumns& columns);
+
+    float m_lowX = 0.0F;
+    float m_lowZ = 0.0F;
+    float m_perMetre = 1.0F;
+    std::uint32_t m_width = 1;
+    std::uint32_t m_depth = 1;
+    std::vector<std::uint32_t> m_start;    ///< first row of each bin, and the end of the last
+    std::vector<std::uint32_t> m_unsorted; ///< bin of each row before the sort
+    std::vector<std::uint32_t> m_binOfRow; ///< and after it
+    std::vector<std::uint32_t> m_order;    ///< row after → row before
+};
+
+} // namespace crowd::behavior

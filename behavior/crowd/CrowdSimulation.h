@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "behavior/crowd/AgentColumns.h"
+#include "behavior/crowd/BinLattice.h"
+#include "behavior/crowd/ForceParameters.h"
+#include "behavior/crowd/WallField.h"
+
+namespace crowd::behavior {
+
+/// One of the crowd, as seen from above: (x, z), metres, metres per second.
+struct AgentState
+{
+    glm::vec2 position{0.0F};
+    glm::vec2 velocity{0.0F};
+    float groundHeight = 0.0F;
+    float radius = 0.25F;
+    float preferredSpeed = 1.3F; ///< 0: does not move and is an obstacle
+};
+
+/// Bodies that avoid each other and walls while they go where they are told to. Knows nothing of
+/// paths, clips or scenes. The same bits for any number of threads and for any order in which
+/// people came to where they are. One thread at a time calls it.
+class CrowdSimulation
+{
+public:
+    ForceParameters parameters;
+
+    /// Agent i is agents[i]. Values that are no numbers become harmless ones.
+    void setAgents(std::span<const AgentState> agents);
+    void setWalls(std::span<const Wall> walls);
+    [[nodiscard]] std::size_t size() const { return m_agents.size(); }
+
+    /// Rows in an order of their own; write desiredX and desiredZ (and y, where the ground is not
+    /// flat) between steps, nothing else.
+    [[nodiscard]] AgentColumns& columns() { return m_agents; }
+    [[nodiscard]] const AgentColumns& columns() const { return m_agents; }
+    void setLevels(bool hasLevels) { m_hasLevels = hasLevels; }
+
+    /// Moves everybody on by `seconds` (at most 0.1; nothing happens at 0 or less).
+    void step(float seconds);
+
+    /// Memory held, all columns and the lattice, without walls.
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    void separate(float seconds);
+
+    AgentColumns m_agents;
+    AgentColumns m_spare;
+    BinLattice m_lattice;
+    WallField m_walls;
+    std::vector<std::uint8_t> m_isCrowded;
+    bool m_hasLevels = false;
+};
+
+/// Pairs closer than `metres` (below the range of the parameters), on the same level.
+[[nodiscard]] std::size_t countPairsCloserThan(const CrowdSimulation& crowd, float metres);
+
+} // namespace crowd::behavior

@@ -1,0 +1,1 @@
+crowd_add_test(ROOM behavior NAME tst_CrowdSimulation LINK crowd_behavior)

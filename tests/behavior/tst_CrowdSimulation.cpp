@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include <QtTest/QTest>
+
+#include <glm/geometric.hpp>
+
+#include "behavior/workload/Workload.h"
+#include "model/base/Parallel.h"
+#include "model/base/Random.h"
+
+using namespace crowd;
+using behavior::AgentState;
+using behavior::CrowdSimulation;
+using behavior::Wall;
+
+/// Bodies that avoid each other: the same on any number of threads, and as they should be.
+class CrowdSimulationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sameBitsForAnyNumberOfThreads_data();
+    void sameBitsForAnyNumberOfThreads();
+    void doesNotDependOnThePast();
+    void figures_data();
+    void figures();
+    void longJamStaysWhole();
+    void standingPeopleAreNotMoved();
+    void nobodyPassesAWall_data();
+    void nobodyPassesAWall();
+    void aWallOfPiecesPressesLikeOne();
+    void otherLevelsDoNotMatter();
+    void survivesNonsense();
+};
+
+namespace {
+
+constexpr float kStep = behavior::kWorkloadStep;
+
+/// All there is to know of a crowd, by agent.
+std::vector<std::uint32_t> bitsOf(const CrowdSimulation& crowd)
+{
+    const behavior::AgentColumns& agents = crowd.columns();
+    std::vector<std::uint32_t> bits(agents.size() * 4);
+    for (std::size_t row = 0; row < agents.size(); ++row) {
+        const float values[] = {agents.x[row], agents.z[row], agents.velocityX[row],
+                                agents.velocityZ[row]};
+        for (std::size_t i = 0; i < 4; ++i) {
+            bits[agents.agent[row] * 4 + i] = std::bit_cast<std::uint32_t>(values[i]);
+        }
+    }
+    return bits;
+}
+
+std::size_t rowOf(const CrowdSimulation& crowd, std::uint32_t agent)
+{
+    const auto& agents = crowd.columns().agent;
+    return static_cast<std::size_t>(std::ranges::find(agents, agent) - agents.begin());
+}
+
+void steerAll(CrowdSimulation& crowd, const glm::vec2& velocity)
+{
+    std::ranges::fill(crowd.columns().desiredX, velocity.x);
+    std::ranges::fill(crowd.columns().desiredZ, velocity.y);
+}
+
+std::vector<AgentState> statesOf(const CrowdSimulation& crowd)
+{
+    const behavior::AgentColumns& agents = crowd.columns();
+    std::vector<AgentState> states(agents.size());
+    for (std::size_t row = 0; row < agents.size(); ++row) {
+        states[agents.agent[row]] = {{agents.x[row], agents.z[row]},
+                                     {agents.velocityX[row], agents.velocityZ[row]},
+                                     agents.y[row],
+                                     agents.radius[row],
+                                     agents.preferredSpeed[row]};
+    }
+    return states;
+}
+
+} // namespace
+
+void CrowdSimulationTest::sameBitsForAnyNumberOfThreads_data()
+{
+    QTest::addColumn<QString>("workload");
+    QTest::addColumn<int>("count");
+    QTest::newRow("square") << QStringLiteral("square") << 6000;
+    QTest::newRow("corridor") << QStringLiteral("corridor") << 5000;
+    QTest::newRow("city") << QStringLiteral("city") << 4000;
+}
+
+void CrowdSimulationTest::sameBitsForAnyNumberOfThreads()
+{
+    QFETCH(const QString, workload);
+    QFETCH(const int, count);
+    std::vector<std::uint32_t> expected;
+    for (const int threads : {1, 2, 5}) {
+        const model::ThreadLimit limit(threads);
+        auto made =
+            behavior::makeWorkload(workload.toStdString(), static_cast<std::size_t>(count), 3);
+        QVERIFY(made.isOk());
+        (void)behavior::runWorkload(*made.value(), 60, nullptr);
+        const std::vector<std::uint32_t> bits = bitsOf(made.value()->crowd());
+        if (expected.empty()) {
+            expected = bits;
+        }
+        QVERIFY(bits == expected);
+    }
+}
+
+/// Who is put down where another crowd has got to goes on just like it.
+void CrowdSimulationTest::doesNotDependOnThePast()
+{
+    auto made = behavior::makeWorkload("corridor", 400, 3);
+    QVERIFY(made.isOk());
+    CrowdSimulation& crowd = made.value()->crowd();
+    (void)behavior::runWorkload(*made.value(), 50, nullptr);
+    CrowdSimulation fresh;
+    fresh.setWalls(behavior::rectangleWalls({0.0F, 0.0F}, {20.0F, 10.0F}));
+    fresh.setAgents(statesOf(crowd));
+    for (int i = 0; i < 20; ++i) {
+        steerAll(crowd, {1.0F, 0.2F});
+        steerAll(fresh, {1.0F, 0.2F});
+        crowd.step(kStep);
+        fresh.step(kStep);
+    }
+    QVERIFY(bitsOf(crowd) == bitsOf(fresh));
+}
+
+void CrowdSimulationTest::figures_data()
+{
+    QTest::addColumn<QString>("workload");
+    QTest::addColumn<int>("count");
+    QTest::addColumn<double>("leastEfficiency");
+    QTest::addColumn<double>("mostAcceleration");
+    QTest::newRow("square") << QStringLiteral("square") << 10000 << 0.88 << 0.6;
+    QTest::newRow("corridor") << QStringLiteral("corridor") << 2000 << 0.55 << 1.0;
+}
+
+void CrowdSimulationTest::figures()
+{
+    QFETCH(const QString, workload);
+    QFETCH(const int, count);
+    QFETCH(const double, leastEfficiency);
+    QFETCH(const double, mostAcceleration);
+    auto made = behavior::makeWorkload(workload.toStdString(), static_cast<std::size_t>(count), 1);
+    QVERIFY(made.isOk());
+    const behavior::WorkloadFigures figures = behavior::runWorkload(*made.value(), 300, nullptr);
+    QCOMPARE(figures.overlapsPer1000, 0.0);
+    QCOMPARE(figures.outsideWalls, 0.0);
+    QCOMPARE(figures.brokenNumbers, std::size_t{0});
+    QVERIFY2(figures.efficiency >= leastEfficiency, QByteArray::number(figures.efficiency));
+    QVERIFY2(figures.rmsAcceleration <= mostAcceleration,
+             QByteArray::number(figures.rmsAcceleration));
+    QVERIFY2(figures.bytesPerAgent <= 150.0, QByteArray::number(figures.bytesPerAgent));
+}
+
+/// 100 seconds of the dense corridor in two directions.
+void CrowdSimulationTest::longJamStaysWhole()
+{
+    auto made = behavior::makeWorkload("corridor", 2000, 2);
+    QVERIFY(made.isOk());
+    const behavior::WorkloadFigures figures = behavior::runWorkload(*made.value(), 3000, nullptr);
+    QVERIFY2(figures.overlapsPer1000 <= 0.5, QByteArray::number(figures.overlapsPer1000));
+    QCOMPARE(figures.outsideWalls, 0.0);
+    QCOMPARE(figures.brokenNumbers, std::size_t{0});
+}
+
+void CrowdSimulationTest::standingPeopleAreNotMoved()
+{
+    std::vector<AgentState> states(41);
+    for (std::size_t i = 0; i < 40; ++i) {
+        states[i].position = {-3.0F - static_cast<float>(i / 4) * 0.6F,
+                              (static_cast<float>(i % 4) - 1.5F) * 0.6F};
+    }
+    states[40].preferredSpeed = 0.0F;
+    CrowdSimulation crowd;
+    crowd.setAgents(states);
+    for (int i = 0; i < 300; ++i) {
+        steerAll(crowd, {1.3F, 0.0F});
+        crowd.step(kStep);
+        QCOMPARE(crowd.columns().x[rowOf(crowd, 40)], 0.0F);
+        QCOMPARE(crowd.columns().z[rowOf(crowd, 40)], 0.0F);
+        QCOMPARE(behavior::countPairsCloserThan(crowd, 0.4F), std::size_t{0});
+    }
+    const behavior::AgentColumns& agents = crowd.columns();
+    for (std::size_t row = 0; row < agents.size(); ++row) {
+        QVERIFY(agents.agent[row] == 40 || agents.x[row] > 0.5F); // all went around
+    }
+}
+
+void CrowdSimulationTest::nobodyPassesAWall_data()
+{
+    QTest::addColumn<float>("angle");
+    QTest::addColumn<int>("pieces");
+    QTest::newRow("straight on, in one piece") << 0.0F << 1;
+    QTest::newRow("straight on, in many pieces") << 0.0F << 50;
+    QTest::newRow("slanting") << 0.7F << 7;
+    QTest::newRow("nearly along it") << 1.5F << 3;
+}
+
+/// A crowd presses against a wall that is turned by an angle and a little longer than the crowd.
+void CrowdSimulationTest::nobodyPassesAWall()
+{
+    QFETCH(const float, angle);
+    QFETCH(const int, pieces);
+    const glm::vec2 across(std::cos(angle), std::sin(angle));
+    const glm::vec2 along(-across.y, across.x);
+    std::vector<Wall> walls;
+    for (int i = 0; i < pieces; ++i) {
+        const auto at = [&](int end) {
+            return along * (-60.0F + 120.0F * static_cast<float>(end) / static_cast<float>(pieces));
+        };
+        walls.push_back({at(i), at(i + 1)});
+    }
+    std::vector<AgentState> states(200);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        states[i].position = across * (-0.6F - 0.55F * static_cast<float>(i / 20)) +
+                             along * (0.55F * static_cast<float>(i % 20) - 5.0F);
+    }
+    CrowdSimulation crowd;
+    crowd.setWalls(walls);
+    crowd.setAgents(states);
+    for (int i = 0; i < 600; ++i) {
+        steerAll(crowd, {2.0F, 0.0F});
+        crowd.step(kStep);
+        const behavior::AgentColumns& agents = crowd.columns();
+        for (std::size_t row = 0; row < agents.size(); ++row) {
+            QVERIFY(glm::dot(glm::vec2(agents.x[row], agents.z[row]), across) < 0.0F);
+        }
+    }
+}
+
+void CrowdSimulationTest::aWallOfPiecesPressesLikeOne()
+{
+    const auto wayBeside = [](int pieces) {
+        std::vector<Wall> walls;
+        for (int i = 0; i < pieces; ++i) {
+            const float length = 40.0F / static_cast<float>(pieces);
+            walls.push_back({{-20.0F + length * static_cast<float>(i), 0.0F},
+                             {-20.0F + length * static_cast<float>(i + 1), 0.0F}});
+        }
+        CrowdSimulation crowd;
+        crowd.setWalls(walls);
+        const AgentState walker{{-10.0F, 0.5F}, {1.3F, 0.0F}};
+        crowd.setAgents({&walker, 1});
+        for (int i = 0; i < 200; ++i) {
+            steerAll(crowd, {1.3F, -0.5F});
+            crowd.step(kStep);
+        }
+        return glm::vec2(crowd.columns().x[0], crowd.columns().z[0]);
+    };
+    QVERIFY(glm::distance(wayBeside(1), wayBeside(37)) < 0.01F);
+    QVERIFY(wayBeside(1).y > 0.2F);
+}
+
+void CrowdSimulationTest::otherLevelsDoNotMatter()
+{
+    const AgentState states[] = {{{-2.0F, 0.0F}, {1.3F, 0.0F}, 0.0F},
+                                 {{2.0F, 0.05F}, {-1.3F, 0.0F}, 5.0F}};
+    CrowdSimulation crowd;
+    crowd.setAgents(states);
+    crowd.setLevels(true);
+    for (int i = 0; i < 90; ++i) {
+        for (std::size_t row = 0; row < 2; ++row) {
+            crowd.columns().desiredX[row] = crowd.columns().agent[row] == 0 ? 1.3F : -1.3F;
+        }
+        crowd.step(kStep);
+    }
+    QCOMPARE(crowd.columns().z[rowOf(crowd, 0)], 0.0F); // never gave way
+    QCOMPARE(crowd.columns().z[rowOf(crowd, 1)], 0.05F);
+}
+
+void CrowdSimulationTest::survivesNonsense()
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    std::vector<AgentState> states(3000); // all on one spot
+    states[0] = {{nan, infinity}, {nan, -infinity}, nan, nan, nan};
+    states[1] = {{1e30F, -1e30F}, {1e30F, 0.0F}, 0.0F, 1e30F, 1e30F};
+    const Wall walls[] = {{{nan, 0.0F}, {1.0F, 1.0F}},
+                          {{1.0F, 1.0F}, {1.0F, 1.0F}},
+                          {{-1e30F, 0.0F}, {1e30F, 0.0F}},
+                          {{-5.0F, -5.0F}, {5.0F, -5.0F}}};
+    CrowdSimulation crowd;
+    crowd.setWalls(walls);
+    crowd.setAgents(states);
+    for (const float seconds : {0.0F, nan, -1.0F, infinity, kStep, kStep}) {
+        steerAll(crowd, {nan, 1.0F});
+        crowd.step(seconds);
+    }
+    const behavior::AgentColumns& agents = crowd.columns();
+    for (std::size_t row = 0; row < agents.size(); ++row) {
+        QVERIFY(std::isfinite(agents.x[row]) && std::isfinite(agents.z[row]));
+        QVERIFY(std::isfinite(agents.velocityX[row]) && std::isfinite(agents.velocityZ[row]));
+    }
+}
+
+QTEST_APPLESS_MAIN(CrowdSimulationTest)
+#include "tst_CrowdSimulation.moc"
