@@ -97,6 +97,8 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
                      "How much density slows walkers: 0 not at all, 1 as observed")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
+    command->add_flag("--validate", options.validate,
+                      "Repeat published experiments and print how people walked there and here");
     command->add_flag("--json", options.json, "Print one JSON object");
     command->callback([&line] { line.status = runBenchSimulate(line.benchSimulate); });
 }

@@ -7,9 +7,11 @@
 #include <iostream>
 #include <numeric>
 
+#include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 
+#include "behavior/validation/Validation.h"
 #include "behavior/workload/Workload.h"
 #include "model/base/Parallel.h"
 
@@ -63,10 +65,37 @@ void print(const QJsonObject& object, bool isJson)
     }
 }
 
+/// A table, or an object with one list; 0 when all are within what is published.
+int runValidation(bool isJson)
+{
+    QJsonArray list;
+    bool isValid = true;
+    for (const behavior::ValidationRow& row : behavior::validate()) {
+        isValid = isValid && row.isWithin();
+        if (isJson) {
+            list.append(QJsonObject{{QStringLiteral("what"), QString::fromStdString(row.what)},
+                                    {QStringLiteral("unit"), QString::fromStdString(row.unit)},
+                                    {QStringLiteral("measured"), rounded(row.measured)},
+                                    {QStringLiteral("low"), rounded(row.low)},
+                                    {QStringLiteral("high"), rounded(row.high)},
+                                    {QStringLiteral("within"), row.isWithin()}});
+        } else {
+            std::cout << row.text() << '\n';
+        }
+    }
+    if (isJson) {
+        print({{QStringLiteral("validation"), list}}, true);
+    }
+    return isValid ? 0 : 1;
+}
+
 } // namespace
 
 int runBenchSimulate(const BenchSimulateOptions& options)
 {
+    if (options.validate) {
+        return runValidation(options.json);
+    }
     auto workload =
         behavior::makeWorkload(options.workload, static_cast<std::size_t>(options.count), kSeed);
     if (!workload) {

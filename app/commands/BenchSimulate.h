@@ -12,7 +12,8 @@ struct BenchSimulateOptions
     int count = 10000;
     int steps = 300;
     int threads = 1;
-    double slowing = 0.0; ///< how much density slows walkers, 0 (free) to 1 (as observed)
+    double slowing = 0.0;  ///< how much density slows walkers, 0 (free) to 1 (as observed)
+    bool validate = false; ///< the experiments of the field instead of a workload
     bool json = false;
 };
 

@@ -40,6 +40,7 @@ struct Lanes
 {
     float x[kLanes] = {};
     float z[kLanes] = {};
+    float backward[kLanes] = {}; ///< repulsion against the way one faces
     float density[kLanes] = {};
     float closest[kLanes];
 };
@@ -167,6 +168,9 @@ rowsInRange(const AgentColumns& agents, const Body& self, std::size_t selfRow,
         const float touch = p.contact * std::max(near.radius[first + l] - distance, 0.0F);
         sums.x[l] += push * (unitX + soonX * perSoon) + touch * unitX;
         sums.z[l] += push * (unitZ + soonZ * perSoon) + touch * unitZ;
+        const float forward =
+            push * (-ahead + (soonX * self.facingX + soonZ * self.facingZ) * perSoon);
+        sums.backward[l] += std::min(forward, 0.0F);
         sums.density[l] += nearness * nearness * (1.0F + ahead);
         const float room = distance - p.closest * near.radius[first + l];
         sums.closest[l] = std::min(sums.closest[l], room);
@@ -280,10 +284,16 @@ struct Pull
     const float room = std::clamp((p.jam - around) * 0.5F, 0.0F, 1.0F);
     const float pace = room * (1.0F + p.slowing * (weidmann(around) - 1.0F));
     const float perSecond = 1.0F / p.relaxationSeconds;
+    // What density does to the pace is known; repulsion must not do it once more.
+    const float wallsAhead = std::min(walls.x * self.facingX + walls.z * self.facingZ, 0.0F);
+    const float eased =
+        -p.slowing * (p.easedPeople * sumOf(sums.backward) + p.easedWalls * wallsAhead);
     const float pushX = (job.agents.desiredX[row] * pace - self.velocityX) * perSecond;
     const float pushZ = (job.agents.desiredZ[row] * pace - self.velocityZ) * perSecond;
-    float velocityX = self.velocityX + (pushX + sumOf(sums.x) + walls.x) * job.seconds;
-    float velocityZ = self.velocityZ + (pushZ + sumOf(sums.z) + walls.z) * job.seconds;
+    float velocityX =
+        self.velocityX + (pushX + sumOf(sums.x) + eased * self.facingX + walls.x) * job.seconds;
+    float velocityZ =
+        self.velocityZ + (pushZ + sumOf(sums.z) + eased * self.facingZ + walls.z) * job.seconds;
     const float speed = std::sqrt(velocityX * velocityX + velocityZ * velocityZ);
     const float top = p.topSpeed * job.agents.preferredSpeed[row];
     if (speed > top) {

@@ -23,6 +23,10 @@ struct ForceParameters
     /// How much walkers slow down as it gets dense ahead, after Weidmann, "Transporttechnik der
     /// Fussgänger" (1993): 0 not at all, 1 as observed.
     float slowing = 0.0F;
+    /// Shares of the repulsion against one's own way that a walker of that pace does not feel: the
+    /// pace knows of the people already, and whoever aims at a door is not stopped by its posts.
+    float easedPeople = 0.46F;
+    float easedWalls = 0.75F;
     float jam = 5.5F; ///< people per square metre ahead among whom nobody presses on
     /// Two bodies closer than this share of the sum of their radii are pushed apart at once.
     float closest = 0.82F;

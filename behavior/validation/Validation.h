@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// Experiments of the field, repeated with our crowd: how people are known to walk, and how ours
+/// do.
+namespace crowd::behavior {
+
+struct ValidationRow
+{
+    std::string what;
+    std::string unit;
+    double measured = 0.0;
+    double low = 0.0; ///< what is published, with its tolerance
+    double high = 0.0;
+
+    /// A line of a table.
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] bool isWithin() const { return measured >= low && measured <= high; }
+};
+
+/// Runs all of them, some seconds long; the same result every time.
+[[nodiscard]] std::vector<ValidationRow> validate();
+
+/// Speed among so many people per square metre, m/s, free speed 1.34: U. Weidmann,
+/// "Transporttechnik der Fussgänger", ETH Zürich 1993.
+[[nodiscard]] double weidmannSpeed(double perSquareMetre);
+
+} // namespace crowd::behavior
