@@ -94,6 +94,8 @@ struct CreateSettings
     ValueRange girth{0.95F, 1.05F};  ///< scale
     std::vector<PaintColor> palette; ///< tints of tintable slots; empty: none
     float paletteStrength = 1.0F;    ///< 0..1
+    bool variesOutfit = true; ///< any material of each slot, else the first
+    bool variesParts = false; ///< each part worn or not, else as the template has them
     ValueRange phase{0.0F, 1.0F};
     std::vector<ClipWeight> clips; ///< empty: the template's default, seated on a seat
     HeadingSettings heading{HeadingMode::Random};

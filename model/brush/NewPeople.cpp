@@ -52,11 +52,12 @@ public:
         m_rows.column(columns::height)[row] = varied(spot, DrawPurpose::Height, create.height);
         m_rows.column(columns::girth)[row] = varied(spot, DrawPurpose::Girth, create.girth);
         m_rows.column(columns::phase)[row] = varied(spot, DrawPurpose::Phase, create.phase);
-        m_rows.column(columns::parts)[row] = defaultParts(*entry.asset);
+        m_rows.column(columns::parts)[row] = parts(*entry.asset, spot);
         m_rows.column(columns::clip)[row] = wanted.value_or(usualClip(entry, isSeated));
         m_rows.column(columns::seat)[row] = spot.seat;
         m_rows.column(columns::seed)[row] = static_cast<std::uint32_t>(
             hashKeys(spot.key, static_cast<std::uint64_t>(DrawPurpose::Seed)));
+        writeOutfit(row, *entry.asset, spot);
         writeTints(row, *entry.asset, spot);
     }
 
@@ -79,6 +80,30 @@ private:
         return headingFor(wanted, m_view, spot.position, m_strokeHeading,
                           draw(spot, DrawPurpose::Heading))
             .value_or(wrappedAngle(wanted.headingRadians));
+    }
+    [[nodiscard]] std::uint32_t parts(const Template& asset, const Spot& spot) const
+    {
+        std::uint32_t shown = defaultParts(asset);
+        const std::size_t count = m_settings.create.variesParts ? asset.parts.size() : 0;
+        for (std::size_t part = 0; part < std::min<std::size_t>(count, 32); ++part) {
+            const std::uint32_t bit = std::uint32_t{1} << part;
+            shown =
+                randomUnit(spot.key, DrawPurpose::Parts, part) < 0.5 ? shown | bit : shown & ~bit;
+        }
+        return shown;
+    }
+    void writeOutfit(std::size_t row, const Template& asset, const Spot& spot)
+    {
+        MaterialChoices& choices = m_rows.column(columns::materialChoices)[row];
+        const std::size_t slots = std::min(asset.slots.size(), choices.size());
+        for (std::size_t slot = 0; slot < slots && m_settings.create.variesOutfit; ++slot) {
+            const std::size_t count = std::min<std::size_t>(asset.slots[slot].choices.size(), 256);
+            if (count > 1) {
+                const double u = randomUnit(spot.key, DrawPurpose::Outfit, slot);
+                choices[slot] = static_cast<std::uint8_t>(
+                    std::min(static_cast<std::size_t>(u * static_cast<double>(count)), count - 1));
+            }
+        }
     }
     void writeTints(std::size_t row, const Template& asset, const Spot& spot)
     {

@@ -32,7 +32,9 @@ enum class DrawPurpose : std::uint8_t {
     CellX,
     CellZ,
     Seed,
-    DeleteShare
+    DeleteShare,
+    Outfit,
+    Parts
 };
 
 [[nodiscard]] double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra = 0);

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void keepsTheMinimalDistance();
     void looksThroughPeople();
     void variesWithinTheRanges();
+    void dressesEachInAnOutfit();
     void mixesTemplatesByWeight();
     void takesSeatsOnceAndSitsThemDown();
     void keepsToRanksAndWedges();
@@ -168,6 +169,43 @@ void tst_BrushCreate::variesWithinTheRanges()
         QVERIFY(top == (Tint{10, 20, 30, 255}) || top == (Tint{40, 50, 60, 255}));
     }
     QVERIFY(static_cast<int>(heights.size()) > created - 5);
+}
+
+void tst_BrushCreate::dressesEachInAnOutfit()
+{
+    BrushScene scene;
+    auto man = std::make_shared<Template>(*boxMan());
+    man->slots[1].choices.resize(3);
+    man->parts = {{"hat", true}, {"sword", false}};
+    const auto edit = scene.document.beginEdit();
+    edit->changeTemplate(boxManEntry(1, man));
+    edit->commit(QStringLiteral("Change"));
+    BrushSettings settings = creator(BrushSelection::Rectangle);
+    QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
+    const auto countOf = [&](std::uint8_t choice) {
+        const auto all = scene.people().column(columns::materialChoices);
+        return std::ranges::count_if(all, [&](const auto& worn) { return worn[1] == choice; });
+    };
+    const auto third = static_cast<double>(scene.people().size()) / 3.0;
+    for (std::uint8_t choice = 0; choice < 3; ++choice) {
+        QVERIFY(std::abs(static_cast<double>(countOf(choice)) - third) < third * 0.5);
+    }
+    for (const auto& worn : scene.people().column(columns::materialChoices)) {
+        QVERIFY2(worn[0] == 0, "one material is no choice");
+    }
+    for (const std::uint32_t parts : scene.people().column(columns::parts)) {
+        QVERIFY2((parts & 3U) == 1U, "parts as the template has them");
+    }
+    scene.document.undoStack().undo();
+    settings.create.variesOutfit = false;
+    settings.create.variesParts = true;
+    QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
+    QCOMPARE(countOf(0), std::ssize(scene.people().ids()));
+    std::set<std::uint32_t> worn;
+    for (const std::uint32_t parts : scene.people().column(columns::parts)) {
+        worn.insert(parts & 3U);
+    }
+    QVERIFY2(worn.size() == 4, "each part by itself");
 }
 
 void tst_BrushCreate::mixesTemplatesByWeight()

@@ -225,7 +225,38 @@ void addSeats(BrushForm& form, const BrushForm::Condition& onSeats)
         [onSeats](const BrushSettings& s) { return onSeats(s) && s.takesShare(); });
 }
 
-void addVariation(BrushForm& form)
+/// Whether any template of the scene has something of the kind.
+template<class Has>
+bool anyTemplate(const EditorState& state, const Has& has)
+{
+    return std::ranges::any_of(state.scene().templates, [&](const model::TemplateEntry& entry) {
+        return entry.asset && has(*entry.asset);
+    });
+}
+
+void addClothes(BrushForm& form, const EditorState& state)
+{
+    const bool hasOutfits = anyTemplate(state, [](const model::Template& asset) {
+        return std::ranges::any_of(asset.slots,
+                                   [](const auto& slot) { return slot.choices.size() > 1; });
+    });
+    const bool hasParts =
+        anyTemplate(state, [](const model::Template& asset) { return !asset.parts.empty(); });
+    form.beginRow();
+    addFlag(
+        form, BrushForm::tr("Outfits"),
+        BrushForm::tr("Each wears any of the materials that the template has for a slot"),
+        [](BrushSettings& s) -> bool& { return s.create.variesOutfit; },
+        [hasOutfits](const BrushSettings&) { return hasOutfits; });
+    addFlag(
+        form, BrushForm::tr("Parts"),
+        BrushForm::tr("Each wears some of the template's parts, as hats and bags"),
+        [](BrushSettings& s) -> bool& { return s.create.variesParts; },
+        [hasParts](const BrushSettings&) { return hasParts; });
+    form.endRow();
+}
+
+void addVariation(BrushForm& form, const EditorState& state)
 {
     const ValueSlider::Range scale{0.5, 2.0, 0.01, 2, {}, false};
     form.beginSection(BrushForm::tr("Variation"), QStringLiteral("variation"));
@@ -237,6 +268,7 @@ void addVariation(BrushForm& form)
                   [](BrushSettings& s) -> ValueRange& { return s.create.phase; });
     addFloat(form, BrushForm::tr("Tint"), kPercent, 100.0,
              [](BrushSettings& s) -> float& { return s.create.paletteStrength; });
+    addClothes(form, state);
     form.addCurve([](const BrushSettings& s) { return s.distribution; },
                   [](BrushSettings& s, const model::DistributionCurve& c) {
                       s.distribution = c;
@@ -269,7 +301,7 @@ void addCreation(BrushForm& form, EditorState& state)
     addFloat(
         form, BrushForm::tr("Distance"), {0.1, 10.0, 0.1, 2, BrushForm::tr(" m"), true}, 1.0,
         [](BrushSettings& s) -> float& { return s.create.minimalDistance; }, onGround);
-    addVariation(form);
+    addVariation(form, state);
     addHeading(
         form, state, [](BrushSettings& s) -> HeadingSettings& { return s.create.heading; },
         onGround);

@@ -46,7 +46,7 @@ QStringList firstSwatches()
             QStringLiteral("#9e2b3c"), QStringLiteral("#e8842e"), QStringLiteral("#e6c34a"),
             QStringLiteral("#7fa650"), QStringLiteral("#3f6f4f"), QStringLiteral("#4a90d9"),
             QStringLiteral("#2c4a86"), QStringLiteral("#6a4b8c"), QStringLiteral("#b0558f"),
-            QStringLiteral("#e79aa8"), QStringLiteral("#7fc4c9")};
+            QStringLiteral("#7fc4c9")};
 }
 
 std::vector<QColor> stored(const QString& key, const QStringList& otherwise)
