@@ -16,6 +16,11 @@ bool followsSomething(HeadingMode mode)
     return mode != HeadingMode::Direction && mode != HeadingMode::Random;
 }
 
+bool isAmong(const std::vector<int>& chosen, int number)
+{
+    return chosen.empty() || std::ranges::find(chosen, number) != chosen.end();
+}
+
 MainNumber numberOfCreation(const BrushSettings& settings)
 {
     if (settings.create.seats.isOn) {
@@ -39,6 +44,11 @@ MainNumber numberOfOrientation(const HeadingSettings& heading)
 }
 
 } // namespace
+
+bool SeatGridSettings::allows(int rank, int wedge) const
+{
+    return isAmong(ranks, rank) && isAmong(wedges, wedge);
+}
 
 double DistributionCurve::sample(double u) const
 {

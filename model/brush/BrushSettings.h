@@ -83,6 +83,7 @@ struct SeatGridSettings
     bool isOn = true;
     std::vector<int> ranks;  ///< ascending; empty: all
     std::vector<int> wedges; ///< ascending; empty: all
+    [[nodiscard]] bool allows(int rank, int wedge) const;
     friend bool operator==(const SeatGridSettings&, const SeatGridSettings&) = default;
 };
 
@@ -92,10 +93,10 @@ struct CreateSettings
     float minimalDistance = 0.6F;    ///< metres between foot points, also to those already there
     ValueRange height{0.95F, 1.05F}; ///< scale
     ValueRange girth{0.95F, 1.05F};  ///< scale
-    std::vector<PaintColor> palette; ///< tints of tintable slots; empty: none
+    std::vector<PaintColor> palette; ///< tints of clothes; empty: none
     float paletteStrength = 1.0F;    ///< 0..1
-    bool variesOutfit = true; ///< any material of each slot, else the first
-    bool variesParts = false; ///< each part worn or not, else as the template has them
+    bool variesOutfit = true;        ///< any material of each slot, else the first
+    bool variesParts = false;        ///< each part worn or not, else as the template has them
     ValueRange phase{0.0F, 1.0F};
     std::vector<ClipWeight> clips; ///< empty: the template's default, seated on a seat
     HeadingSettings heading{HeadingMode::Random};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
@@ -29,6 +31,29 @@ const TemplateWeight* chosenTemplate(std::span<const TemplateWeight> mix, double
         }
     }
     return last;
+}
+
+/// Whether the colours that new people wear leave a slot as it is, going by the words of its name.
+bool isOfTheBody(const std::string& slot)
+{
+    static const std::set<std::string> kBody{"beard", "body", "brows", "eye",  "eyes", "face",
+                                             "fur",   "hair", "head",  "skin", "teeth"};
+    std::string word;
+    for (std::size_t i = 0; i <= slot.size(); ++i) {
+        const auto letter = static_cast<unsigned char>(i < slot.size() ? slot[i] : ' ');
+        const bool startsWord = std::isupper(letter) != 0 && i > 0 &&
+                                std::islower(static_cast<unsigned char>(slot[i - 1])) != 0;
+        if (std::isalpha(letter) == 0 || startsWord) {
+            if (kBody.contains(word)) {
+                return true;
+            }
+            word.clear();
+        }
+        if (std::isalpha(letter) != 0) {
+            word += static_cast<char>(std::tolower(letter));
+        }
+    }
+    return false;
 }
 
 /// Fills rows one by one.
@@ -110,7 +135,7 @@ private:
         const CreateSettings& create = m_settings.create;
         const std::size_t slots = std::min<std::size_t>(asset.slots.size(), kMaxTintSlots);
         for (std::size_t slot = 0; slot < slots && !create.palette.empty(); ++slot) {
-            if (!asset.slots[slot].tintable) {
+            if (!asset.slots[slot].tintable || isOfTheBody(asset.slots[slot].name)) {
                 continue;
             }
             const auto picked =

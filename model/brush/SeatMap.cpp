@@ -14,11 +14,6 @@ constexpr float kHeadAboveSeat = 0.8F;
 constexpr double kReachMetres = 0.5;
 constexpr double kLeastReachPixels = 12.0;
 
-bool isChosen(const std::vector<int>& chosen, int number)
-{
-    return chosen.empty() || std::ranges::find(chosen, number) != chosen.end();
-}
-
 std::vector<SeatId> takenSeats(const Population& people)
 {
     std::vector<SeatId> taken;
@@ -46,14 +41,15 @@ SeatMap::SeatMap(const Scene& scene, const View& view, const StageRays& stage,
     for (const WorldSeat& seat : scene.worldSeats()) {
         m_hasSeats = true;
         const auto foot = view.project(seat.seat.position);
+        const auto mark = view.project(above(seat.seat, 0.0F));
         const auto lap = view.project(above(seat.seat, kLapAboveSeat));
-        if (!foot || !lap || !isChosen(settings.ranks, seat.seat.rank) ||
-            !isChosen(settings.wedges, seat.seat.wedge)) {
+        if (!foot || !mark || !lap || !settings.allows(seat.seat.rank, seat.seat.wedge)) {
             continue;
         }
         Place place;
         place.seat = seat;
         place.foot = {foot->x, foot->y};
+        place.mark = {mark->x, mark->y};
         place.lap = {lap->x, lap->y};
         place.reach = std::max(kLeastReachPixels, kReachMetres * view.pixelsPerMetre(foot->z));
         place.isFree = !std::ranges::binary_search(taken, seat.id);
@@ -83,7 +79,7 @@ std::vector<WorldSeat> SeatMap::freeIn(const ScreenArea& area)
 {
     std::vector<WorldSeat> seats;
     for (Place& place : m_places) {
-        if (place.isFree && area.contains(place.foot) && isSeen(place)) {
+        if (place.isFree && area.contains(place.mark) && isSeen(place)) {
             seats.push_back(place.seat);
         }
     }
@@ -98,7 +94,7 @@ std::optional<WorldSeat> SeatMap::nearestFree(glm::dvec2 pixel,
     for (Place& place : m_places) {
         const double distance =
             std::min(glm::distance(pixel, place.foot), glm::distance(pixel, place.lap));
-        const bool isInReach = area ? area->contains(place.foot) : distance <= place.reach;
+        const bool isInReach = area ? area->contains(place.mark) : distance <= place.reach;
         if (place.isFree && isInReach && (nearest == nullptr || distance < nearestDistance) &&
             isSeen(place)) {
             nearest = &place;

@@ -26,7 +26,7 @@ public:
 
     /// Whether the scene has any seats at all, chosen or not.
     [[nodiscard]] bool hasSeats() const { return m_hasSeats; }
-    /// Free seats whose foot point projects inside, ascending by id.
+    /// Free seats whose plane, where they are marked, projects inside, ascending by id.
     [[nodiscard]] std::vector<WorldSeat> freeIn(const ScreenArea& area);
     /// The free seat that is nearest to a pixel, inside the area if one is given, else at most
     /// half a metre (and never less than 12 pixels) away.
@@ -40,6 +40,7 @@ private:
     {
         WorldSeat seat;
         glm::dvec2 foot{0.0}; ///< logical pixels
+        glm::dvec2 mark{0.0}; ///< middle of the seat's plane
         glm::dvec2 lap{0.0};
         double reach = 0.0; ///< half a metre, in pixels
         bool isFree = true;

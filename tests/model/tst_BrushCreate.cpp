@@ -62,6 +62,9 @@ private Q_SLOTS:
     void dressesEachInAnOutfit();
     void mixesTemplatesByWeight();
     void takesSeatsOnceAndSitsThemDown();
+    void anAreaTakesTheSeatsThatAreMarkedInIt();
+    void leavesTheColoursOfTheBodyAlone_data();
+    void leavesTheColoursOfTheBodyAlone();
     void keepsToRanksAndWedges();
     void fillsAShareOfTheSeats();
     void dotsAlongSeatsLeaveTheirShareFree();
@@ -247,6 +250,49 @@ void tst_BrushCreate::takesSeatsOnceAndSitsThemDown()
     QCOMPARE(scene.people().size(), std::size_t{31});
     scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, seats[5].seat.position)});
     QCOMPARE(seatsOf(scene.people()).size(), std::size_t{32});
+}
+
+void tst_BrushCreate::anAreaTakesTheSeatsThatAreMarkedInIt()
+{
+    // From low in front the foot of a seat lies far below its plane, where it is marked.
+    BrushScene scene({stageOf({}, seatRows(1, 8))});
+    const View low(Camera::lookingAt({0.0F, 1.5F, 8.0F}, {0.0F, 0.5F, 0.0F}), {1280.0F, 768.0F});
+    const glm::dvec2 foot = pixelOf(low, {0.0F, 0.0F, 0.0F});
+    const glm::dvec2 mark = pixelOf(low, {0.0F, 0.4F, 0.0F});
+    const double between = 0.5 * (foot.y + mark.y);
+    const BrushSettings settings = creator(BrushSelection::Rectangle);
+    const auto feet = scene.paint(low, settings, {{1.0, between}, {1279.0, foot.y + 40.0}});
+    QVERIFY2(!feet.isCommitted, "only feet are inside");
+    QCOMPARE(scene.paint(low, settings, {{1.0, mark.y - 40.0}, {1279.0, between}}).affected, 8);
+}
+
+void tst_BrushCreate::leavesTheColoursOfTheBodyAlone_data()
+{
+    QTest::addColumn<QString>("slot");
+    QTest::addColumn<bool>("isTinted");
+    QTest::newRow("cloth") << "top" << true;
+    QTest::newRow("hair") << "hair" << false;
+    QTest::newRow("hair among other words") << "Long_Hair.001" << false;
+    QTest::newRow("fur") << "fur" << false;
+    QTest::newRow("a chair is no hair") << "chair" << true;
+    QTest::newRow("furniture is no fur") << "furniture" << true;
+}
+
+void tst_BrushCreate::leavesTheColoursOfTheBodyAlone()
+{
+    QFETCH(QString, slot);
+    QFETCH(bool, isTinted);
+    BrushScene scene;
+    auto man = std::make_shared<Template>(*boxMan());
+    man->slots[1].name = slot.toStdString();
+    const auto edit = scene.document.beginEdit();
+    edit->changeTemplate(boxManEntry(1, man));
+    edit->commit(QStringLiteral("Change"));
+    BrushSettings settings = creator(BrushSelection::Point);
+    settings.create.palette = {{10, 20, 30}};
+    QVERIFY(scene.paint(fromAbove(), settings, {{640.0, 384.0}}).isCommitted);
+    QCOMPARE(scene.people().column(columns::tint(1))[0],
+             isTinted ? (Tint{10, 20, 30, 255}) : Tint{});
 }
 
 void tst_BrushCreate::keepsToRanksAndWedges()

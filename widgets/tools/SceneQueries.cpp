@@ -77,7 +77,7 @@ std::span<const model::WorldSeat> SceneQueries::seats()
 
 std::span<const render::Marker> SceneQueries::freeSeats()
 {
-    return m_seats.freeSeats(m_state.scene());
+    return m_seats.freeSeats(m_state.scene(), m_state.brush(model::BrushKind::Create).create.seats);
 }
 
 } // namespace crowd::widgets

@@ -43,18 +43,21 @@ std::span<const WorldSeat> SeatMarkers::seats(const Scene& scene)
     return m_seats;
 }
 
-std::span<const render::Marker> SeatMarkers::freeSeats(const Scene& scene)
+std::span<const render::Marker> SeatMarkers::freeSeats(const Scene& scene,
+                                                       const SeatGridSettings& grid)
 {
     const std::span<const WorldSeat> all = seats(scene);
-    if (!m_areMarkersStale) {
+    if (!m_areMarkersStale && grid == m_grid) {
         return m_markers;
     }
+    m_grid = grid;
     const std::span<const SeatId> column = scene.population.column(columns::seat);
     std::vector<SeatId> taken(column.begin(), column.end());
     std::sort(taken.begin(), taken.end());
     m_markers.clear();
     for (const WorldSeat& seat : all) {
-        if (!std::binary_search(taken.begin(), taken.end(), seat.id)) {
+        const bool isFree = !std::binary_search(taken.begin(), taken.end(), seat.id);
+        if (isFree && grid.allows(seat.seat.rank, seat.seat.wedge)) {
             const glm::vec3 up(0.0F, seat.seat.height + 0.02F, 0.0F);
             m_markers.push_back({seat.seat.position + up, kRadius, kColor});
         }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "model/brush/BrushSettings.h"
 #include "model/document/SceneChange.h"
 #include "model/scene/Scene.h"
 #include "render/RenderInput.h"
@@ -21,12 +22,15 @@ public:
     [[nodiscard]] std::span<const model::WorldSeat> seats(const model::Scene& scene);
     /// Grows when seats() gives others.
     [[nodiscard]] std::uint64_t version() const { return m_version; }
-    [[nodiscard]] std::span<const render::Marker> freeSeats(const model::Scene& scene);
+    /// Discs on those that the seat grid allows.
+    [[nodiscard]] std::span<const render::Marker> freeSeats(const model::Scene& scene,
+                                                            const model::SeatGridSettings& grid);
 
 private:
     std::vector<model::WorldSeat> m_seats;
     std::vector<render::Marker> m_markers;
     std::uint64_t m_version = 0;
+    model::SeatGridSettings m_grid; ///< of the markers
     bool m_areSeatsStale = true;
     bool m_areMarkersStale = true;
 };
