@@ -84,6 +84,7 @@ struct SeatGridSettings
     std::vector<int> ranks;  ///< ascending; empty: all
     std::vector<int> wedges; ///< ascending; empty: all
     [[nodiscard]] bool allows(int rank, int wedge) const;
+    [[nodiscard]] bool isLimited() const { return !ranks.empty() || !wedges.empty(); }
     friend bool operator==(const SeatGridSettings&, const SeatGridSettings&) = default;
 };
 

@@ -79,7 +79,8 @@ std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<S
 {
     const auto seat = m_seats.nearestFree(pixel, area);
     if (!seat) {
-        m_reason = StrokeReason::NoFreeSeat;
+        m_reason = m_settings.create.seats.isLimited() ? StrokeReason::NoChosenSeat
+                                                       : StrokeReason::NoFreeSeat;
         return std::nullopt;
     }
     // A point that is dragged along seats leaves its share of them free; a click always seats.
@@ -124,7 +125,8 @@ std::vector<Spot> CreationSite::fillSeats(const ScreenArea& area, bool isWhole)
         }
     }
     if (spots.empty()) {
-        m_reason = StrokeReason::NoFreeSeat;
+        m_reason = m_settings.create.seats.isLimited() ? StrokeReason::NoChosenSeat
+                                                       : StrokeReason::NoFreeSeat;
     }
     if (isWhole) {
         // The first so many in an order of their own: growing the area keeps most of them.

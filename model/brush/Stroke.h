@@ -21,6 +21,7 @@ enum class StrokeReason : std::uint8_t {
     Cancelled,
     NobodyUnderBrush,
     NoFreeSeat,
+    NoChosenSeat, ///< none of the ranks and wedges chosen
     NoTemplateChosen,
     TemplateNotLoaded,
     TooSteep,

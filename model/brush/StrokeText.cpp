@@ -49,6 +49,8 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("Nobody under the brush");
     case StrokeReason::NoFreeSeat:
         return Brushes::tr("No free seat under the brush");
+    case StrokeReason::NoChosenSeat:
+        return Brushes::tr("No free seat of the chosen ranks and wedges under the brush");
     case StrokeReason::NoTemplateChosen:
         return Brushes::tr("Choose a template to create first");
     case StrokeReason::TemplateNotLoaded:

@@ -306,6 +306,8 @@ void tst_BrushCreate::keepsToRanksAndWedges()
         const bool isMeant = seat.seat.rank % 2 == 1 && seat.seat.wedge == 1;
         QCOMPARE(seatsOf(scene.people()).contains(seat.id), isMeant);
     }
+    const auto again = scene.paint(fromAbove(), settings, kEverything);
+    QVERIFY2(again.reason == StrokeReason::NoChosenSeat, "others are still free");
 }
 
 void tst_BrushCreate::fillsAShareOfTheSeats()
