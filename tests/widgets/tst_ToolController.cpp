@@ -29,6 +29,7 @@ private Q_SLOTS:
     void clickSelectsAndEmptyGroundClears();
     void modifiersAddAndToggle();
     void rectangleSelectsWhatIsInside();
+    void withShiftARectangleBeginsOnSomebodyToo();
     void escapeKeepsTheSelectionOfBefore();
     void selectionForgetsWhoVanishes();
     void deleteRemovesTheSelectedInOneStep();
@@ -91,6 +92,24 @@ void TestToolController::modifiersAddAndToggle()
     // Empty ground with a modifier held is a slip of the hand, not a wish to lose the selection.
     hand.drag({5.0, 470.0}, {5.0, 470.0});
     QCOMPARE(hand.state.selection().size(), std::size_t{1});
+}
+
+void TestToolController::withShiftARectangleBeginsOnSomebodyToo()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 4);
+    hand.state.setTool(ToolId::Select);
+    hand.state.selection().set(std::vector{ids[3]});
+    const int steps = hand.document.undoStack().count();
+    hand.modifiers = Qt::ShiftModifier;
+    hand.drag(hand.pixelOf(ids[0]), hand.pixelOf(ids[1]) + QPointF(2.0, 30.0));
+    QVERIFY2(hand.document.undoStack().count() == steps, "nobody is moved");
+    QCOMPARE(hand.state.selection().size(), std::size_t{3});
+    QVERIFY(!hand.state.selection().contains(ids[2]));
+    hand.modifiers = Qt::NoModifier;
+    hand.drag(hand.pixelOf(ids[2]), hand.pixelOf(ids[2]) + QPointF(0.0, 60.0));
+    QCOMPARE(hand.document.undoStack().count(), steps + 1);
+    QVERIFY2(hand.state.selection().size() == 1, "who is dragged and was not selected goes alone");
 }
 
 void TestToolController::rectangleSelectsWhatIsInside()

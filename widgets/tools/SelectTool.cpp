@@ -2,6 +2,7 @@
 #include "widgets/tools/SelectTool.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,12 +29,14 @@ bool isClick(const QPointF& from, const QPointF& to)
     return (to - from).manhattanLength() <= kClickSlack;
 }
 
-/// Press on empty ground: a click clears, a drag draws a rectangle. Nothing changes before release.
+/// A drag draws a rectangle; a click selects whom it hit, if anybody, else clears. Nothing changes
+/// before release.
 class RectangleSelect : public DragSession
 {
 public:
-    RectangleSelect(const ToolContext& context, const ToolInput& press)
-        : m_context(context), m_press(press), m_current(press)
+    RectangleSelect(const ToolContext& context, const ToolInput& press,
+                    std::optional<IndividualId> hit)
+        : m_context(context), m_press(press), m_current(press), m_hit(hit)
     {
     }
 
@@ -53,6 +56,8 @@ public:
         const SelectionMode mode = selectionModeFor(input.modifiers);
         if (isDrag()) {
             m_context.state.selection().apply(inside(), mode);
+        } else if (m_hit) {
+            m_context.state.selection().apply(std::array{*m_hit}, mode);
         } else if (mode == SelectionMode::Replace) {
             m_context.state.selection().clear();
         }
@@ -84,6 +89,7 @@ private:
     ToolContext m_context;
     ToolInput m_press;
     ToolInput m_current;
+    std::optional<IndividualId> m_hit;
     glm::ivec2 m_counted{-1};
     int m_count = 0;
 };
@@ -140,9 +146,7 @@ private:
     {
         Selection& selection = m_context.state.selection();
         if (!selection.contains(m_hit)) {
-            selection.apply(std::array{m_hit}, m_press.modifiers == Qt::NoModifier
-                                                   ? SelectionMode::Replace
-                                                   : SelectionMode::Add);
+            selection.apply(std::array{m_hit}, SelectionMode::Replace);
         }
         m_move = model::MoveDrag::begin(m_context.state.document(),
                                         m_context.queries.brushContext(), selection.ids(),
@@ -167,8 +171,8 @@ SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
 
 QString SelectTool::hint() const
 {
-    return Text::tr("Click: select · Shift: add · Ctrl: toggle · Drag: rectangle, or move the "
-                    "selected · Delete: remove · F: show the selection");
+    return Text::tr("Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, "
+                    "rectangles from anywhere · Delete: remove · F: show the selection");
 }
 
 DragSessionPtr SelectTool::press(const ToolInput& input)
@@ -176,17 +180,21 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     const bool isPaperRectangle = m_context.state.viewOptions().buttons == ButtonMapping::Paper &&
                                   input.button == Qt::RightButton;
     if (isPaperRectangle) {
-        return std::make_unique<RectangleSelect>(m_context, input);
+        return std::make_unique<RectangleSelect>(m_context, input, std::nullopt);
     }
     if (input.button != Qt::LeftButton) {
         return nullptr;
     }
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
-    if (hit) {
-        return std::make_unique<ClickOrMove>(m_context, input, hit->id);
+    if (!hit) {
+        return std::make_unique<RectangleSelect>(m_context, input, std::nullopt);
     }
-    return std::make_unique<RectangleSelect>(m_context, input);
+    if (selectionModeFor(input.modifiers) != SelectionMode::Replace) {
+        // In a dense crowd there is no empty ground to begin a rectangle on.
+        return std::make_unique<RectangleSelect>(m_context, input, hit->id);
+    }
+    return std::make_unique<ClickOrMove>(m_context, input, hit->id);
 }
 
 void SelectTool::hover(const ToolInput& /*input*/, ToolPicture& picture) const
