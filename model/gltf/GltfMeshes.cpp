@@ -329,7 +329,7 @@ private:
         if (m_asset.parts.size() < kMaxParts) {
             part = static_cast<int>(m_asset.parts.size());
             const std::string name = use.name.empty() ? "part_" + std::to_string(part) : use.name;
-            m_asset.parts.push_back({m_partNames.unique(name), true});
+            m_asset.parts.push_back({m_partNames.unique(name), isShown(use)});
         } else if (!m_hasTooManyParts) {
             m_hasTooManyParts = true;
             m_asset.warnings.push_back("Only the first 32 parts can be hidden; \"" + use.name +
@@ -337,6 +337,14 @@ private:
         }
         m_partOfObject[use.object] = part;
         return part;
+    }
+
+    /// A part may start hidden: extras of its node say "shown": false.
+    bool isShown(const MeshUse& use) const
+    {
+        const int node = m_scene.fileNode[static_cast<std::size_t>(use.node)];
+        const tinygltf::Value& extras = m_model.nodes[static_cast<std::size_t>(node)].extras;
+        return flagIn(extras, "shown").value_or(true);
     }
 
     void addSummaries()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Measures of the two bodies. Left half; metres, Z up, facing -Y."""
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -48,7 +48,15 @@ class Body:
     joint_z: dict
     hair: str
     sleeve: float  # length along the arm
-    arm_angle: float = field(default=58)
+    arm_angle: float = 58
+    size: float = 1.0      # of the details that do not follow from the measures above
+    belly: float = 0.0     # how far the front of the waist comes out
+    stoop: float = 0.0     # degrees
+    skirt: object = None   # a SkirtCut
+    legs: str = "trousers"
+    accessories: tuple = ()
+    energy: float = 1.0    # of the movements
+    wardrobe: str = ""
 
 
 def man():
@@ -91,3 +99,44 @@ def woman():
         leg_girth=.94, foot=.93,
         joint_z=dict(hips=.905, spine=.995, chest=1.135, neck=1.384, head=1.455, top=1.68),
         hair="bob", sleeve=.44)
+
+
+class Proportions:
+    """Factors from an adult to somebody else. The joints, rings and girths follow."""
+
+    def __init__(self, leg=1.0, trunk=1.0, width=1.0, depth=1.0, arm=1.0, arm_girth=1.0,
+                 leg_girth=1.0, hip_width=1.0):
+        self.leg, self.trunk, self.width, self.depth = leg, trunk, width, depth
+        self.arm, self.arm_girth, self.leg_girth = arm, arm_girth, leg_girth
+        self.hip_width = hip_width
+
+
+def reshaped(body, name, p, head, **changes):
+    """body with other proportions and another head (chin_z counted from body's own trunk)."""
+    hip_z = body.hip[2]
+
+    def level(z):
+        return z * p.leg if z <= hip_z else hip_z * p.leg + (z - hip_z) * p.trunk
+
+    size = (p.leg + p.trunk) / 2
+
+    def ring(name, r):
+        width = p.hip_width if name in ("crotch", "pelvis", "hem") else p.width
+        return Ring(level(r.z), r.half_width * width, r.front * p.depth, r.back * p.depth,
+                    r.centre_y * size, r.squareness)
+
+    chin = level(body.head.chin_z) + head.chin_z
+    joint_z = {key: level(z) for key, z in body.joint_z.items()}
+    joint_z.update(neck=level(body.trunk["collar"].z) - .012, head=chin + head.size * .09,
+                   top=chin + head.size * 1.07)
+    place = lambda v, across: v * vec(across, size, 1) + vec(0, 0, level(v[2]) - v[2])
+    return replace(
+        body, name=name, trunk={key: ring(key, r) for key, r in body.trunk.items()},
+        neck=body.neck * (p.width + head.size / body.head.size) / 2, bust=body.bust * p.depth,
+        head=replace(head, chin_z=chin), shoulder=place(body.shoulder, p.width),
+        upper_arm=body.upper_arm * p.arm, forearm=body.forearm * p.arm,
+        arm_girth=body.arm_girth * p.arm_girth, hand=body.hand * p.arm,
+        hip=place(body.hip, p.hip_width), knee=place(body.knee, p.hip_width),
+        ankle=place(body.ankle, p.hip_width), leg_girth=body.leg_girth * p.leg_girth,
+        foot=body.foot * p.leg, joint_z=joint_z, sleeve=body.sleeve * p.arm, size=size,
+        **changes)

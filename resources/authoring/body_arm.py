@@ -19,10 +19,11 @@ class Arm:
         self.along, self.forward = vec(math.cos(angle), 0, -math.sin(angle)), vec(0, -1, 0)
         self.up = vec(math.sin(angle), 0, math.cos(angle))
         self.elbow, self.wrist = body.upper_arm, body.upper_arm + body.forearm
-        self.profile = ((0, .056, .066), (.06, .056, .062), (.16, .047, .050),
-                        (self.elbow - .03, .039, .040), (self.elbow, .038, .039),
-                        (self.elbow + .06, .041, .040), (self.elbow + .12, .037, .035),
-                        (self.wrist - .02, .027, .023), (self.wrist, .026, .021))
+        self.s = s = body.size
+        self.profile = ((0, .056, .066), (.06 * s, .056, .062), (.16 * s, .047, .050),
+                        (self.elbow - .03 * s, .039, .040), (self.elbow, .038, .039),
+                        (self.elbow + .06 * s, .041, .040), (self.elbow + .12 * s, .037, .035),
+                        (self.wrist - .02 * s, .027, .023), (self.wrist, .026, .021))
 
     def add(self):
         if self.detail.level == 3:
@@ -40,12 +41,13 @@ class Arm:
         return point
 
     def weights(self, t, point):
-        elbow = smoothstep(t, self.elbow - .045, self.elbow + .045)
-        wrist = smoothstep(t, self.wrist - .022, self.wrist + .022)
-        root = 1 - smoothstep(t, -.02, .085)
-        if t < .10:  # the armpit side stays with the chest
-            low = min(1, max(0, .5 - .5 * np.dot(point - self.centre(t), self.up) / .05))
-            low *= 1 - t / .10
+        s = self.s
+        elbow = smoothstep(t, self.elbow - .045 * s, self.elbow + .045 * s)
+        wrist = smoothstep(t, self.wrist - .022 * s, self.wrist + .022 * s)
+        root = 1 - smoothstep(t, -.02 * s, .085 * s)
+        if t < .10 * s:  # the armpit side stays with the chest
+            low = min(1, max(0, .5 - .5 * np.dot(point - self.centre(t), self.up) / (.05 * s)))
+            low *= 1 - t / (.10 * s)
             arm = 1 - root * (.45 + .30 * low)
             return {"upperarm_L": arm, "shoulder_L": (1 - arm) * (.75 - .5 * low),
                     "chest": (1 - arm) * (.25 + .5 * low)}
@@ -64,7 +66,7 @@ class Arm:
 
     def ring(self, t, forward, up, sides, drop=0.0):
         centre = self.centre(t) - self.up * drop
-        flatten = lerp(.45, 1, smoothstep(t, .03, .16))  # the armpit side of the first rings
+        flatten = lerp(.45, 1, smoothstep(t, .03 * self.s, .16 * self.s))  # the armpit side of the first rings
         ids = []
         for i in range(sides):
             turn = 2 * math.pi * i / sides + math.radians(self._turn(sides))
@@ -80,38 +82,41 @@ class Arm:
         return RING_TURN[sides]
 
     def _loft(self, rings, places, slot, chart):
+        s = self.s
         sides = len(rings[0])
         u = [chart_u(chart, i / sides) for i in range(sides + 1)]
-        v = [chart_v(chart, 1 - max(0, t) / (self.wrist + .2)) for t in places]
+        v = [chart_v(chart, 1 - max(0, t) / (self.wrist + .2 * s)) for t in places]
         for k in range(len(rings) - 1):
             self.surface.band(rings[k], rings[k + 1], slot, u, v[k:k + 2], closed=True,
                               inside_out=True)
 
     def _add_sleeve(self):
         end, sides, level = self.body.sleeve, len(self.rim), self.detail.level
-        places = [.055] if level < 2 else []
-        if end > .13 and level == 0:
-            places.append(.12)
+        s = self.s
+        places = [.055 * s] if level < 2 else []
+        if end > .13 * s and level == 0:
+            places.append(.12 * s)
         if end > self.elbow:
-            places += [self.elbow - .035, self.elbow + .015] if level == 0 else [self.elbow]
+            places += [self.elbow - .035 * s, self.elbow + .015 * s] if level == 0 else [self.elbow]
         places.append(end)
         rings = [self.rim]
         for t in places:
-            ease = EASE * (1.4 if t == end else 1)
+            ease = EASE * s * (1.4 if t == end else 1)
             rings.append(self.ring(t, *(r + ease for r in self.radii(t)), sides))
-        self._loft(rings, [places[0] - .06] + places, "top", "sleeve")
+        self._loft(rings, [places[0] - .06 * s] + places, "top", "sleeve")
         if level == 0:
-            lining = self.ring(end - .012, *(r * .9 for r in self.radii(end)), sides)
+            lining = self.ring(end - .012 * s, *(r * .9 for r in self.radii(end)), sides)
             u = [chart_u("sleeve", i / sides) for i in range(sides + 1)]
             self.surface.band(rings[-1], lining, "top", u, (0, 0), closed=True, inside_out=True)
 
     def _bare_places(self):
-        start, level = max(0, self.body.sleeve - .02), self.detail.level
+        s = self.s
+        start, level = max(0, self.body.sleeve - .02 * s), self.detail.level
         places = [start]
-        if start < self.elbow - .04:
-            places += ([self.elbow - .035, self.elbow + .015, self.elbow + .075],
-                       [self.elbow - .015, self.elbow + .05], [self.elbow])[level]
-        return places + [self.wrist - .012]
+        if start < self.elbow - .04 * s:
+            places += ([self.elbow - .035 * s, self.elbow + .015 * s, self.elbow + .075 * s],
+                       [self.elbow - .015 * s, self.elbow + .05 * s], [self.elbow])[level]
+        return places + [self.wrist - .012 * s]
 
     def _hand_rings(self):
         """(distance, forward, up, drop) from the wrist on."""
@@ -165,7 +170,7 @@ class Arm:
         """Coarsest level: a three-sided arm from shoulder to hand."""
         girth = self.body.arm_girth
         rings = [self.ring(t, f * girth, u * girth, 3, drop) for t, f, u, drop in (
-            (0, .050, .034, 0), (self.elbow, .042, .042, 0), (self.wrist + .13, .030, .02, .02))]
+            (0, .050, .034, 0), (self.elbow, .042, .042, 0), (self.wrist + .13 * self.body.hand, .030, .02, .02))]
         long = self.body.sleeve > self.elbow
         for k, (slot, chart) in enumerate((("top", "sleeve"),
                                            ("top", "sleeve") if long else ("skin", "arm"))):

@@ -67,7 +67,7 @@ class HeadShape:
         return chart_v("head", .08 + .92 * (z - self.head.chin_z) / self.head.size)
 
 
-def add_head(surface, body, detail, trunk):
+def add_head(surface, body, detail, trunk, hides_crown, has_ears):
     shape = HeadShape(body, detail)
     ids = {}
 
@@ -82,14 +82,14 @@ def add_head(surface, body, detail, trunk):
     rows, columns = detail.head_rows, detail.head_columns
     for low, high in zip(rows[:-1], rows[1:]):
         for left, right in zip(columns[:-1], columns[1:]):
-            if high > CROWN or (high == CROWN and left >= SIDE):
+            if hides_crown and (high > CROWN or (high == CROWN and left >= SIDE)):
                 continue  # hidden by the hair
             corners = ((low, left), (low, right), (high, right), (high, left))
             surface.face([vertex(*c) for c in corners], "skin",
                          [(.5 + COLUMN_U[c], shape.v(shape.grid(r, c)[2])) for r, c in corners],
                          True)
     _add_neck(surface, body, detail, trunk, [vertex(rows[0], c) for c in columns])
-    if not body.is_woman and detail.level <= 1:
+    if has_ears and detail.level <= 1:
         _add_ear(surface, body, detail, shape)
     return shape
 

@@ -4,8 +4,17 @@ import math
 
 import numpy as np
 
+from body_detail import chart_u, chart_v
 from geometry import lerp, smoothstep, vec
 
+# Kind of legs -> tubes: slot, from, to, ease over the skin, flare below the knee.
+LEG_TUBES = {
+    "trousers": (("bottom", "crotch", "hem", .010, .014),),
+    "shorts": (("bottom", "crotch", "above knee", .016, 0),
+               ("skin", "under shorts", "shoe", -.002, 0)),
+    "under coat": (("bottom", "under skirt", "hem", .010, .014),),
+    "bare": (("skin", "under skirt", "shoe", -.002, 0),),
+    "leggings": (("bottom", "under skirt", "shoe", .002, 0),)}
 LEG_GROWTH = {8: 1, 6: 1.03, 5: 1.07, 4: 1.15}
 SHOE_GROWTH = {8: 1, 6: 1.04, 5: 1.08}
 # Outlines of the shoe by angle, (x, y) in shoe sizes: the sole and the opening at the ankle.
@@ -22,16 +31,28 @@ class Leg:
         self.surface, self.body, self.detail, self.trunk = surface, body, detail, trunk
         self.angles = detail.leg_angles
         self.u = [i / len(self.angles) for i in range(len(self.angles) + 1)]
+        self.s = s = body.size
         hip, knee, ankle = body.hip[2], body.knee[2], body.ankle[2]
         self.profile = (  # height, radius to the side, front, back
-            (hip - .03, .074, .086, .098), (hip - .14, .069, .082, .097),
-            (hip - .26, .061, .070, .074), (knee + .06, .056, .060, .054),
-            (knee, .052, .056, .050), (knee - .06, .049, .047, .058),
-            (knee - .14, .050, .044, .064), (knee - .24, .040, .037, .044),
-            (ankle + .03, .033, .034, .036))
+            (hip - .03 * s, .074, .086, .098), (hip - .14 * s, .069, .082, .097),
+            (hip - .26 * s, .061, .070, .074), (knee + .06 * s, .056, .060, .054),
+            (knee, .052, .056, .050), (knee - .06 * s, .049, .047, .058),
+            (knee - .14 * s, .050, .044, .064), (knee - .24 * s, .040, .037, .044),
+            (ankle + .03 * s, .033, .034, .036))
+        self.places = {"crotch": body.trunk["crotch"].z, "above knee": knee + .050 * s,
+                       "under shorts": knee + .095 * s, "under skirt": hip - .170 * s,
+                       "hem": (.060, .055, .055, .030)[detail.level],
+                       "shoe": ankle + .012}
+        if detail.level == 3:
+            self.places.update({"above knee": knee, "under shorts": knee})
+        self.bends = ((hip - .150 * s, knee + .060 * s, knee - .005 * s,
+                       knee - .06 * s, knee - .17 * s),
+                      (hip - .13 * s, hip - .25 * s, knee + .045 * s, knee - .045 * s,
+                       knee - .17 * s), (hip - .15 * s, knee), (knee,))[detail.level]
 
     def add(self):
-        self._add_trousers()
+        for tube in LEG_TUBES[self.body.legs]:
+            self._add_tube(*tube)
         self._add_shoe()
 
     def centre(self, z):
@@ -42,9 +63,10 @@ class Leg:
 
     def weights(self, point):
         z, hip, knee, ankle = point[2], self.body.hip[2], self.body.knee[2], self.body.ankle[2]
-        shin = 1 - smoothstep(z, knee - .055, knee + .055)
-        hips = smoothstep(z, hip - .16, hip - .02) * .5
-        foot = 1 - smoothstep(z, ankle - .03, ankle + .03)
+        s = self.s
+        shin = 1 - smoothstep(z, knee - .055 * s, knee + .055 * s)
+        hips = smoothstep(z, hip - .16 * s, hip - .02 * s) * .5
+        foot = 1 - smoothstep(z, ankle - .03 * s, ankle + .03 * s)
         return {"hips": hips, "thigh_L": (1 - hips) * (1 - shin), "shin_L": shin * (1 - foot),
                 "foot_L": shin * foot}
 
@@ -68,28 +90,34 @@ class Leg:
                                        -depth * growth * cosine, 0))
         return self.surface.add_ring(points, self.weights)
 
-    def _heights(self):
-        hip, knee = self.body.hip[2], self.body.knee[2]
-        return ((hip - .125, hip - .25, knee + .055, knee - .005, knee - .06, knee - .17, .060),
-                (hip - .13, hip - .25, knee + .045, knee - .045, knee - .17, .055),
-                (hip - .15, knee, .055),
-                (knee, .03))[self.detail.level]
-
-    def _add_trousers(self):
-        top, knee = self.body.trunk["crotch"].z, self.body.knee[2]
-        crotch = self.surface.add(vec(0, .014, top - .070), {"hips": .7, "thigh_L": .3})
-        rings, heights = [self.trunk.rings["crotch"] + [crotch]], (top,) + self._heights()
-        for z in heights[1:]:
-            ease = .010 + (.014 * (knee - z) / knee if z <= knee else 0)
-            rings.append(self.ring(z, ease + (.006 if self.detail.level == 3 else 0)))
-        self.surface.sharp += [(rings[0][0], rings[1][0]), (rings[0][-2], rings[1][-2]),
-                               (rings[0][0], crotch), (rings[0][-2], crotch)]
+    def _add_tube(self, slot, start, end, ease, flare):
+        s, knee = self.s, self.body.knee[2]
+        top, low = self.places[start], self.places[end]
+        margin = .03 * s
+        heights = [top] + [z for z in self.bends if low + margin < z < top - margin] + [low]
+        rings = []
+        for z in heights:
+            loose = ease + flare * max(0, knee - z) / knee
+            rings.append(self._crotch_ring(top) if start == "crotch" and not rings else
+                         self.ring(z, loose * s + (.006 if self.detail.level == 3 else 0)))
+        if start == "crotch":
+            first = rings[0]
+            self.surface.sharp += [(first[0], rings[1][0]), (first[-2], rings[1][-2]),
+                                   (first[0], first[-1]), (first[-2], first[-1])]
+        is_bare = slot == "skin"
+        u = [chart_u("arm", x) for x in self.u] if is_bare else self.u
+        total = self.places["crotch"]
         for k in range(len(rings) - 1):
-            v = .78 * heights[k + 1] / top, .78 * heights[k] / top
-            self.surface.band(rings[k + 1], rings[k], "bottom", self.u, v, closed=True)
-        if self.detail.is_finest:
-            lining = self.ring(heights[-1] + .008, -.002)
-            self.surface.band(lining, rings[-1], "bottom", self.u, (0, 0), closed=True)
+            v = .78 * heights[k + 1] / total, .78 * heights[k] / total
+            v = tuple(chart_v("arm", x) for x in v) if is_bare else v
+            self.surface.band(rings[k + 1], rings[k], slot, u, v, closed=True)
+        if self.detail.is_finest and end != "shoe":
+            lining = self.ring(heights[-1] + .008, (ease - .012) * s)
+            self.surface.band(lining, rings[-1], slot, self.u, (0, 0), closed=True)
+
+    def _crotch_ring(self, top):
+        crotch = self.surface.add(vec(0, .014, top - .070 * self.s), {"hips": .7, "thigh_L": .3})
+        return self.trunk.rings["crotch"] + [crotch]
 
     def _shoe_weights(self, point):
         size = self.body.foot

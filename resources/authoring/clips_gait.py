@@ -13,27 +13,49 @@ LARGEST_REACH = .988  # keeps the knee a little bent: a straight knee pops
 class Gait:
     """Numbers of one way to move. stance: share of the cycle that a foot is on the ground."""
 
-    def __init__(self, speed, frames, stance, middle, track, lift, bob, drop, pitch):
+    def __init__(self, speed, frames, stance, middle, track, lift, bob, drop, pitch, sway=1.0):
         self.speed, self.frames, self.seconds = speed, frames, frames / 32
         self.stance, self.middle, self.track = stance, middle, track
         self.lift, self.bob, self.drop, self.pitch = lift, bob, drop, pitch
+        self.sway = sway
 
 
 # Pitch of the foot over the cycle in degrees: below 0 on the heel, above 0 on the ball.
 WALK_PITCH = [(0, -17), (.04, -10), (.08, -3), (.12, 0), (.20, 0), (.29, 1), (.37, 4), (.45, 11),
               (.52, 24), (.60, 50), (.66, 54), (.74, 34), (.83, 4), (.91, -12), (.96, -16)]
+STROLL_PITCH = [(phase, pitch * .72) for phase, pitch in WALK_PITCH]
 RUN_PITCH = [(0, -4), (.05, 0), (.10, 0), (.15, 4), (.22, 18), (.30, 36), (.36, 50), (.46, 74),
              (.58, 66), (.72, 24), (.86, -8), (.94, -9)]
 
 
+def _scaled(body, speed, frames, track, lift, bob, drop, rest, sway=1.0):
+    """Numbers for an adult made fit for longer or shorter legs, and for less energy."""
+    leg = body.hip[2] / (.855 if body.is_woman else .905)
+    if body.skirt:
+        speed *= .92  # shorter steps
+    frames = 2 * round(frames * math.sqrt(leg / body.energy) / 2)
+    return Gait(round(speed * math.sqrt(leg) * body.energy, 3), frames, rest[0], rest[1],
+                track * body.hip[0] / (.090 if body.is_woman else .093), lift * leg, bob * leg,
+                drop * leg, rest[2], sway)
+
+
 def walk_gait(body):
-    return Gait(1.25, 34 if not body.is_woman else 32, .60, .265,
-                .070 if not body.is_woman else .045, .035, .020, .012, WALK_PITCH)
+    woman = body.is_woman
+    return _scaled(body, 1.25, 32 if woman else 34, .045 if woman else .070, .035, .020, .012,
+                   (.60, .265, WALK_PITCH))
+
+
+def stroll_gait(body):
+    """Slower, with more sway."""
+    woman = body.is_woman
+    return _scaled(body, .86, 38 if woman else 40, .052 if woman else .078, .030, .015, .010,
+                   (.60, .265, STROLL_PITCH), 1.45)
 
 
 def run_gait(body):
-    return Gait(2.9, 22 if not body.is_woman else 21, .36, .14,
-                .045 if not body.is_woman else .030, .10, .024, .045, RUN_PITCH)
+    woman = body.is_woman
+    return _scaled(body, 2.9, 21 if woman else 22, .030 if woman else .045, .10, .024, .045,
+                   (.36, .14, RUN_PITCH))
 
 
 class FootPath:
@@ -44,6 +66,11 @@ class FootPath:
         self.start_y = -.078 * body.foot - (0 if is_walk else .05)
         self.ball = vec(0, -.098 * body.foot - body.ankle[1], .018 - body.ankle[2])
         self.heel = vec(0, .058 * body.foot - body.ankle[1], -body.ankle[2])
+
+    def turned_out(self, outwards, pitch):
+        """What the ankle moves so that a foot turned outwards still rolls over its ball."""
+        shift = lambda arm: arm - outwards @ arm
+        return (shift(rot_x(pitch) @ self.ball) - shift(self.ball)) * vec(1, 1, 0)
 
     def at(self, phase):
         pitch = periodic_curve(phase, self.gait.pitch)
@@ -86,7 +113,8 @@ def gait_pose(body, bones, gait, is_walk, phase):
         own = (phase + shift) % 1.0
         ankle, pitch, toe = path.at(own)
         outwards = rot_z(sign * (6 if is_walk else 3))
-        pose.legs[side] = LegTarget(vec(sign * gait.track, ankle[1], ankle[2]),
+        ankle = ankle + path.turned_out(outwards, pitch) + vec(sign * gait.track, 0, 0)
+        pose.legs[side] = LegTarget(ankle,
                                     outwards @ rot_x(pitch), outwards @ rot_x(toe),
                                     vec(sign * (.10 if not body.is_woman else .04), -1, .15))
         (_walking_arm if is_walk else _running_arm)(pose, side, sign, own)
@@ -101,9 +129,10 @@ def _move_trunk(pose, gait, is_walk, phase):
     pose.offset = vec((.020 if is_walk else .010) * wave(-.29 if is_walk else -.16),
                       (0 if is_walk else -.01) + .008 * math.sin(
                           2 * FULL_TURN * (phase - (.29 if is_walk else .16))),
-                      gait.bob * rise - gait.drop)
-    yaw = -(7 if woman else 5) * wave(.02) if is_walk else -9 * wave(.05)
-    roll = -(5.0 if woman else 3.5) * wave(-.20) if is_walk else -4 * wave(-.14)
+                      0) * pose.body.size + vec(0, 0, gait.bob * rise - gait.drop)
+    sway = gait.sway * (.5 + .5 * pose.body.energy)
+    yaw = -(7 if woman else 5) * sway * wave(.02) if is_walk else -9 * wave(.05)
+    roll = -(5.0 if woman else 3.5) * sway * wave(-.20) if is_walk else -4 * wave(-.14)
     lean = 2.0 if is_walk else 9
     twist = (4.5 if is_walk else 11) * wave(0)
     pose.local["hips"] = rot_z(yaw) @ rot_y(roll) @ rot_x(lean * .5 + twice(0))
@@ -117,16 +146,17 @@ def _move_trunk(pose, gait, is_walk, phase):
 
 
 def _walking_arm(pose, side, sign, phase):
-    swing = math.cos(FULL_TURN * (phase - .02))
+    swing = math.cos(FULL_TURN * (phase - .02)) * (.35 + .65 * pose.body.energy)
     bend = 8 + 15 * (.5 - .5 * math.cos(FULL_TURN * (phase - .06)))
     pose.local["shoulder_" + side] = rot_z(sign * 2.0 * swing)
-    pose.local["upperarm_" + side] = hanging_arm(sign, 38, 20 * swing + 5)
+    off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0)
+    pose.local["upperarm_" + side] = hanging_arm(sign, 38 - off, 20 * swing + 5)
     pose.local["forearm_" + side] = rot_z(sign * -6) @ rot_x(-bend)
     pose.local["hand_" + side] = rot_x(-4 - 5 * math.cos(FULL_TURN * (phase - .15)))
 
 
 def _running_arm(pose, side, sign, phase):
-    swing = math.cos(FULL_TURN * (phase - .02))
+    swing = math.cos(FULL_TURN * (phase - .02)) * (.35 + .65 * pose.body.energy)
     bend = 82 - 16 * math.cos(FULL_TURN * (phase - .05))
     pose.local["shoulder_" + side] = rot_z(sign * 5 * swing)
     pose.local["upperarm_" + side] = hanging_arm(sign, 34, 38 * swing + 4)

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from make_theatre_scene import camera, template_entry
+from crowd_scene import camera, template_entry
 
 PHASES, SPACING, ROW = 8, 1.4, 5.0
 

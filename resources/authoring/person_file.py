@@ -40,27 +40,30 @@ class PersonWriter:
         self.body, self.bones, self.glb = body, bones, GlbWriter()
         self.joint = {}
 
-    def write(self, levels, clips, path):
-        """levels: per level (parts by slot, openness, weights by source vertex)."""
+    def write(self, levels, accessories, clips, path):
+        """levels: per level (parts by slot, openness, weights by source vertex);
+        accessories: (name, joint, slot, is shown, mesh part per level)."""
         materials = self._materials()
         skin = self._skeleton()
         nodes = [self._level(number, level, materials, skin)
                  for number, level in enumerate(levels)]
         first = self.glb.document["nodes"][nodes[0]]
         first["extensions"] = {"MSFT_lod": {"ids": nodes[1:]}}
+        for accessory in accessories:
+            self._accessory(accessory, materials)
         for clip in clips:
             self._clip(clip)
         self.glb.document["extensionsUsed"] = ["KHR_materials_variants", "MSFT_lod"]
         self.glb.add("scenes", {"name": self.body.name,
-                                "nodes": [self.joint["root"], nodes[0]]})
+                                "nodes": [nodes[0], self.joint["root"]]})
         self.glb.write(path)
 
     def _materials(self):
         """slot -> (default material, variant mappings)."""
         pictures = {name: self.glb.add("textures", {"source": self.glb.image(data, name)})
-                    for name, data in wardrobe.textures(self.body.is_woman).items()}
+                    for name, data in wardrobe.textures(self.body).items()}
         names, result = [], {}
-        for slot, looks in wardrobe.looks(self.body.is_woman).items():
+        for slot, looks in wardrobe.looks(self.body).items():
             mappings = []
             for look in looks:
                 material = self.glb.add("materials", self._material(slot, look, pictures))
@@ -79,8 +82,8 @@ class PersonWriter:
                 "pbrMetallicRoughness": {"baseColorFactor": factor + [1.0],
                                          "baseColorTexture": {"index": pictures[look.image]},
                                          "metallicFactor": 0.0,
-                                         "roughnessFactor": wardrobe.ROUGHNESS[slot]},
-                "extras": {"slot": slot, "tintable": wardrobe.TINTABLE[slot]}}
+                                         "roughnessFactor": wardrobe.ROUGHNESS.get(slot, .9)},
+                "extras": {"slot": slot, "tintable": wardrobe.is_tintable(slot)}}
 
     def _skeleton(self):
         for name, bone in self.bones.items():
@@ -105,7 +108,7 @@ class PersonWriter:
         parts, openness, weights = level
         joints, shares = self._influences(weights)
         primitives = []
-        for slot, part in zip(wardrobe.SLOTS, parts):
+        for slot, part in zip(wardrobe.slots(self.body), parts):
             if part is None:
                 continue
             light = openness[part.source]
@@ -115,14 +118,39 @@ class PersonWriter:
             attributes["WEIGHTS_0"] = self.glb.accessor(shares[part.source], "VEC4", VERTICES,
                                                         True)
             default, mappings = materials[slot]
-            primitives.append({
+            primitive = {
                 "attributes": attributes, "material": default,
                 "indices": self.glb.accessor(part.triangles.reshape(-1).astype(np.uint16),
-                                             "SCALAR", INDICES),
-                "extensions": {"KHR_materials_variants": {"mappings": mappings}}})
+                                             "SCALAR", INDICES)}
+            if mappings:
+                primitive["extensions"] = {"KHR_materials_variants": {"mappings": mappings}}
+            primitives.append(primitive)
         name = self.body.name if number == 0 else f"{self.body.name}_LOD{number}"
         mesh = self.glb.add("meshes", {"name": name, "primitives": primitives})
         return self.glb.add("nodes", {"name": name, "mesh": mesh, "skin": skin})
+
+    def _accessory(self, accessory, materials):
+        """A mesh without skin under its joint, which makes it a part that can be hidden."""
+        name, joint, slot, is_shown, parts = accessory
+        default, mappings = materials[slot]
+        nodes = []
+        for number, part in enumerate(parts):
+            white = np.ones((len(part.positions), 4))
+            primitive = {"attributes": vertex_attributes(
+                self.glb, part.positions, part.normals, white,
+                np.full((len(part.positions), 2), .5)), "material": default,
+                "indices": self.glb.accessor(part.triangles.reshape(-1).astype(np.uint16),
+                                             "SCALAR", INDICES)}
+            if mappings:
+                primitive["extensions"] = {"KHR_materials_variants": {"mappings": mappings}}
+            label = name if number == 0 else f"{name}_LOD{number}"
+            mesh = self.glb.add("meshes", {"name": label, "primitives": [primitive]})
+            nodes.append(self.glb.add("nodes", {"name": label, "mesh": mesh}))
+        first = self.glb.document["nodes"][nodes[0]]
+        first["extras"] = {"shown": is_shown}
+        first["extensions"] = {"MSFT_lod": {"ids": nodes[1:]}}
+        above = self.glb.document["nodes"][self.joint[joint]]
+        above.setdefault("children", []).extend(nodes)
 
     def _influences(self, weights):
         """Joint indices and weights in bytes that sum to 255."""
@@ -143,13 +171,15 @@ class PersonWriter:
         times = (np.arange(clip.frames + 1) / FRAMES_PER_SECOND).astype(np.float32)
         for name, matrices in clip.local.items():
             values = quaternions([TO_GLTF @ m @ TO_GLTF.T for m in matrices])
-            values[-1] = values[0] if np.dot(values[0], values[-1]) > 0 else -values[0]
+            if clip.extras["loop"]:
+                values[-1] = values[0] if np.dot(values[0], values[-1]) > 0 else -values[0]
             if np.abs(values - (0, 0, 0, 1)).max() < STILL_QUATERNION:
                 continue
             keys = np.round(values * 32767).astype(np.int16)
             self._channel(animation, name, "rotation", times, keys, "VEC4", True)
         offsets = to_gltf(np.array(clip.hips) - self.bones["root"].head).astype(np.float32)
-        offsets[-1] = offsets[0]
+        if clip.extras["loop"]:
+            offsets[-1] = offsets[0]
         if np.abs(offsets - to_gltf(self.bones["hips"].head)).max() > STILL_METRES:
             self._channel(animation, "hips", "translation", times, offsets, "VEC3", False)
         self.glb.add("animations", animation)

@@ -8,6 +8,7 @@ from geometry import frame, rot_x, rot_y, rot_z, unit, vec
 
 SIDES = (("L", 1), ("R", -1))
 MAX_REACH = .9985
+STOOP = {"spine": .35, "chest": .65, "neck": .15, "head": -.85}
 HANG_REFERENCE = 16.0  # arm angles below are given for an A-pose of 42 degrees, bodies rest at 58
 
 
@@ -38,7 +39,7 @@ def make_bones(body):
         "neck": Bone("chest", vec(0, .020, z["neck"]), vec(0, .012, z["head"])),
         "head": Bone("neck", vec(0, .012, z["head"]), vec(0, .012, z["top"])),
     }
-    clavicle = vec(.03, .010, shoulder[2] + .012)
+    clavicle = vec(.03, .010, shoulder[2] + .012) * vec(body.size, body.size, 1)
     for side, sign in SIDES:
         mirror = vec(sign, 1, 1)
         chains = (
@@ -97,7 +98,10 @@ class Pose:
         self.position[name] = self.position[bone.parent] + parent @ arm
         if name == "hips":
             self.position[name] = self.position[name] + self.offset
-        self.rotation[name] = parent @ self.local.get(name, np.eye(3))
+        self.rotation[name] = parent @ self._stooped(name) @ self.local.get(name, np.eye(3))
+
+    def _stooped(self, name):
+        return rot_x(self.body.stoop * STOOP[name]) if name in STOOP else np.eye(3)
 
     def _follow_leg(self, part, side):
         target = self.legs[side]

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""A skirt, or the lower part of a dress or coat: one tube around both legs, which follows the
+thighs, and below the knees the shins."""
+import math
+from dataclasses import dataclass
+
+from body_detail import trunk_angles
+from geometry import lerp, smoothstep, vec
+
+SHARES = ((0, .20, .45, .72, 1), (0, .30, .65, 1), (0, .45, 1), (0, 1))
+LONG_SHARES = ((0, .15, .33, .52, .72, 1), (0, .25, .52, .76, 1), (0, .30, .60, 1), (0, .5, 1))
+
+
+@dataclass(frozen=True)
+class SkirtCut:
+    slot: str       # "bottom" for a skirt, "top" for a dress or a coat
+    bottom_z: float
+    side: float     # how far the lower edge is wider than the hem, to the side
+    front: float
+    back: float
+
+
+class Skirt:
+    def __init__(self, surface, body, detail, trunk):
+        self.surface, self.body, self.detail, self.trunk = surface, body, detail, trunk
+        self.cut, self.hem = body.skirt, body.trunk["hem"]
+
+    def add(self):
+        cut, upper_z = self.cut, self.hem.z
+        is_long = cut.bottom_z < self.body.knee[2] - .05
+        shares = (LONG_SHARES if is_long else SHARES)[self.detail.level]
+        rings = [self._first_ring()]
+        for t in shares[1:]:
+            rings.append(self._ring(t))
+        for k in range(len(rings) - 1):
+            v = .40 - .38 * shares[k + 1], .40 - .38 * shares[k]
+            self.surface.band(rings[k + 1], rings[k], cut.slot, self.trunk.u, v, mirrors_uv=True)
+        if self.detail.is_finest:
+            lining = self._ring(1, -.012, .016)
+            self.surface.band(lining, rings[-1], cut.slot, self.trunk.u, (0, .02),
+                              mirrors_uv=True)
+        if upper_z <= cut.bottom_z:
+            raise ValueError("the skirt ends above the hem")
+
+    def _first_ring(self):
+        if self.cut.slot == "top":
+            return self.trunk.rings["hem"]
+        return self._ring(0, -.004, .012)
+
+    def _ring(self, t, thicker=0.0, higher=0.0):
+        cut, hem, growth = self.cut, self.hem, self.detail.inflation
+        z = lerp(hem.z, cut.bottom_z, t) + higher
+        spread = t ** .8
+        width = (hem.half_width + cut.side * spread + thicker) * growth
+        points = []
+        for angle in self._angles(t, width):
+            sine, cosine = math.sin(angle), math.cos(angle)
+            deep = hem.front + cut.front * spread if cosine > 0 else hem.back + cut.back * spread
+            on_middle = angle < 1e-6 or abs(angle - math.pi) < 1e-6
+            belly = self.body.belly * .72 * max(0, 1 - t * 1.6) * max(0, cosine)
+            points.append(vec(0 if on_middle else width * sine ** .92,
+                              hem.centre_y - (deep + thicker) * growth * cosine - belly, z))
+        return self.surface.add_ring(points, self.weights)
+
+    def _angles(self, t, width):
+        """As on the trunk above; further down the columns next to the middle stand at the inner
+        side of the legs, so that the cloth before each follows that leg alone."""
+        angles = trunk_angles(self.detail)
+        count = len(angles) - 1
+        if count % 2:
+            return angles
+        leg = math.asin(min(.95, self._leg_x() / width))
+        moved = [leg + (math.pi / 2 - leg) * (i - 1) / (count / 2 - 1) for i in range(1, count // 2)]
+        moved = [0] + moved + [math.pi / 2] + [math.pi - a for a in moved[::-1]] + [math.pi]
+        return [lerp(a, b, smoothstep(t, 0, .35)) for a, b in zip(angles, moved)]
+
+    def _leg_x(self):
+        return self.body.hip[0] * .42
+
+    def weights(self, point):
+        s, z, hip, knee = self.body.size, point[2], self.body.hip[2], self.body.knee[2]
+        thigh = 1 - smoothstep(z, hip - .12 * s, hip + .05 * s)
+        shin = (1 - smoothstep(z, knee - .13 * s, knee + .03 * s)) * .9
+        left = .5 + .5 * smoothstep(abs(point[0]), 0, self._leg_x() * .98)
+        return {"hips": 1 - thigh, "thigh_L": thigh * (1 - shin) * left,
+                "thigh_R": thigh * (1 - shin) * (1 - left), "shin_L": thigh * shin * left,
+                "shin_R": thigh * shin * (1 - left)}
