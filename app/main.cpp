@@ -81,7 +81,7 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     BenchSimulateOptions& options = line.benchSimulate;
     CLI::App* command = bench.add_subcommand("simulate", "How long a crowd takes to walk");
     command->add_option("--workload", options.workload, "What the crowd does")
-        ->check(CLI::IsMember({"square", "corridor", "city"}))
+        ->check(CLI::IsMember({"square", "corridor", "city", "paths"}))
         ->capture_default_str();
     command->add_option("--count", options.count, "People")
         ->check(CLI::Range(1, 1000000))
@@ -95,8 +95,7 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     command
         ->add_option("--slowing", options.slowing,
                      "How much density slows walkers: 0 not at all, 1 as observed")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+        ->check(CLI::Range(0.0, 1.0));
     command->add_flag("--validate", options.validate,
                       "Repeat published experiments and print how people walked there and here");
     command->add_flag("--json", options.json, "Print one JSON object");

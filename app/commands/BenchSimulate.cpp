@@ -104,7 +104,9 @@ int runBenchSimulate(const BenchSimulateOptions& options)
     }
     const model::ThreadLimit limit(options.threads);
     behavior::Workload& crowd = *workload.value();
-    crowd.crowd().parameters.slowing = static_cast<float>(options.slowing);
+    if (options.slowing >= 0.0) {
+        crowd.crowd().parameters.slowing = static_cast<float>(options.slowing);
+    }
     print(report(options, behavior::runWorkload(crowd, options.steps, &nowMs)), options.json);
     return 0;
 }

@@ -8,11 +8,12 @@ namespace crowd::app {
 /// crowdbrush bench simulate: how many agent-steps a second, and whether they are right.
 struct BenchSimulateOptions
 {
-    std::string workload = "square"; ///< "square", "corridor" or "city"
+    std::string workload = "square"; ///< "square", "corridor", "city" or "paths"
     int count = 10000;
     int steps = 300;
     int threads = 1;
-    double slowing = 0.0;  ///< how much density slows walkers, 0 (free) to 1 (as observed)
+    /// How much density slows walkers, 0 (free) to 1 (as observed); -1: the workload's own.
+    double slowing = -1.0;
     bool validate = false; ///< the experiments of the field instead of a workload
     bool json = false;
 };

@@ -300,9 +300,11 @@ model::Result<std::unique_ptr<Workload>> makeWorkload(std::string_view name, std
         workload = std::make_unique<CorridorWorkload>(count, seed);
     } else if (name == "city") {
         workload = std::make_unique<CityWorkload>(count, seed);
+    } else if (name == "paths") {
+        workload = makePathsWorkload(count, seed);
     } else {
         return model::Error{"There is no workload \"" + std::string(name) +
-                            "\": choose square, corridor or city."};
+                            "\": choose square, corridor, city or paths."};
     }
     return workload;
 }

@@ -29,11 +29,19 @@ public:
     virtual ~Workload() = default;
 
     virtual void steer() = 0;
+    virtual void step()
+    {
+        steer();
+        m_crowd.step(kWorkloadStep);
+    }
     /// How many are outside the walls, where there are walls.
     [[nodiscard]] virtual std::size_t outsideWalls() const = 0;
 
-    [[nodiscard]] CrowdSimulation& crowd() { return m_crowd; }
-    [[nodiscard]] const CrowdSimulation& crowd() const { return m_crowd; }
+    [[nodiscard]] virtual CrowdSimulation& crowd() { return m_crowd; }
+    [[nodiscard]] const CrowdSimulation& crowd() const
+    {
+        return const_cast<Workload*>(this)->crowd();
+    }
 
 protected:
     Workload() = default;
@@ -45,9 +53,12 @@ protected:
 /// square and a new one on arrival. "corridor": two directions in a corridor 10 m wide, two people
 /// per square metre, turning round at the ends; its length follows the count. "city": four-way
 /// streets between blocks of houses, half a person per square metre, everybody from crossing to
-/// crossing.
+/// crossing. "paths": a session of people on cyclic paths in the open, half a person per square
+/// metre, with a frame published after every step.
 [[nodiscard]] model::Result<std::unique_ptr<Workload>>
 makeWorkload(std::string_view name, std::size_t count, std::uint64_t seed);
+
+[[nodiscard]] std::unique_ptr<Workload> makePathsWorkload(std::size_t count, std::uint64_t seed);
 
 /// What a run shows beside its time.
 struct WorkloadFigures

@@ -102,8 +102,7 @@ WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)())
     std::vector<double> stepMs;
     for (int step = 1; step <= steps; ++step) {
         const double start = clockMs != nullptr ? clockMs() : 0.0;
-        workload.steer();
-        workload.crowd().step(kWorkloadStep);
+        workload.step();
         if (clockMs != nullptr) {
             stepMs.push_back(clockMs() - start);
         }

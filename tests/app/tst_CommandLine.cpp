@@ -121,7 +121,7 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
                           "triangles_drawn bytes_per_keyframe reference ratio samples clock");
     QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
                               << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms");
-    for (const char* workload : {"square", "corridor", "city"}) {
+    for (const char* workload : {"square", "corridor", "city", "paths"}) {
         QTest::newRow(qPrintable(QStringLiteral("simulating a %1").arg(QLatin1String(workload))))
             << QStringLiteral("bench simulate --count 100 --steps 10 --workload %1")
                    .arg(QLatin1String(workload))

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/Gait.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kStandBelow = 0.2F; ///< m/s
+constexpr float kHysteresis = 0.15F;
+constexpr float kSlowestClip = 0.05F;
+
+/// What the artist set, else the asset's.
+float speedOf(const model::TemplateEntry& entry, std::size_t clip, const model::Clip& asset)
+{
+    const bool isEdited = clip < entry.clipSpeeds.size() && !std::isnan(entry.clipSpeeds[clip]);
+    return isEdited ? entry.clipSpeeds[clip] : asset.speed;
+}
+
+} // namespace
+
+GaitTable::GaitTable(const model::TemplateEntry& entry)
+{
+    if (!entry.asset) {
+        return;
+    }
+    const auto standing = static_cast<std::size_t>(entry.asset->defaultClip);
+    for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
+        const int index = entry.asset->clipIndex(entry.clipNames[i]);
+        if (index < 0) {
+            continue;
+        }
+        const model::Clip& clip = entry.asset->clips[static_cast<std::size_t>(index)];
+        const float speed = speedOf(entry, i, clip);
+        const bool moves = clip.loop && clip.seconds > 0.0F && speed > kSlowestClip;
+        if (moves || static_cast<std::size_t>(index) == standing) {
+            m_gaits.push_back({static_cast<std::uint16_t>(i), moves ? speed : 0.0F, clip.seconds});
+        }
+    }
+    std::ranges::stable_sort(m_gaits, {}, &Gait::metresPerSecond);
+    if (m_gaits.empty() || m_gaits.front().metresPerSecond > 0.0F) {
+        m_gaits.clear(); // nothing to stand with
+    }
+}
+
+std::size_t GaitTable::choose(std::size_t present, float metresPerSecond) const
+{
+    const auto border = [this](std::size_t upper) {
+        return upper == 1
+                   ? kStandBelow
+                   : std::sqrt(m_gaits[upper - 1].metresPerSecond * m_gaits[upper].metresPerSecond);
+    };
+    std::size_t gait = std::min(present, m_gaits.size() - 1);
+    while (gait + 1 < m_gaits.size() && metresPerSecond > border(gait + 1) * (1.0F + kHysteresis)) {
+        ++gait;
+    }
+    while (gait > 0 && metresPerSecond < border(gait) * (1.0F - kHysteresis)) {
+        --gait;
+    }
+    return gait;
+}
+
+float GaitTable::playback(const Gait& gait, float metresPerSecond, float height)
+{
+    return gait.metresPerSecond > 0.0F
+               ? metresPerSecond / (gait.metresPerSecond * std::max(height, 0.05F))
+               : 1.0F;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/scene/Scene.h"
+
+namespace crowd::behavior {
+
+/// Which clips of a template to stand, walk and run with. Immutable once made.
+class GaitTable
+{
+public:
+    struct Gait
+    {
+        std::uint16_t clip = 0;       ///< as the clip column counts
+        float metresPerSecond = 0.0F; ///< at playback speed 1 and height 1; 0: standing
+        float seconds = 1.0F;         ///< of the clip; 0 a pose
+    };
+
+    /// Empty where the template is not loaded or has nothing to move with: its people glide with
+    /// the clip they have.
+    explicit GaitTable(const model::TemplateEntry& entry);
+
+    [[nodiscard]] bool isEmpty() const { return m_gaits.size() < 2; }
+    [[nodiscard]] const Gait& gait(std::size_t index) const { return m_gaits[index]; }
+    /// The gait for a ground speed, given the present one: a border must be crossed by some way
+    /// before the gait changes, so that nobody flickers between two.
+    [[nodiscard]] std::size_t choose(std::size_t present, float metresPerSecond) const;
+    /// Playback speed at which feet do not slide.
+    [[nodiscard]] static float playback(const Gait& gait, float metresPerSecond, float height);
+
+private:
+    std::vector<Gait> m_gaits; ///< standing first, then by rising speed
+};
+
+} // namespace crowd::behavior

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numeric>
+
+#include "behavior/session/Session.h"
+#include "behavior/workload/Workload.h"
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kMesh = 25.0F; ///< metres between places
+constexpr float kPlaceRadius = 4.0F;
+
+class PathsWorkload : public Workload
+{
+public:
+    PathsWorkload(const model::Scene& scene, const SessionPlan& plan) : m_session(scene, plan) {}
+
+    void steer() override {}
+    void step() override
+    {
+        m_session.step();
+        m_frame = m_session.frame();
+    }
+    [[nodiscard]] CrowdSimulation& crowd() override { return m_session.crowd(); }
+    [[nodiscard]] std::size_t outsideWalls() const override { return 0; }
+
+private:
+    Session m_session;
+    model::CrowdFramePtr m_frame;
+};
+
+/// A grid of places, and a path around each of its squares.
+void addNetwork(SessionPlan& plan, int squares)
+{
+    for (int i = 0; i < (squares + 1) * (squares + 1); ++i) {
+        const glm::vec2 corner(i % (squares + 1), i / (squares + 1));
+        plan.places.push_back({static_cast<model::PlaceId>(i + 1), std::to_string(i + 1),
+                               glm::vec3(corner.x, 0.0F, corner.y) * kMesh, kPlaceRadius});
+    }
+    for (int i = 0; i < squares * squares; ++i) {
+        const int first = i / squares * (squares + 1) + i % squares + 1;
+        model::Path path{
+            static_cast<model::PathId>(i + 1), std::to_string(i + 1), model::PathKind::Cyclic, {}};
+        for (const int place : {first, first + 1, first + squares + 2, first + squares + 1}) {
+            path.places.push_back(static_cast<model::PlaceId>(place));
+        }
+        plan.paths.push_back(std::move(path));
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Workload> makePathsWorkload(std::size_t count, std::uint64_t seed)
+{
+    const float side = std::sqrt(static_cast<float>(count) / 0.5F);
+    const int squares = std::max(1, static_cast<int>(std::ceil(side / kMesh)));
+    SessionPlan plan;
+    addNetwork(plan, squares);
+    std::vector<model::IndividualId> ids(count);
+    std::iota(ids.begin(), ids.end(), 1U);
+    auto rows = model::IndividualRows::withDefaults(ids);
+    const float width = static_cast<float>(squares) * kMesh;
+    const std::vector<glm::vec2> places =
+        scatter(count, glm::vec2(0.0F), glm::vec2(width), 0.5F, seed);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows.column(model::columns::position)[i] = {places[i].x, 0.0F, places[i].y};
+        const glm::ivec2 square = glm::min(glm::ivec2(places[i] / kMesh), squares - 1);
+        plan.walkers.push_back({ids[i],
+                                static_cast<model::PathId>(square.y * squares + square.x + 1),
+                                kWorkloadSpeed});
+    }
+    model::Scene scene;
+    scene.population.add(rows);
+    return std::make_unique<PathsWorkload>(scene, plan);
+}
+
+} // namespace crowd::behavior
