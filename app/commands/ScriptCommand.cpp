@@ -4,14 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <pybind11/embed.h>
-
-#include "app/python/PythonModule.h"
-
-PYBIND11_EMBEDDED_MODULE(crowdbrush, module)
-{
-    crowd::app::registerModule(module);
-}
+#include "app/python/EmbeddedPython.h"
 
 namespace crowd::app {
 
@@ -20,28 +13,6 @@ namespace {
 namespace py = pybind11;
 
 constexpr int kFailed = 1;
-
-/// What sys.exit(value) means: None is success, a number is the status, anything else is printed.
-int statusOf(const py::object& code)
-{
-    if (code.is_none()) {
-        return 0;
-    }
-    if (py::isinstance<py::int_>(code)) {
-        return code.cast<int>() & 0xFF;
-    }
-    py::print(code, py::arg("file") = py::module_::import("sys").attr("stderr"));
-    return kFailed;
-}
-
-/// Text is UTF-8 whatever the locale says, as scenes and their names are.
-void useUtf8()
-{
-    PyPreConfig config;
-    PyPreConfig_InitPythonConfig(&config);
-    config.utf8_mode = 1;
-    Py_PreInitialize(&config);
-}
 
 /// As python3 runs a file: as __main__, with its folder first on the path.
 void runFile(const ScriptOptions& options)
@@ -58,6 +29,16 @@ void runFile(const ScriptOptions& options)
     py::module_::import("runpy").attr("run_path")(options.file, py::none(), "__main__");
 }
 
+/// Whoever read the output may have gone.
+void flush()
+{
+    try {
+        py::exec("import sys; sys.stdout.flush(); sys.stderr.flush()");
+    } catch (py::error_already_set&) {
+        py::exec("import os, sys; sys.stdout = open(os.devnull, 'w')");
+    }
+}
+
 } // namespace
 
 int runScript(const ScriptOptions& options)
@@ -67,21 +48,20 @@ int runScript(const ScriptOptions& options)
                      options.file.c_str());
         return kFailed;
     }
-    useUtf8();
-    const py::scoped_interpreter interpreter(true, 0, nullptr, false);
+    const EmbeddedPython python(true);
     int status = 0;
     try {
         runFile(options);
     } catch (py::error_already_set& problem) {
         if (problem.matches(PyExc_SystemExit)) {
-            status = statusOf(problem.value().attr("code"));
+            status = exitStatus(problem.value().attr("code"));
         } else {
             problem.restore();
             PyErr_Print();
             status = kFailed;
         }
     }
-    py::exec("import sys; sys.stdout.flush(); sys.stderr.flush()");
+    flush();
     return status;
 }
 

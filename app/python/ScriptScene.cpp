@@ -95,7 +95,11 @@ ScriptScene::ScriptScene(ScriptHost host)
 ScriptScene::~ScriptScene()
 {
     if (m_edit) {
-        endEdit(false);
+        try {
+            endEdit(false);
+        } catch (const std::exception&) {
+            (void)m_edit.release(); // the editor is closing: the document goes with all it holds
+        }
     }
 }
 
@@ -422,9 +426,7 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke)
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed.error();
         }
-        if (m_own) {
-            m_own->stage.setStages(m_own->document.scene().stages);
-        }
+        m_host.stage->setStages(m_host.document->scene().stages);
         return replay(*m_host.document, *m_host.keyframes, *m_host.stage, recording);
     });
 }

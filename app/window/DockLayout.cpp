@@ -29,6 +29,12 @@ void DockLayout::add(QDockWidget* dock, Qt::DockWidgetArea area)
     m_docks.push_back(dock);
 }
 
+void DockLayout::addHidden(QDockWidget* dock, Qt::DockWidgetArea area)
+{
+    add(dock, area);
+    dock->hide();
+}
+
 void DockLayout::fitToScreen()
 {
     const QRect screen = m_window.screen()->availableGeometry();
@@ -65,9 +71,6 @@ void DockLayout::reset()
     const bool wasHidden = isHidden();
     m_beforeHiding.clear();
     m_window.restoreState(m_initial, kLayoutVersion);
-    for (QDockWidget* dock : m_docks) {
-        dock->show();
-    }
     if (wasHidden) {
         Q_EMIT hiddenChanged(false);
     }

@@ -21,6 +21,8 @@ public:
     explicit DockLayout(QMainWindow& window);
 
     void add(QDockWidget* dock, Qt::DockWidgetArea area);
+    /// One that is there only when it is asked for.
+    void addHidden(QDockWidget* dock, Qt::DockWidgetArea area);
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
     /// The window is gone: so are its panels.
     void forget() { m_docks.clear(); }

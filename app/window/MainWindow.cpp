@@ -13,6 +13,8 @@
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QToolBar>
 
+#include "app/console/ConsoleDock.h"
+#include "app/console/ScriptGuard.h"
 #include "app/window/KeysDialog.h"
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
@@ -28,6 +30,7 @@ namespace {
 
 constexpr int kToolIconSize = 22;
 constexpr int kLeftWidth = 280;
+constexpr int kConsoleHeight = 170;
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -44,7 +47,8 @@ QStringList localFiles(const QMimeData* data)
 
 MainWindow::MainWindow()
     : m_state(m_document), m_actions(this), m_files(m_state, this), m_assets(m_state, this),
-      m_queue(m_files, m_assets, this), m_viewport(new widgets::ViewportWidget(m_state, this)),
+      m_queue(m_files, m_assets, this), m_interpreter(m_state),
+      m_viewport(new widgets::ViewportWidget(m_state, this)),
       m_status(new StatusPanel(m_state, this)), m_layout(*this),
       m_bookmarks(m_state, m_actions, this)
 {
@@ -52,10 +56,13 @@ MainWindow::MainWindow()
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(m_viewport);
     setStatusBar(m_status);
     addDocks();
     addWindowActions(*this);
+    new ScriptGuard(m_interpreter, m_state, *this, *m_console, *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.
     QAction* hidePanels = m_actions.action("hide-panels");
@@ -95,6 +102,8 @@ void MainWindow::addDocks()
     m_layout.add(individual, Qt::RightDockWidgetArea);
     m_layout.add(scene, Qt::RightDockWidgetArea);
     m_layout.add(history, Qt::RightDockWidgetArea);
+    m_console = new ConsoleDock(m_interpreter, this);
+    m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
     tabifyDockWidget(individual, scene);
     tabifyDockWidget(scene, history);
     individual->raise();
@@ -283,6 +292,7 @@ void MainWindow::arrangeDocks()
     resizeDocks({docks[1]}, {kLeftWidth}, Qt::Horizontal);
     resizeDocks({docks[0], docks[1]}, {130, 500}, Qt::Vertical);
     resizeDocks({docks[2], docks[3], docks[4]}, {200, 260, 280}, Qt::Vertical);
+    resizeDocks({m_console}, {kConsoleHeight}, Qt::Vertical);
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences)
@@ -331,6 +341,10 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (m_document.isEditOpen()) {
         m_viewport->tools().cancel();
+    }
+    if (!m_console->mayClose()) {
+        event->ignore();
+        return;
     }
     if (!m_files.mayLeaveScene()) {
         event->ignore();

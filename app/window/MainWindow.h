@@ -3,6 +3,7 @@
 
 #include <QtWidgets/QMainWindow>
 
+#include "app/console/Interpreter.h"
 #include "app/window/AssetController.h"
 #include "app/window/CameraBookmarks.h"
 #include "app/window/DockLayout.h"
@@ -17,6 +18,7 @@ class QMenu;
 
 namespace crowd::app {
 
+class ConsoleDock;
 class StatusPanel;
 struct Preferences;
 
@@ -37,6 +39,8 @@ public:
     [[nodiscard]] FileController& files() { return m_files; }
     [[nodiscard]] AssetController& assets() { return m_assets; }
     [[nodiscard]] FileQueue& queue() { return m_queue; }
+    [[nodiscard]] Interpreter& interpreter() { return m_interpreter; }
+    [[nodiscard]] ConsoleDock& console() { return *m_console; }
     [[nodiscard]] DockLayout& dockLayout() { return m_layout; }
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_layout.docks(); }
 
@@ -69,8 +73,10 @@ private:
     FileController m_files;
     AssetController m_assets;
     FileQueue m_queue;
+    Interpreter m_interpreter;
     widgets::ViewportWidget* m_viewport; ///< child
     StatusPanel* m_status;               ///< child
+    ConsoleDock* m_console = nullptr;    ///< child
     QMenu* m_recentMenu = nullptr;       ///< child
     DockLayout m_layout;
     CameraBookmarks m_bookmarks;

@@ -6,6 +6,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/viewport/SelectionCommands.h"
@@ -155,6 +156,18 @@ const WindowAction kPlayActions[] = {
      [](MainWindow& w, bool) { w.state().transport().rewind(); }},
 };
 
+const WindowAction kScriptActions[] = {
+    {{"console", QT_TRANSLATE_NOOP("Actions", "Python &Console"), "console", "F12",
+      QT_TRANSLATE_NOOP("Actions", "Type Python, with the open scene as \"scene\"")},
+     [](MainWindow& w, bool) { w.console().reveal(); }},
+    {{"script-run", QT_TRANSLATE_NOOP("Actions", "&Run Script…"), "script-run", "Ctrl+R",
+      QT_TRANSLATE_NOOP("Actions", "Run a Python file on the open scene")},
+     [](MainWindow& w, bool) { w.console().runScript(); }},
+    {{"script-cancel", QT_TRANSLATE_NOOP("Actions", "&Stop Script"), "script-cancel", "Ctrl+.",
+      QT_TRANSLATE_NOOP("Actions", "Stop the script that runs")},
+     [](MainWindow& w, bool) { w.interpreter().cancel(); }},
+};
+
 const WindowAction kOtherActions[] = {
     {{"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Larger Brush"), "larger", "]",
       QT_TRANSLATE_NOOP("Actions", "Make the brush larger")},
@@ -197,6 +210,7 @@ constexpr const char* kViewMenu[] = {
     "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
     "ground-grid",     "shadows",   "look-lit",   "",           "full-screen"};
 constexpr const char* kPlayMenu[] = {"play", "rewind"};
+constexpr const char* kScriptMenu[] = {"console", "", "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"keys", "about"};
 
@@ -206,6 +220,7 @@ constexpr MenuSpec kMenus[] = {
     {QT_TRANSLATE_NOOP("Menus", "&Brush"), kBrushMenu},
     {QT_TRANSLATE_NOOP("Menus", "&View"), kViewMenu},
     {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},
+    {QT_TRANSLATE_NOOP("Menus", "&Script"), kScriptMenu},
     {QT_TRANSLATE_NOOP("Menus", "&Window"), kWindowMenu},
     {QT_TRANSLATE_NOOP("Menus", "&Help"), kHelpMenu},
 };
@@ -289,6 +304,7 @@ void addWindowActions(MainWindow& window)
     addAll(window, kEditActions);
     addAll(window, kViewActions);
     addAll(window, kPlayActions);
+    addAll(window, kScriptActions);
     addAll(window, kOtherActions);
     addTools(window);
 }

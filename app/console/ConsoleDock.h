@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QTimer>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QToolButton>
+
+#include "app/console/ConsoleInput.h"
+#include "app/console/Interpreter.h"
+#include "widgets/docks/DockBase.h"
+
+namespace crowd::app {
+
+/// Python in a panel: what scripts print, in the order it came, errors in colour; below it the line
+/// to type in. The open document is `scene`. The interpreter outlives the panel.
+class ConsoleDock : public widgets::DockBase
+{
+    Q_OBJECT
+
+public:
+    ConsoleDock(Interpreter& interpreter, QWidget* parent);
+
+    /// Asks for a file and runs it.
+    void runScript();
+    void runFile(const QString& path);
+    void clearOutput();
+    /// Stops a running script; false: it does not stop and the artist wants to wait for it.
+    [[nodiscard]] bool mayClose();
+    /// To see and to type in.
+    void reveal();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QWidget* makeButtons();
+    void submit(const QString& source);
+    void finish(ScriptOutcome outcome);
+    void write(const QString& text, const QColor& color);
+    void echo(const QString& source, const QString& first, const QString& others);
+    void showOutput();
+    void setBusy(bool isBusy);
+    [[nodiscard]] QColor errorColor() const;
+    [[nodiscard]] QColor echoColor() const;
+
+    Interpreter& m_interpreter;
+    QPlainTextEdit* m_output; ///< child
+    ConsoleInput* m_input;    ///< child
+    QLabel* m_prompt;         ///< child
+    QToolButton* m_cancel;    ///< child
+    QTimer m_timer;           ///< fetches output while a script runs
+    QString m_submitted;
+    bool m_isFollowing = true; ///< the end of the output stays in sight
+};
+
+} // namespace crowd::app

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "app/console/Interpreter.h"
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+
+#include <pthread.h>
+
+// Python's headers before Qt's would do as well: QT_NO_KEYWORDS keeps them apart.
+#include "app/python/Binding.h"
+#include "app/python/EmbeddedPython.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QFile>
+
+namespace crowd::app {
+
+namespace {
+
+/// Interrupts the script's thread; Python turns it into KeyboardInterrupt (see console.py).
+constexpr int kStopSignal = SIGUSR1;
+constexpr auto kPatience = std::chrono::milliseconds(3000);
+constexpr auto kBetweenCancels = std::chrono::milliseconds(100);
+
+void ignoreStopSignal()
+{
+    // Until Python handles it: one that comes too early or too late must not end the program.
+    std::signal(kStopSignal, SIG_IGN);
+}
+
+QString sourceOfConsole()
+{
+    QFile file(QStringLiteral(":/console/console.py"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+} // namespace
+
+/// What lives on the interpreter's thread, under Python's lock.
+struct Interpreter::Python
+{
+    explicit Python(Interpreter& owner);
+
+    [[nodiscard]] std::string call(const char* function, const std::string& argument);
+
+    EmbeddedPython python{false};
+    py::object console; ///< null when it could not be made; the output says why
+};
+
+Interpreter::Python::Python(Interpreter& owner)
+{
+    const auto writer = [&owner](OutputKind kind) {
+        return py::cpp_function([&owner, kind](const py::bytes& text) {
+            owner.m_output.write(QString::fromStdString(std::string(text)), kind);
+        });
+    };
+    ScriptHost host{&owner.m_state.document(), &owner.m_state.keyframes(), &owner.m_stage,
+                    [&owner](const std::function<void()>& work) {
+                        const py::gil_scoped_release others;
+                        if (!owner.m_gate.run(work)) {
+                            throw ScriptError("The editor is closing.");
+                        }
+                    }};
+    try {
+        const char* const name = "crowdbrush/console.py";
+        const py::module_ builtins = py::module_::import("builtins");
+        py::dict names;
+        names["__file__"] = name; // tracebacks leave out what is ours
+        builtins.attr("exec")(
+            builtins.attr("compile")(sourceOfConsole().toStdString(), name, "exec"), names);
+        const auto scene = std::make_shared<ScriptScene>(host);
+        console = names["Console"](writer(OutputKind::Text), writer(OutputKind::Error), scene);
+    } catch (const py::error_already_set& problem) {
+        owner.m_output.write(QString::fromUtf8(problem.what()) + QLatin1Char('\n'),
+                             OutputKind::Error);
+    }
+}
+
+std::string Interpreter::Python::call(const char* function, const std::string& argument)
+{
+    try {
+        return console ? console.attr(function)(argument).cast<std::string>() : "failed";
+    } catch (const py::error_already_set&) {
+        return "failed"; // cancelled at the very end
+    }
+}
+
+Interpreter::Interpreter(widgets::EditorState& state, QObject* parent)
+    : QObject(parent), m_state(state)
+{
+    qRegisterMetaType<crowd::app::ScriptOutcome>();
+}
+
+Interpreter::~Interpreter()
+{
+    if (!shutDown()) {
+        // It runs on and on in code of somebody else's: better no tidy end than none at all.
+        std::_Exit(EXIT_SUCCESS);
+    }
+}
+
+void Interpreter::start()
+{
+    if (!m_thread.joinable()) {
+        ignoreStopSignal();
+        m_thread = std::thread([this] { serve(); });
+    }
+}
+
+void Interpreter::push(Job job)
+{
+    start();
+    const std::lock_guard lock(m_mutex);
+    m_jobs.push_back(std::move(job));
+    m_wake.notify_one();
+}
+
+bool Interpreter::mayBegin()
+{
+    if (m_isRunning) {
+        return false;
+    }
+    if (m_state.document().isEditOpen()) {
+        m_output.write(tr("Finish or cancel the stroke first.") + QLatin1Char('\n'),
+                       OutputKind::Error);
+        Q_EMIT finished(ScriptOutcome::Failed);
+        return false;
+    }
+    return true;
+}
+
+void Interpreter::begin(std::function<std::string(Python&)> script)
+{
+    if (!mayBegin()) {
+        return;
+    }
+    m_isRunning = true;
+    Q_EMIT started();
+    push([this, script = std::move(script)](Python& python) {
+        const std::string result = script(python);
+        const ScriptOutcome outcome = result == "done"   ? ScriptOutcome::Done
+                                      : result == "more" ? ScriptOutcome::More
+                                                         : ScriptOutcome::Failed;
+        QMetaObject::invokeMethod(
+            this,
+            [this, outcome] {
+                m_isRunning = false;
+                Q_EMIT finished(outcome);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void Interpreter::run(const QString& source)
+{
+    begin([text = source.toStdString()](Python& python) { return python.call("run", text); });
+}
+
+void Interpreter::runFile(const QString& path)
+{
+    begin([text = path.toStdString()](Python& python) { return python.call("run_file", text); });
+}
+
+void Interpreter::complete(const QString& text)
+{
+    if (m_isRunning) {
+        return;
+    }
+    push([this, text](Python& python) {
+        QStringList candidates;
+        try {
+            if (python.console) {
+                const py::list found = python.console.attr("complete")(text.toStdString());
+                for (const py::handle& each : found) {
+                    candidates << QString::fromStdString(each.cast<std::string>());
+                }
+            }
+        } catch (const py::error_already_set&) {
+            candidates.clear();
+        }
+        QMetaObject::invokeMethod(
+            this, [this, text, candidates] { Q_EMIT completed(text, candidates); },
+            Qt::QueuedConnection);
+    });
+}
+
+void Interpreter::cancel()
+{
+    if (m_isRunning && m_thread.joinable()) {
+        pthread_kill(m_thread.native_handle(), kStopSignal);
+    }
+}
+
+bool Interpreter::stop()
+{
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (m_isRunning && std::chrono::steady_clock::now() < deadline) {
+        cancel();
+        // The script may wait for this thread before it hears of it.
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents,
+                                        static_cast<int>(kBetweenCancels.count()));
+        std::this_thread::sleep_for(kBetweenCancels / 10);
+    }
+    return !m_isRunning;
+}
+
+void Interpreter::serve()
+{
+    {
+        Python python(*this);
+        while (true) {
+            std::optional<Job> job;
+            {
+                const py::gil_scoped_release others;
+                std::unique_lock lock(m_mutex);
+                m_wake.wait(lock, [this] { return !m_jobs.empty() || m_isEnding; });
+                if (m_isEnding) {
+                    break;
+                }
+                job = std::move(m_jobs.front());
+                m_jobs.pop_front();
+            }
+            (*job)(python);
+        }
+        ignoreStopSignal();
+    }
+    const std::lock_guard lock(m_mutex);
+    m_hasEnded = true;
+    m_wake.notify_all();
+}
+
+bool Interpreter::shutDown()
+{
+    if (!m_thread.joinable()) {
+        return true;
+    }
+    m_gate.close();
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    std::unique_lock lock(m_mutex);
+    m_isEnding = true;
+    m_jobs.clear();
+    m_wake.notify_all();
+    while (!m_wake.wait_for(lock, kBetweenCancels, [this] { return m_hasEnded; })) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            return false;
+        }
+        lock.unlock();
+        cancel();
+        lock.lock();
+    }
+    lock.unlock();
+    m_thread.join();
+    return true;
+}
+
+} // namespace crowd::app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include <QtCore/QObject>
+#include <QtCore/QStringList>
+
+#include "app/console/OutputBuffer.h"
+#include "app/console/ScriptGate.h"
+#include "model/pick/StageRays.h"
+#include "widgets/state/EditorState.h"
+
+namespace crowd::app {
+
+enum class ScriptOutcome : std::uint8_t {
+    Done,
+    More,  ///< the lines are not complete yet
+    Failed ///< raised, cancelled, or does not compile; the output says so
+};
+
+/// Python beside the window, with the open document as `scene`: one thread that runs one script at
+/// a time and reaches the document through a gate. Started when it is first asked for anything. All
+/// functions: main thread. One in a process.
+class Interpreter : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Interpreter(widgets::EditorState& state, QObject* parent = nullptr);
+    ~Interpreter() override;
+
+    void run(const QString& source);   ///< typed lines
+    void runFile(const QString& path); ///< as __main__
+    void complete(const QString& text);
+    [[nodiscard]] bool isRunning() const { return m_isRunning; }
+    /// Raises KeyboardInterrupt in the script, also while it sleeps.
+    void cancel();
+    /// Cancels and waits a moment until nothing runs; false: the script does not stop.
+    [[nodiscard]] bool stop();
+    /// The same for good: nothing runs afterwards.
+    [[nodiscard]] bool shutDown();
+    [[nodiscard]] OutputBuffer& output() { return m_output; }
+
+Q_SIGNALS:
+    void started();
+    void finished(crowd::app::ScriptOutcome outcome);
+    void completed(const QString& text, const QStringList& candidates);
+
+private:
+    struct Python;
+    using Job = std::function<void(Python&)>;
+
+    void start();
+    void push(Job job);
+    void begin(std::function<std::string(Python&)> script);
+    void serve();
+    [[nodiscard]] bool mayBegin();
+
+    widgets::EditorState& m_state;
+    ScriptGate m_gate;
+    model::StageRays m_stage;
+    OutputBuffer m_output;
+    std::thread m_thread;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<Job> m_jobs;
+    bool m_isEnding = false;  ///< the thread is to end
+    bool m_hasEnded = false;  ///< it has
+    bool m_isRunning = false; ///< main thread's view
+};
+
+} // namespace crowd::app
