@@ -74,7 +74,8 @@ protected:
         m_window->resize(1100, 720);
         m_window->state().transport().setPlaying(false);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get())); // shortcuts go to the active one
     }
     void openScene(const model::Scene& scene, const QString& name)
     {

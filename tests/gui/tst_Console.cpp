@@ -80,7 +80,8 @@ void ConsoleTest::initTestCase()
     m_window->resize(900, 640);
     m_window->state().transport().setPlaying(false);
     m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     m_window->actions().action("console")->trigger();
     m_input = m_window->findChild<app::ConsoleInput*>();
     m_output = m_window->findChild<QPlainTextEdit*>(QStringLiteral("consoleOutput"));

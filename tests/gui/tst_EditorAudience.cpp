@@ -31,6 +31,8 @@ public:
         }
         window.resize(560, 460);
         window.show();
+        window.activateWindow();
+        (void)QTest::qWaitForWindowActive(&window); // shortcuts go to the active one
         state().transport().setPlaying(false);
     }
     [[nodiscard]] bool open(const QString& path)
