@@ -22,9 +22,10 @@ namespace {
 
 constexpr std::size_t kKeyframeBytes = std::size_t{2} << 30U;
 
-QString tr(const char* text, int n = -1)
+/// Of an undo step. A context of its own: scripts run without any window.
+QString stepText(const char* text)
 {
-    return QCoreApplication::translate("Script", text, nullptr, n);
+    return QCoreApplication::translate("Script", text);
 }
 
 /// As entries of a scene hold it.
@@ -295,7 +296,7 @@ Result<TemplateId> ScriptScene::addTemplate(const std::string& path, const std::
     return onDocument([&]() -> Result<TemplateId> {
         TemplateId id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addTemplate(entry); };
-        if (auto done = edit(tr("Add Template"), work); !done) {
+        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Template")), work); !done) {
             return done.error();
         }
         return id;
@@ -317,7 +318,7 @@ Result<std::uint8_t> ScriptScene::addStage(const StageEntry& placed)
     return onDocument([&]() -> Result<std::uint8_t> {
         std::uint8_t id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addStage(entry); };
-        if (auto done = edit(tr("Add Stage"), work); !done) {
+        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Stage")), work); !done) {
             return done.error();
         }
         return id;
@@ -334,7 +335,8 @@ Result<void> ScriptScene::setCamera(const std::string& name, const Camera& camer
         } else {
             found->camera = camera;
         }
-        return edit(tr("Set Camera"), [&](SceneEdit& open) { open.setCameras(cameras); });
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Camera")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
     });
 }
 
@@ -362,7 +364,7 @@ Result<std::vector<IndividualId>> ScriptScene::create(std::size_t n,
         if (!rows) {
             return rows.error();
         }
-        return edit(tr("Create %n Individual(s)", static_cast<int>(n)),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create People")),
                     [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
     });
     if (!done) {
@@ -377,7 +379,7 @@ Result<void> ScriptScene::remove(std::span<const IndividualId> ids)
         if (auto alive = checkAlive(m_host.document->scene(), ids); !alive) {
             return alive;
         }
-        return edit(tr("Remove %n Individual(s)", static_cast<int>(ids.size())),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove People")),
                     [&](SceneEdit& open) { open.removeIndividuals(ids); });
     });
 }
@@ -392,12 +394,11 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
         if (auto valid = checkChange(m_host.document->scene(), ids, values); !valid) {
             return valid;
         }
-        return edit(tr("Change %n Individual(s)", static_cast<int>(ids.size())),
-                    [&](SceneEdit& open) {
-                        for (const ColumnValues& each : values) {
-                            open.setColumn(each.column, ids, each.bytes);
-                        }
-                    });
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change People")), [&](SceneEdit& open) {
+            for (const ColumnValues& each : values) {
+                open.setColumn(each.column, ids, each.bytes);
+            }
+        });
     });
 }
 
