@@ -59,6 +59,20 @@ struct InstanceRun
     std::size_t count = 0;
 };
 
+/// The visible rows of a chunk, before sorting. Filled from the front; kept between frames.
+struct PlanSeen
+{
+    std::vector<Instance> instances;
+    struct Key
+    {
+        std::uint32_t keyframe = 0;
+        std::uint32_t group = 0; ///< (level × entries + entry) × kDistanceSteps + step
+    };
+    std::vector<Key> keys; ///< of instances
+    std::size_t count = 0;
+    bool isMissing = false; ///< somebody's clip is not complete
+};
+
 /// Keeps each individual's level from frame to frame, for the hysteresis.
 class CrowdPlan
 {
@@ -89,31 +103,31 @@ public:
     [[nodiscard]] bool areKeyframesMissing() const { return m_areKeyframesMissing; }
 
     static constexpr int kDistanceSteps = 32;
+    static constexpr std::uint8_t kNoLevel = 0xFF; ///< not seen last time
 
 private:
-    /// The visible rows of a chunk, before sorting. Filled from the front; kept between frames.
-    struct Seen
-    {
-        std::vector<Instance> instances;
-        std::vector<std::uint32_t> groups; ///< (level × entries + entry) × kDistanceSteps + step
-        std::size_t count = 0;
-        bool isMissing = false; ///< somebody's clip is not complete
-    };
-
     void keepLevels(const model::Population& population);
     void look(const Request& request);
     void mark(const Request& request);
-    void sortSeen(std::size_t entries);
+    void sortByKeyframe();
+    void sortByGroup(std::size_t entries);
+    void placeSorted();
     void makeRuns(std::size_t entries);
     void collectHighlighted();
 
     model::Population m_lastPopulation; ///< shares columns: says which row was whose
-    std::vector<std::uint8_t> m_levels; ///< per row; kNoLevel: not seen last time
+    std::vector<std::uint8_t> m_levels; ///< per row; or kNoLevel
     std::vector<std::uint8_t> m_flags;  ///< per row, highest byte of Instance::rowAndFlags
-    std::vector<Seen> m_seen;           ///< per chunk
-    std::vector<Instance> m_unsorted;
-    std::vector<std::uint32_t> m_groups;     ///< of m_unsorted
-    std::vector<std::uint32_t> m_byKeyframe; ///< indices into m_unsorted
+    /// Who is to be sorted: where in m_seen (chunk × kChunk + offset), and the group.
+    struct Key
+    {
+        std::uint32_t place;
+        std::uint32_t group;
+    };
+    std::vector<PlanSeen> m_seen; ///< per chunk
+    std::uint32_t m_keyframeEnd = 0;
+    std::vector<Key> m_byKeyframe;
+    std::vector<std::uint32_t> m_places; ///< sorted
     std::vector<std::uint32_t> m_counts;
     std::vector<Instance> m_instances;
     std::vector<InstanceRun> m_runs;
@@ -122,9 +136,5 @@ private:
     std::array<int, model::kMaxLevels> m_byLevel{};
     bool m_areKeyframesMissing = false;
 };
-
-/// The level for a projected height: kept while the height stays within the hysteresis around the
-/// thresholds of `last` (negative: none).
-[[nodiscard]] int levelFor(float pixels, int last, int levels, const LevelThresholds& thresholds);
 
 } // namespace crowd::render

@@ -132,10 +132,11 @@ void CrowdPass::dropUnused()
 void CrowdPass::refreshTemplates(const PassContext& context)
 {
     const auto& entries = context.input.frame->templates;
-    if (entries != m_entries) {
-        m_entries = entries;
-        ++m_templatesVersion;
+    if (entries == m_entries) {
+        return;
     }
+    m_entries = entries;
+    ++m_templatesVersion;
     m_planTemplates.assign(entries->size(), {});
     m_recordTemplates.assign(entries->size(), {});
     for (std::size_t i = 0; i < entries->size(); ++i) {
@@ -164,35 +165,58 @@ void CrowdPass::refreshTemplates(const PassContext& context)
     }
 }
 
+/// Finds out, when somebody changed, which clips somebody is in.
+void CrowdPass::findUsedClips(const Population& people)
+{
+    if (people.version() == m_usedVersion && m_usedTemplatesVersion == m_templatesVersion) {
+        return;
+    }
+    m_usedVersion = people.version();
+    m_usedTemplatesVersion = m_templatesVersion;
+    /// Of a template id, in a list of all clips; the first item is for ids without a template.
+    struct Names
+    {
+        std::uint32_t first = 0;
+        std::uint32_t last = 0; ///< offset
+    };
+    std::vector<Names> namesOfId(std::size_t{1} << 16U);
+    std::vector<std::uint8_t> isUsed(1);
+    for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
+        const std::size_t names = m_planTemplates[i].clipOfName.size();
+        if (names > 0) {
+            namesOfId[(*m_entries)[i].id] = {static_cast<std::uint32_t>(isUsed.size()),
+                                             static_cast<std::uint32_t>(names - 1)};
+            isUsed.resize(isUsed.size() + names);
+        }
+    }
+    const std::span<const TemplateId> templates = people.column(columns::templateId);
+    const std::span<const std::uint16_t> clips = people.column(columns::clip);
+    for (std::size_t row = 0; row < templates.size(); ++row) {
+        const Names names = namesOfId[templates[row]];
+        isUsed[names.first + std::min<std::uint32_t>(clips[row], names.last)] = 1;
+    }
+    m_usedClips.clear();
+    for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
+        const std::vector<std::uint16_t>& clipOfName = m_planTemplates[i].clipOfName;
+        for (std::size_t name = 0; name < clipOfName.size(); ++name) {
+            if (isUsed[namesOfId[(*m_entries)[i].id].first + name] != 0) {
+                m_usedClips.push_back({i, clipOfName[name]});
+            }
+        }
+    }
+}
+
 /// Asks for the clips that somebody is in; others are not baked.
 void CrowdPass::useShownClips(const PassContext& context)
 {
-    const CrowdFrame& frame = *context.input.frame;
-    const std::span<const TemplateId> templates = frame.population.column(columns::templateId);
-    const std::span<const std::uint16_t> clips = frame.population.column(columns::clip);
-    std::vector<std::vector<bool>> isUsed(std::size_t{1} << 16U);
-    for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
-        isUsed[(*m_entries)[i].id].resize(m_planTemplates[i].clipOfName.size());
-    }
-    for (std::size_t row = 0; row < templates.size(); ++row) {
-        std::vector<bool>& used = isUsed[templates[row]];
-        if (!used.empty()) {
-            used[std::min<std::size_t>(clips[row], used.size() - 1)] = true;
-        }
+    findUsedClips(context.input.frame->population);
+    for (const UsedClip& used : m_usedClips) {
+        gpuOf((*m_entries)[used.entry].asset).useClip(context.input.keyframes, used.clip);
     }
     for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
-        PlanTemplate& plan = m_planTemplates[i];
-        if (!plan.isDrawable) {
-            continue;
+        if (m_planTemplates[i].isDrawable) {
+            m_planTemplates[i].clips = gpuOf((*m_entries)[i].asset).clips();
         }
-        const TemplateEntry& entry = (*m_entries)[i];
-        TemplateGpu& gpu = gpuOf(entry.asset);
-        for (std::size_t name = 0; name < plan.clipOfName.size(); ++name) {
-            if (isUsed[entry.id][name]) {
-                gpu.useClip(context.input.keyframes, plan.clipOfName[name]);
-            }
-        }
-        plan.clips = gpu.clips();
     }
 }
 

@@ -54,6 +54,7 @@ private:
     [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
     void dropUnused();
     void refreshTemplates(const PassContext& context);
+    void findUsedClips(const model::Population& people);
     void useShownClips(const PassContext& context);
     void uploadRecords(const PassContext& context);
     void uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const;
@@ -78,6 +79,14 @@ private:
     std::uint64_t m_templatesVersion = 0;
     std::vector<PlanTemplate> m_planTemplates;
     std::vector<RecordTemplate> m_recordTemplates;
+    struct UsedClip
+    {
+        std::size_t entry; ///< index into m_entries
+        std::uint16_t clip;
+    };
+    std::vector<UsedClip> m_usedClips;
+    std::uint64_t m_usedVersion = 0; ///< of the population that m_usedClips tells of
+    std::uint64_t m_usedTemplatesVersion = 0;
     StaticRecords m_records;
     CrowdPlan m_plan;
     RowBuffers m_rows;

@@ -4,8 +4,10 @@
 #include <ctime>
 
 #include "TestScene.h"
+#include "model/bake/KeyframeTime.h"
 #include "model/base/Random.h"
 #include "render/crowd/CrowdPlan.h"
+#include "render/crowd/LevelChoice.h"
 #include "render/crowd/StaticRecords.h"
 
 using namespace crowd;
@@ -25,6 +27,7 @@ private Q_SLOTS:
     void planIsTheSameForAnyOrderOfChunks();
     void levelsFollowTheIndividualWhenRowsMove();
     void highlightedAreListed();
+    void keyframesAreThoseOfTheShownPhase();
     void standInsAreReported();
     void onlyChangedRowsAreListed();
     void rowsThatComeBackAreListed();
@@ -97,8 +100,12 @@ void TestCrowdPlan::levelFollowsHeight()
     QFETCH(float, pixels);
     QFETCH(int, last);
     QFETCH(int, level);
-    QCOMPARE(render::levelFor(pixels, last, 4, {}), level);
-    QVERIFY(render::levelFor(pixels, last, 1, {}) == 0);
+    const render::LevelChoice choice(render::LevelThresholds{});
+    const std::size_t before =
+        last < 0 ? render::LevelChoice::kNone : static_cast<std::size_t>(last);
+    QCOMPARE(choice.level(pixels, before, 3), level);
+    QCOMPARE(choice.level(pixels, before, 1), std::min(level, 1));
+    QCOMPARE(choice.level(pixels, before, 0), 0);
 }
 
 void TestCrowdPlan::levelIsKeptNearAThreshold()
@@ -220,6 +227,32 @@ void TestCrowdPlan::highlightedAreListed()
     QCOMPARE(made.highlightedRuns().size(), std::size_t{1});
     make(made, makeRow(4), frontView({640.0F, 640.0F}, 12.0F));
     QVERIFY(made.highlighted().empty());
+}
+
+void TestCrowdPlan::keyframesAreThoseOfTheShownPhase()
+{
+    model::Population people = makeField(3000);
+    const std::vector<model::IndividualId> ids(people.ids().begin(), people.ids().end());
+    std::vector<float> speeds;
+    for (const model::IndividualId id : ids) {
+        speeds.push_back(static_cast<float>(id % 7) * 0.4F - 0.8F); // backwards, too
+    }
+    people.setValues(model::columns::playbackSpeed, ids, std::span<const float>(speeds));
+    const double seconds = 12345.678;
+    const render::CrowdPlan made = plan(people, frontView({1280.0F, 720.0F}, 60.0F), seconds);
+    QVERIFY(made.instances().size() > 1000);
+    for (const render::Instance& shown : made.instances()) {
+        const std::size_t row = shown.rowAndFlags & render::Instance::kRowMask;
+        const std::size_t index = people.column(model::columns::clip)[row];
+        const render::PlanClip& clip =
+            m_templates[0].clips[std::min(index, m_man->clips.size() - 1)];
+        const float phase = model::shownPhase(*clip.clip, people.column(model::columns::phase)[row],
+                                              speeds[row], seconds);
+        const model::KeyframePlace place = model::keyframePlace(*clip.clip, phase);
+        const float expected = static_cast<float>(place.first) + place.blend;
+        const float got = static_cast<float>(shown.keyframeA - clip.firstKeyframe) + shown.blend;
+        QVERIFY2(std::abs(got - expected) < 1e-3F, qPrintable(QString::number(row)));
+    }
 }
 
 void TestCrowdPlan::standInsAreReported()
