@@ -18,6 +18,7 @@ class SkirtCut:
     side: float     # how far the lower edge is wider than the hem, to the side
     front: float
     back: float
+    follow: float = .9  # share of the shins in what hangs below the knees
 
 
 class Skirt:
@@ -80,7 +81,7 @@ class Skirt:
     def weights(self, point):
         s, z, hip, knee = self.body.size, point[2], self.body.hip[2], self.body.knee[2]
         thigh = 1 - smoothstep(z, hip - .12 * s, hip + .05 * s)
-        shin = (1 - smoothstep(z, knee - .13 * s, knee + .03 * s)) * .9
+        shin = (1 - smoothstep(z, knee - .13 * s, knee + .03 * s)) * self.cut.follow
         left = .5 + .5 * smoothstep(abs(point[0]), 0, self._leg_x() * .98)
         return {"hips": 1 - thigh, "thigh_L": thigh * (1 - shin) * left,
                 "thigh_R": thigh * (1 - shin) * (1 - left), "shin_L": thigh * shin * left,

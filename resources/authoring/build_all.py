@@ -7,7 +7,8 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IN_BLENDER = ("build_people.py", "build_theatre.py", "make_skinning_reference.py")
-PLAIN = ("check_skinning.py", "make_theatre_scene.py")
+PLAIN = ("build_creatures.py", "build_stages.py", "make_theatre_scene.py", "make_scenes.py",
+         "check_skinning.py", "check_templates.py")
 
 
 def main():

@@ -28,7 +28,8 @@ def _matron():
                                                   hip_width=1.05),
                     Head(0, .228, 1.0, .99, .90), hair="gathered", legs="bare", wardrobe="matron",
                     accessories=("shawl", "veil"))
-    return _dressed(body, body.ankle[2] + .07, .120, .060, .100, .20)
+    body = _dressed(body, body.ankle[2] + .07, .120, .060, .100, .20)
+    return replace(body, skirt=replace(body.skirt, follow=1.0))
 
 
 def _citizen():

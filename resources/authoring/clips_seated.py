@@ -136,7 +136,7 @@ def sit_bored_pose(body, bones, phase):
     pose.local["head"] = pose.local["head"] @ rot_y(7 + 1.5 * sine(phase, 0, 2))
     pose.solve()
     size, head = body.head.size, pose.position["head"]
-    chin = head + pose.rotation["head"] @ vec(-.20 * size, -.45 * size, -.47 * size)
+    chin = head + pose.rotation["head"] @ vec(-.20, -.48 if body.size < .8 else -.45, -.47) * size
     pose.arms["R"] = ArmTarget(chin, vec(.10, .25, 1), vec(.85, .45, 0), vec(-.35, -.45, -1))
     pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1)
     return pose

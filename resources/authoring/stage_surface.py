@@ -19,7 +19,8 @@ def polar(radius, angle, z):
 
 
 class StageSurface:
-    def __init__(self, seed):
+    def __init__(self, seed, materials=MATERIALS):
+        self.palette = materials
         self.vertices, self.faces, self.materials, self.tones = [], [], [], []
         self._random = np.random.default_rng(seed)
 
@@ -36,7 +37,7 @@ class StageSurface:
 
     def face(self, ids, material, tone=None):
         self.faces.append(tuple(ids))
-        self.materials.append(list(MATERIALS).index(material))
+        self.materials.append(list(self.palette).index(material))
         self.tones.append(self.tone() if tone is None else tone)
 
     def arc(self, profile, start, end, segments, materials):
