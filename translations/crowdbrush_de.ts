@@ -268,14 +268,6 @@
         <translation>Alle Tafeln an ihren Platz zurückstellen</translation>
     </message>
     <message>
-        <source>&amp;Keys and Mouse</source>
-        <translation>&amp;Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>What keys and mouse buttons do</source>
-        <translation>Was Tasten und Maustasten tun</translation>
-    </message>
-    <message>
         <source>&amp;About Crowdbrush</source>
         <translation>&amp;Über Crowdbrush</translation>
     </message>
@@ -338,6 +330,133 @@
     <message>
         <source>&amp;Animation</source>
         <translation>A&amp;nimation</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;1</source>
+        <translation>Zu Kamera &amp;1</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;1</source>
+        <translation>Ansicht als Kamera &amp;1 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;2</source>
+        <translation>Zu Kamera &amp;2</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;2</source>
+        <translation>Ansicht als Kamera &amp;2 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;3</source>
+        <translation>Zu Kamera &amp;3</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;3</source>
+        <translation>Ansicht als Kamera &amp;3 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;4</source>
+        <translation>Zu Kamera &amp;4</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;4</source>
+        <translation>Ansicht als Kamera &amp;4 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;5</source>
+        <translation>Zu Kamera &amp;5</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;5</source>
+        <translation>Ansicht als Kamera &amp;5 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;6</source>
+        <translation>Zu Kamera &amp;6</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;6</source>
+        <translation>Ansicht als Kamera &amp;6 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;7</source>
+        <translation>Zu Kamera &amp;7</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;7</source>
+        <translation>Ansicht als Kamera &amp;7 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;8</source>
+        <translation>Zu Kamera &amp;8</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;8</source>
+        <translation>Ansicht als Kamera &amp;8 merken</translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;9</source>
+        <translation>Zu Kamera &amp;9</translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;9</source>
+        <translation>Ansicht als Kamera &amp;9 merken</translation>
+    </message>
+    <message>
+        <source>Look through the scene&apos;s camera of this number</source>
+        <translation>Durch die Kamera der Szene mit dieser Nummer sehen</translation>
+    </message>
+    <message>
+        <source>Keep the present view as the scene&apos;s camera of this number</source>
+        <translation>Die jetzige Ansicht als Kamera der Szene mit dieser Nummer merken</translation>
+    </message>
+    <message>
+        <source>Picture &amp;Only</source>
+        <translation>&amp;Nur das Bild</translation>
+    </message>
+    <message>
+        <source>Hide panels and tool bar, or show them again</source>
+        <translation>Bereiche und Werkzeugleiste verbergen oder wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Python &amp;Console</source>
+        <translation>Python-&amp;Konsole</translation>
+    </message>
+    <message>
+        <source>Type Python, with the open scene as &quot;scene&quot;</source>
+        <translation>Python eintippen, mit der offenen Szene als „scene“</translation>
+    </message>
+    <message>
+        <source>&amp;Run Script…</source>
+        <translation>Skript &amp;ausführen…</translation>
+    </message>
+    <message>
+        <source>Run a Python file on the open scene</source>
+        <translation>Eine Python-Datei mit der offenen Szene ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Script</source>
+        <translation>Skript an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stop the script that runs</source>
+        <translation>Das laufende Skript anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>What mouse buttons and keys do</source>
+        <translation>Was Maustasten und Tasten tun</translation>
+    </message>
+</context>
+<context>
+    <name>AssetController</name>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
     </message>
 </context>
 <context>
@@ -406,6 +525,30 @@
         <source>Speed: × %1</source>
         <translation>Tempo: × %1</translation>
     </message>
+    <message>
+        <source>Distance, m</source>
+        <translation>Abstand, m</translation>
+    </message>
+    <message>
+        <source>Of them, %</source>
+        <translation>Davon, %</translation>
+    </message>
+    <message>
+        <source>Turned by, °</source>
+        <translation>Gedreht um, °</translation>
+    </message>
+    <message>
+        <source>Distance: %1 m</source>
+        <translation>Abstand: %1 m</translation>
+    </message>
+    <message>
+        <source>Delete: %1 % of them</source>
+        <translation>Löschen: %1 % davon</translation>
+    </message>
+    <message>
+        <source>Turned by: %1°</source>
+        <translation>Gedreht um: %1°</translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -460,24 +603,8 @@
         <translation>%1 px</translation>
     </message>
     <message>
-        <source>Drag: create people · + −: how many</source>
-        <translation>Ziehen: Personen schaffen · + −: wie viele</translation>
-    </message>
-    <message>
         <source>Drag: delete people · + −: how fast</source>
         <translation>Ziehen: Personen löschen · + −: wie schnell</translation>
-    </message>
-    <message>
-        <source>Drag: colour people · + −: strength</source>
-        <translation>Ziehen: Personen färben · + −: Stärke</translation>
-    </message>
-    <message>
-        <source>Drag: turn people · + −: direction</source>
-        <translation>Ziehen: Personen drehen · + −: Richtung</translation>
-    </message>
-    <message>
-        <source>Drag: change what people do · + −: speed</source>
-        <translation>Ziehen: ändern, was Personen tun · + −: Tempo</translation>
     </message>
     <message>
         <source>Left: point · Middle: circle · Right: rectangle · Alt or Space and drag: navigate · [ ]: size</source>
@@ -490,6 +617,42 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Drag: create people · + −: how many · Ctrl+click: more of the kind</source>
+        <translation>Ziehen: Personen erschaffen · + −: wie viele · Strg+Klick: mehr von dieser Art</translation>
+    </message>
+    <message>
+        <source>Drag: colour people · + −: strength · Ctrl+click: take the colour</source>
+        <translation>Ziehen: Personen färben · + −: Stärke · Strg+Klick: die Farbe nehmen</translation>
+    </message>
+    <message>
+        <source>Drag: turn people · + −: direction · Ctrl+click: the point to face</source>
+        <translation>Ziehen: Personen drehen · + −: Richtung · Strg+Klick: der Punkt, zu dem sie sehen</translation>
+    </message>
+    <message>
+        <source>Drag: change what people do · + −: speed · Ctrl+click: take the clip</source>
+        <translation>Ziehen: ändern, was Personen tun · + −: Tempo · Strg+Klick: den Clip nehmen</translation>
+    </message>
+    <message>
+        <source>Click somebody to take the colour · Escape: not now</source>
+        <translation>Jemanden anklicken, um die Farbe zu nehmen · Esc: jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Click the point to face · Escape: not now</source>
+        <translation>Den Punkt anklicken, zu dem sie sehen · Esc: jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Click somebody to create more of the kind · Escape: not now</source>
+        <translation>Jemanden anklicken, um mehr von dieser Art zu erschaffen · Esc: jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Click somebody to take what is done there · Escape: not now</source>
+        <translation>Jemanden anklicken, um dessen Clip zu nehmen · Esc: jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Nobody under the cursor</source>
+        <translation>Niemand unter dem Zeiger</translation>
     </message>
 </context>
 <context>
@@ -600,6 +763,14 @@
         <source>Drag to show the direction</source>
         <translation>Ziehen, um die Richtung zu zeigen</translation>
     </message>
+    <message>
+        <source>No free seat of the chosen ranks and wedges under the brush</source>
+        <translation>Kein freier Sitz der gewählten Ränge und Keile unter dem Pinsel</translation>
+    </message>
+    <message>
+        <source>So small a share of them is nobody</source>
+        <translation>Ein so kleiner Anteil davon ist niemand</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -669,12 +840,59 @@
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
+    <message>
+        <source>&amp;Script</source>
+        <translation>&amp;Skript</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open &amp;Example</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Camera</source>
+        <translation>Zu &amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Keep View &amp;as Camera</source>
+        <translation>Ansicht &amp;als Kamera merken</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
     <message>
         <source>Drag: orbit · Shift: pan · Ctrl: nearer, farther · Wheel: towards the cursor · Right button or Shift+F: fly with WASD · F: show the selection</source>
         <translation>Ziehen: umkreisen · Umschalt: schieben · Strg: näher, ferner · Rad: zum Zeiger hin · Rechte Taste oder Umschalt+F: mit WASD fliegen · F: Auswahl zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>Script</name>
+    <message>
+        <source>Add Template</source>
+        <translation>Vorlage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Stage</source>
+        <translation>Bühne hinzufügen</translation>
+    </message>
+    <message>
+        <source>Set Camera</source>
+        <translation>Kamera setzen</translation>
+    </message>
+    <message>
+        <source>Create People</source>
+        <translation>Personen erschaffen</translation>
+    </message>
+    <message>
+        <source>Remove People</source>
+        <translation>Personen entfernen</translation>
+    </message>
+    <message>
+        <source>Change People</source>
+        <translation>Personen ändern</translation>
     </message>
 </context>
 <context>
@@ -687,8 +905,8 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Shift: add · Ctrl: toggle · Drag: rectangle, or move the selected · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Umschalt: dazu · Strg: umschalten · Ziehen: Rechteck, oder Ausgewählte verschieben · Entf: entfernen · F: Auswahl zeigen</translation>
+        <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Rechteck, oder jemanden versetzen · Umschalt: dazu, Strg: umkehren, Rechtecke von überall · Entf: entfernen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>
@@ -829,39 +1047,30 @@
         <translation>Vorlage entfernen</translation>
     </message>
     <message>
-        <source>Locate “%1”</source>
-        <translation>„%1“ suchen</translation>
+        <source>Locate “%1” (%2)</source>
+        <translation>„%1“ suchen (%2)</translation>
     </message>
     <message>
-        <source>The template could not be read</source>
-        <translation>Die Vorlage konnte nicht gelesen werden</translation>
+        <source>The file could not be read</source>
+        <translation>Die Datei konnte nicht gelesen werden</translation>
     </message>
     <message>
-        <source>Locate Template</source>
-        <translation>Vorlage suchen</translation>
-    </message>
-    <message>
-        <source>The stage could not be read</source>
-        <translation>Die Bühne konnte nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>Locate Stage</source>
-        <translation>Bühne suchen</translation>
-    </message>
-    <message>
-        <source>Missing Assets</source>
-        <translation>Fehlende Dateien</translation>
+        <source>Locate Assets</source>
+        <translation>Dateien suchen</translation>
     </message>
     <message numerus="yes">
-        <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown.</source>
+        <source>%n asset(s) found.</source>
         <translation>
-            <numerusform>%n Datei dieser Szene konnte nicht geladen werden. Die Szene ist unversehrt und lässt sich verlustfrei speichern; was die Datei zeigt, fehlt im Bild.</numerusform>
-            <numerusform>%n Dateien dieser Szene konnten nicht geladen werden. Die Szene ist unversehrt und lässt sich verlustfrei speichern; was die Dateien zeigen, fehlt im Bild.</numerusform>
+            <numerusform>Eine Datei gefunden.</numerusform>
+            <numerusform>%n Dateien gefunden.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>crowd::app::Autosaver</name>
     <message>
-        <source>To point the scene at a file that has moved, choose Locate in the Templates or the Scene panel.</source>
-        <translation>Ist eine Datei umgezogen, in der Tafel „Vorlagen“ oder „Szene“ „Datei suchen“ wählen.</translation>
+        <source>Unsaved work is not kept for the case of a crash. %1</source>
+        <translation>Ungesicherte Arbeit wird nicht für den Fall eines Absturzes aufgehoben. %1</translation>
     </message>
 </context>
 <context>
@@ -869,6 +1078,85 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::CameraBookmarks</name>
+    <message>
+        <source>The scene has no camera %1. %2 keeps this view as one.</source>
+        <translation>Die Szene hat keine Kamera %1. %2 merkt diese Ansicht als eine.</translation>
+    </message>
+    <message>
+        <source>Camera %1, “%2”, shows this view.</source>
+        <translation>Kamera %1, „%2“, zeigt diese Ansicht.</translation>
+    </message>
+    <message>
+        <source>The scene has no cameras</source>
+        <translation>Die Szene hat keine Kameras</translation>
+    </message>
+    <message>
+        <source>New Camera</source>
+        <translation>Neue Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ConsoleDock</name>
+    <message>
+        <source>Python Console</source>
+        <translation>Python-Konsole</translation>
+    </message>
+    <message>
+        <source>The open scene is &quot;scene&quot;, everything else is in &quot;crowdbrush&quot;. Return runs, Shift+Return starts another line, Tab completes, up and down go through what was typed before.</source>
+        <translation>Die offene Szene heißt „scene“, alles Übrige steht in „crowdbrush“. Eingabe führt aus, Umschalt+Eingabe beginnt eine neue Zeile, Tab ergänzt, Auf und Ab blättern in dem, was vorher getippt wurde.</translation>
+    </message>
+    <message>
+        <source>Run a script file</source>
+        <translation>Eine Skriptdatei ausführen</translation>
+    </message>
+    <message>
+        <source>Stop the script that runs</source>
+        <translation>Das laufende Skript anhalten</translation>
+    </message>
+    <message>
+        <source>Clear what was printed</source>
+        <translation>Ausgaben löschen</translation>
+    </message>
+    <message>
+        <source>Run Script</source>
+        <translation>Skript ausführen</translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation>Python-Skripte (*.py)</translation>
+    </message>
+    <message>
+        <source>Another script is running: wait for it or stop it first.</source>
+        <translation>Ein anderes Skript läuft: warten oder es zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>Running %1</source>
+        <translation>%1 wird ausgeführt</translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>The script that runs does not stop. Close all the same? What it was doing is lost.</source>
+        <translation>Das laufende Skript hält nicht an. Trotzdem schließen? Was es gerade tat, geht verloren.</translation>
+    </message>
+    <message>
+        <source>… %1 characters are left out …
+</source>
+        <translation>… %1 Zeichen sind ausgelassen …
+</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ConsoleInput</name>
+    <message>
+        <source>Python, for example:  len(scene)</source>
+        <translation>Python, zum Beispiel:  len(scene)</translation>
     </message>
 </context>
 <context>
@@ -888,14 +1176,6 @@
     <message>
         <source>Recover Unsaved Work</source>
         <translation>Ungesicherte Arbeit wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Crowdbrush kept unsaved changes of “%1” from %2. Open them?
-
-Otherwise they are thrown away and the scene opens as it was saved.</source>
-        <translation>Crowdbrush hat ungesicherte Änderungen an „%1“ vom %2 aufgehoben. Öffnen?
-
-Sonst werden sie verworfen, und die Szene öffnet sich, wie sie gesichert wurde.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -938,35 +1218,82 @@ Sonst werden sie verworfen, und die Szene öffnet sich, wie sie gesichert wurde.
         <translation>„%1“ hat ungesicherte Änderungen. Sichern?</translation>
     </message>
     <message>
-        <source>Crowdbrush kept a scene that was never saved, from %1. Open it?
-
-Otherwise it is thrown away.</source>
-        <translation>Crowdbrush hat eine nie gesicherte Szene vom %1 aufgehoben. Öffnen?
-
-Sonst wird sie verworfen.</translation>
-    </message>
-    <message>
         <source>Loading %1…</source>
         <translation>%1 wird geladen …</translation>
+    </message>
+    <message>
+        <source>Another scene is being opened; wait for it or cancel it first.</source>
+        <translation>Eine andere Szene wird gerade geöffnet; warten oder sie zuerst abbrechen.</translation>
+    </message>
+    <message>
+        <source>Finish or cancel (Esc) what you are doing first.</source>
+        <translation>Erst beenden oder abbrechen (Esc), was gerade geschieht.</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It was moved, renamed or deleted; choose File &gt; Open to look for it.</source>
+        <translation>%1 ist nicht mehr da. Die Datei wurde verschoben, umbenannt oder gelöscht; mit Datei &gt; Öffnen lässt sie sich suchen.</translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept unsaved changes of “%1” from %2. Recover them?
+
+Thrown away, they are gone and the scene opens as it was saved.</source>
+        <translation>Crowdbrush hat ungesicherte Änderungen an „%1“ vom %2 aufgehoben. Wiederherstellen?
+
+Verworfen sind sie fort, und die Szene öffnet sich, wie sie gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Throw Away</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept a scene that was never saved, from %1. Recover it?
+
+Thrown away, it is gone.</source>
+        <translation>Crowdbrush hat eine nie gesicherte Szene vom %1 aufgehoben. Wiederherstellen?
+
+Verworfen ist sie fort.</translation>
+    </message>
+    <message>
+        <source>Changed on Disk</source>
+        <translation>Auf der Platte geändert</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program since it was opened here. Saving replaces that version.</source>
+        <translation>„%1“ wurde von einem anderen Programm geändert, seit die Szene hier geöffnet wurde. Sichern ersetzt jene Fassung.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace It</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>To keep both, cancel and choose File &gt; Save As.</source>
+        <translation>Um beide zu behalten: abbrechen und Datei &gt; Sichern unter wählen.</translation>
+    </message>
+    <message>
+        <source>“%1” exists already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>These files are missing and could not be collected:</source>
+        <translation>Diese Dateien fehlen und konnten nicht eingesammelt werden:</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::Interpreter</name>
+    <message>
+        <source>Finish or cancel the stroke first.</source>
+        <translation>Erst den Strich beenden oder abbrechen.</translation>
     </message>
 </context>
 <context>
     <name>crowd::app::KeysDialog</name>
     <message>
-        <source>Keys and Mouse</source>
-        <translation>Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>In the picture</source>
-        <translation>Im Bild</translation>
-    </message>
-    <message>
         <source>Left button</source>
         <translation>Linke Taste</translation>
-    </message>
-    <message>
-        <source>paints with the active brush, or selects</source>
-        <translation>malt mit dem aktiven Pinsel oder wählt aus</translation>
     </message>
     <message>
         <source>Right button</source>
@@ -977,14 +1304,6 @@ Sonst wird sie verworfen.</translation>
         <translation>öffnet die Pinsel am Zeiger</translation>
     </message>
     <message>
-        <source>Middle button, Alt + left</source>
-        <translation>Mittlere Taste, Alt + links</translation>
-    </message>
-    <message>
-        <source>turn the view; with Shift shift it</source>
-        <translation>drehen die Ansicht; mit Umschalt verschieben sie sie</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>Rad</translation>
     </message>
@@ -993,67 +1312,167 @@ Sonst wird sie verworfen.</translation>
         <translation>geht auf den Punkt unter dem Zeiger zu</translation>
     </message>
     <message>
-        <source>Ctrl + wheel, [ and ]</source>
-        <translation>Strg + Rad, [ und ]</translation>
-    </message>
-    <message>
-        <source>size of the brush</source>
-        <translation>Größe des Pinsels</translation>
-    </message>
-    <message>
         <source>+ and −</source>
         <translation>+ und −</translation>
-    </message>
-    <message>
-        <source>main number of the brush</source>
-        <translation>Hauptzahl des Pinsels</translation>
-    </message>
-    <message>
-        <source>Space held</source>
-        <translation>Leertaste gehalten</translation>
-    </message>
-    <message>
-        <source>navigates with the left button; tapped it plays and pauses</source>
-        <translation>navigiert mit der linken Taste; angetippt spielt und hält sie an</translation>
     </message>
     <message>
         <source>Shift + F</source>
         <translation>Umschalt + F</translation>
     </message>
     <message>
-        <source>flies with W A S D and the mouse; Escape ends it</source>
-        <translation>fliegt mit W A S D und der Maus; Esc beendet</translation>
-    </message>
-    <message>
         <source>Escape</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>takes the stroke in progress back, or selects nobody</source>
-        <translation>nimmt den laufenden Strich zurück oder hebt die Auswahl auf</translation>
+        <source>Mouse and Keys</source>
+        <translation>Maus und Tasten</translation>
     </message>
     <message>
-        <source>Everywhere</source>
-        <translation>Überall</translation>
+        <source>In the Picture</source>
+        <translation>Im Bild</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Painting with a brush</source>
+        <translation>Mit einem Pinsel malen</translation>
+    </message>
+    <message>
+        <source>paints one person or place</source>
+        <translation>malt eine Person oder einen Ort</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Mittlere Taste</translation>
+    </message>
+    <message>
+        <source>paints in a circle</source>
+        <translation>malt in einem Kreis</translation>
+    </message>
+    <message>
+        <source>paints in a rectangle</source>
+        <translation>malt in einem Rechteck</translation>
+    </message>
+    <message>
+        <source>paints; Escape takes the stroke back</source>
+        <translation>malt; Esc nimmt den Strich zurück</translation>
+    </message>
+    <message>
+        <source>%1 and %2, Ctrl + wheel</source>
+        <translation>%1 und %2, Strg + Rad</translation>
+    </message>
+    <message>
+        <source>smaller and larger brush; dragging with Shift does it too</source>
+        <translation>kleinerer und größerer Pinsel; auch durch Ziehen mit Umschalt</translation>
+    </message>
+    <message>
+        <source>the brush’s main number: how many, how strong</source>
+        <translation>die wichtigste Zahl des Pinsels: wie viele, wie stark</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Click, or drag a rectangle</source>
+        <translation>Klicken oder ein Rechteck ziehen</translation>
+    </message>
+    <message>
+        <source>selects; Shift adds, Ctrl changes</source>
+        <translation>wählt aus; Umschalt fügt dazu, Strg kehrt um</translation>
+    </message>
+    <message>
+        <source>Drag somebody</source>
+        <translation>Jemanden ziehen</translation>
+    </message>
+    <message>
+        <source>moves those who are selected, to free seats or the ground</source>
+        <translation>versetzt die Ausgewählten, auf freie Sitze oder den Boden</translation>
+    </message>
+    <message>
+        <source>selects nobody</source>
+        <translation>wählt niemanden aus</translation>
+    </message>
+    <message>
+        <source>Looking around</source>
+        <translation>Sich umsehen</translation>
+    </message>
+    <message>
+        <source>orbits; with Shift it pans, with Ctrl it comes nearer</source>
+        <translation>umkreist; mit Umschalt verschiebt es, mit Strg kommt es näher</translation>
+    </message>
+    <message>
+        <source>Space or Alt held</source>
+        <translation>Leertaste oder Alt gehalten</translation>
+    </message>
+    <message>
+        <source>left orbits, middle pans, right comes nearer</source>
+        <translation>links umkreist, Mitte verschiebt, rechts kommt näher</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>show those who are selected; show everything</source>
+        <translation>die Ausgewählten zeigen; alles zeigen</translation>
+    </message>
+    <message>
+        <source>1 to 9, Ctrl + 1 to 9</source>
+        <translation>1 bis 9, Strg + 1 bis 9</translation>
+    </message>
+    <message>
+        <source>go to a camera; keep this view as that camera</source>
+        <translation>zu einer Kamera gehen; diese Ansicht als die Kamera merken</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>from the front, the side, above; also with Alt and the digit</source>
+        <translation>von vorn, von der Seite, von oben; auch mit Alt und der Ziffer</translation>
+    </message>
+    <message>
+        <source>perspective or orthographic</source>
+        <translation>Perspektive oder Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>flies: W A S D, Q and E, the wheel for the speed, a click lands</source>
+        <translation>fliegt: W A S D, Q und E, das Rad für das Tempo, ein Klick landet</translation>
+    </message>
+    <message>
+        <source>Playing and the window</source>
+        <translation>Abspielen und das Fenster</translation>
+    </message>
+    <message>
+        <source>Space tapped</source>
+        <translation>Leertaste getippt</translation>
+    </message>
+    <message>
+        <source>plays and pauses</source>
+        <translation>spielt und hält an</translation>
+    </message>
+    <message>
+        <source>hides the panels, and brings them back</source>
+        <translation>verbirgt die Bereiche und holt sie zurück</translation>
+    </message>
+    <message>
+        <source>fills the screen</source>
+        <translation>füllt den Bildschirm</translation>
+    </message>
+    <message>
+        <source>The preferences change them</source>
+        <translation>Die Einstellungen ändern sie</translation>
     </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
     <message>
-        <source>Open &amp;Recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Go to &amp;Camera</source>
-        <translation>Zur &amp;Kamera</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Untitled</source>
-        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>%1[*] – Crowdbrush</source>
@@ -1084,16 +1503,28 @@ Sonst wird sie verworfen.</translation>
         <translation>Diese Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>The scene has no cameras</source>
-        <translation>Die Szene hat keine Kameras</translation>
-    </message>
-    <message>
         <source>About Crowdbrush</source>
         <translation>Über Crowdbrush</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;An editor that paints crowds.&lt;/p&gt;&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes”, Ulicny, de Heras Ciechomski and Thalmann, 2004.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;Ein Editor, der Menschenmengen malt.&lt;/p&gt;&lt;p&gt;Nach „Crowdbrush: Interactive Authoring of Real-time Crowd Scenes“, Ulicny, de Heras Ciechomski und Thalmann, 2004.&lt;/p&gt;</translation>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>%1 brings the panels back.</source>
+        <translation>%1 holt die Bereiche zurück.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;Paint crowds.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;Menschenmengen malen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes” by Branislav Ulicny, Pablo de Heras Ciechomski and Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT licence. Made with Qt %1, GLM, Embree, tinygltf, meshoptimizer and oneTBB.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Nach „Crowdbrush: Interactive Authoring of Real-time Crowd Scenes“ von Branislav Ulicny, Pablo de Heras Ciechomski und Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT-Lizenz. Gemacht mit Qt %1, GLM, Embree, tinygltf, meshoptimizer und oneTBB.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -1131,10 +1562,6 @@ Sonst wird sie verworfen.</translation>
         <translation>Links Punkt, Mitte Kreis, rechts Rechteck</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
         <source>Never</source>
         <translation>Nie</translation>
     </message>
@@ -1147,24 +1574,46 @@ Sonst wird sie verworfen.</translation>
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Mouse buttons</source>
-        <translation>Maustasten</translation>
-    </message>
-    <message>
         <source>Keep unsaved work every</source>
         <translation>Ungesichertes aufheben alle</translation>
-    </message>
-    <message>
-        <source>Memory for keyframes</source>
-        <translation>Speicher für Keyframes</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Memory and language change when Crowdbrush starts again.</source>
-        <translation>Speicher und Sprache ändern sich beim nächsten Start.</translation>
+        <source>The language changes when Crowdbrush starts again.</source>
+        <translation>Die Sprache wechselt, wenn Crowdbrush neu startet.</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Whose animation finds no room stands still.</source>
+        <translation>Wessen Animation keinen Platz findet, steht still.</translation>
+    </message>
+    <message>
+        <source>Mouse buttons of the brushes</source>
+        <translation>Maustasten der Pinsel</translation>
+    </message>
+    <message>
+        <source>Memory for baked animations</source>
+        <translation>Speicher für vorbereitete Animationen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ScriptGuard</name>
+    <message>
+        <source>A script is running: wait for it, or stop it in the console.</source>
+        <translation>Ein Skript läuft: warten oder es in der Konsole anhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ShortcutsPage</name>
+    <message>
+        <source>Search for an action or its keys</source>
+        <translation>Nach einer Aktion oder ihren Tasten suchen</translation>
     </message>
     <message>
         <source>Action</source>
@@ -1175,12 +1624,20 @@ Sonst wird sie verworfen.</translation>
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>Those keys belong to “%1”.</source>
-        <translation>Diese Tasten gehören zu „%1“.</translation>
+        <source>All Back to Defaults</source>
+        <translation>Alle zurück auf Vorgaben</translation>
     </message>
     <message>
-        <source>All Back to Defaults</source>
-        <translation>Alle zurücksetzen</translation>
+        <source>%1 belongs to “%2”.</source>
+        <translation>%1 gehört zu „%2“.</translation>
+    </message>
+    <message>
+        <source>Give It to “%1”</source>
+        <translation>An „%1“ geben</translation>
+    </message>
+    <message>
+        <source>Click a field and press the keys.</source>
+        <translation>In ein Feld klicken und die Tasten drücken.</translation>
     </message>
 </context>
 <context>
@@ -1199,13 +1656,50 @@ Sonst wird sie verworfen.</translation>
             <numerusform>%n ausgewählt</numerusform>
         </translation>
     </message>
-    <message>
-        <source>%1 ms · %2 triangles</source>
-        <translation>%1 ms · %2 Dreiecke</translation>
+    <message numerus="yes">
+        <source>%n in view</source>
+        <translation>
+            <numerusform>eine(r) im Bild</numerusform>
+            <numerusform>%n im Bild</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Time of one picture, and what was drawn in it: %1 of %2 people</source>
-        <translation>Dauer eines Bildes, und was darin gezeichnet wurde: %1 von %2 Personen</translation>
+        <source>%1 ms · %2 fps</source>
+        <translation>%1 ms · %2 B/s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Time of one picture: %1 triangles in %2 draws</source>
+        <translation>Zeit eines Bildes: %1 Dreiecke in %2 Aufrufen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::WelcomeHint</name>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over the free seats: people sit down. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <translation>Über die freien Sitze &lt;b&gt;ziehen&lt;/b&gt;: Personen setzen sich. &amp;nbsp;&lt;b&gt;Rechtsklick&lt;/b&gt;: die Pinsel.&lt;br&gt;&lt;b&gt;Leertaste&lt;/b&gt; und ziehen: sich umsehen. &amp;nbsp;&lt;b&gt;Strg+Z&lt;/b&gt;: zurücknehmen. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: alle Tasten.</translation>
+    </message>
+    <message>
+        <source>Close, and do not show this again</source>
+        <translation>Schließen und nicht wieder zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::model::SceneDocument</name>
+    <message>
+        <source>Finish or cancel (Esc) what you are doing first.</source>
+        <translation>Erst beenden oder abbrechen (Esc), was gerade geschieht.</translation>
+    </message>
+    <message>
+        <source>This step cannot be taken: %1. The scene is unharmed; save it. What was done since can still be undone and redone.</source>
+        <translation>Dieser Schritt geht nicht: %1. Die Szene ist unversehrt; bitte sichern. Was seither getan wurde, lässt sich weiter zurücknehmen und wiederholen.</translation>
+    </message>
+    <message>
+        <source>Undo takes %1 MB of memory and cannot use the disk: %2. Nothing is lost; make room there, or save and reopen the scene to forget its undo steps.</source>
+        <translation>Rückgängig belegt %1 MB Speicher und kann die Platte nicht benutzen: %2. Nichts ist verloren; dort Platz schaffen, oder die Szene sichern und neu öffnen, um ihre Schritte zu vergessen.</translation>
     </message>
 </context>
 <context>
@@ -1215,32 +1709,12 @@ Sonst wird sie verworfen.</translation>
         <translation>alle</translation>
     </message>
     <message>
-        <source>How often low (left) to high values (right) come: draw it</source>
-        <translation>Wie oft niedrige (links) bis hohe Werte (rechts) vorkommen: zeichnen</translation>
-    </message>
-    <message>
         <source>Area</source>
         <translation>Bereich</translation>
     </message>
     <message>
         <source>Reaches</source>
         <translation>Erfasst</translation>
-    </message>
-    <message>
-        <source>One</source>
-        <translation>Einen</translation>
-    </message>
-    <message>
-        <source>Spray</source>
-        <translation>Sprühen</translation>
-    </message>
-    <message>
-        <source>All in circle</source>
-        <translation>Alle im Kreis</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1257,10 +1731,6 @@ Sonst wird sie verworfen.</translation>
     <message>
         <source> /s</source>
         <translation> /s</translation>
-    </message>
-    <message>
-        <source>Pen pressure changes size</source>
-        <translation>Stiftdruck ändert die Größe</translation>
     </message>
     <message>
         <source>Through</source>
@@ -1331,20 +1801,8 @@ Sonst wird sie verworfen.</translation>
         <translation>Streuung</translation>
     </message>
     <message>
-        <source>Point X</source>
-        <translation>Punkt X</translation>
-    </message>
-    <message>
-        <source>Point Z</source>
-        <translation>Punkt Z</translation>
-    </message>
-    <message>
         <source> m</source>
         <translation> m</translation>
-    </message>
-    <message>
-        <source>Seats</source>
-        <translation>Sitze</translation>
     </message>
     <message>
         <source>Only on free seats</source>
@@ -1391,34 +1849,6 @@ Sonst wird sie verworfen.</translation>
         <translation>Variation</translation>
     </message>
     <message>
-        <source>Height from</source>
-        <translation>Höhe von</translation>
-    </message>
-    <message>
-        <source>Height to</source>
-        <translation>Höhe bis</translation>
-    </message>
-    <message>
-        <source>Girth from</source>
-        <translation>Breite von</translation>
-    </message>
-    <message>
-        <source>Girth to</source>
-        <translation>Breite bis</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Phase from</source>
-        <translation>Phase von</translation>
-    </message>
-    <message>
-        <source>Phase to</source>
-        <translation>Phase bis</translation>
-    </message>
-    <message>
         <source>Clips (none: what suits)</source>
         <translation>Clips (keiner: was passt)</translation>
     </message>
@@ -1439,14 +1869,6 @@ Sonst wird sie verworfen.</translation>
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>Blend between the colours</source>
-        <translation>Zwischen den Farben mischen</translation>
-    </message>
-    <message>
-        <source>Another colour for each slot</source>
-        <translation>Andere Farbe je Slot</translation>
-    </message>
-    <message>
         <source>Clips (none: as they are)</source>
         <translation>Clips (keiner: wie sie sind)</translation>
     </message>
@@ -1459,12 +1881,116 @@ Sonst wird sie verworfen.</translation>
         <translation>Tempo ändern</translation>
     </message>
     <message>
-        <source>Speed from</source>
-        <translation>Tempo von</translation>
+        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
+        <translation>Wie oft niedrige (links) bis hohe Werte (rechts) vorkommen: zeichnen; ein Doppelklick macht alle gleich</translation>
     </message>
     <message>
-        <source>Speed to</source>
-        <translation>Tempo bis</translation>
+        <source>Pen pressure</source>
+        <translation>Stiftdruck</translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the larger</source>
+        <translation>Je fester der Stift drückt, desto größer</translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the more</source>
+        <translation>Je fester der Stift drückt, desto mehr</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Choose in the Picture</source>
+        <translation>Im Bild wählen</translation>
+    </message>
+    <message>
+        <source>Then click the point to face</source>
+        <translation>Dann den Punkt anklicken, zu dem sie sehen</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Outfits</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>Each wears any of the materials that the template has for a slot</source>
+        <translation>Jeder trägt irgendeines der Materialien, die die Vorlage für einen Slot hat</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
+        <translation>Jeder trägt einige Teile der Vorlage, wie Hüte und Taschen</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Also places hidden behind the stage</source>
+        <translation>Auch Orte, die die Bühne verdeckt</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Blend the colours</source>
+        <translation>Farben mischen</translation>
+    </message>
+    <message>
+        <source>Also what lies between the colours, not only one of them</source>
+        <translation>Auch was zwischen den Farben liegt, nicht nur eine davon</translation>
+    </message>
+    <message>
+        <source>Each slot its own</source>
+        <translation>Jeder Slot eigens</translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a person</source>
+        <translation>Eine andere Farbe für jeden Slot einer Person</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Of them</source>
+        <translation>Davon</translation>
+    </message>
+    <message>
+        <source>From the first to the last colour along the line.</source>
+        <translation>Von der ersten zur letzten Farbe entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>They face along the line that is drawn.</source>
+        <translation>Sie sehen entlang der gezogenen Linie.</translation>
+    </message>
+    <message>
+        <source>From the lower to the higher values along the line.</source>
+        <translation>Vom niedrigen zum hohen Wert entlang der Linie.</translation>
     </message>
 </context>
 <context>
@@ -1505,26 +2031,48 @@ Sonst wird sie verworfen.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::ClipMix</name>
+    <message>
+        <source>How often the clip comes among those ticked</source>
+        <translation>Wie oft der Clip unter den angekreuzten vorkommt</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ClipTable</name>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Ground speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 (when standing)</source>
+        <translation>%1 (im Stehen)</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>How far the character gets in a second of this clip</source>
+        <translation>Wie weit die Figur in einer Sekunde dieses Clips kommt</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::ColourDock</name>
     <message>
         <source>Colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>The colour that is painted; where a gradient begins</source>
-        <translation>Die Farbe, die gemalt wird; wo ein Verlauf beginnt</translation>
-    </message>
-    <message>
-        <source>Where a gradient ends; the other colour of random</source>
-        <translation>Wo ein Verlauf endet; die andere Farbe beim Zufall</translation>
     </message>
     <message>
         <source>The colour in hexadecimal, as #rrggbb</source>
@@ -1535,8 +2083,28 @@ Sonst wird sie verworfen.</translation>
         <translation>Die Farbe als Farbfeld behalten</translation>
     </message>
     <message>
-        <source>%1; a right click removes it</source>
-        <translation>%1; ein Rechtsklick entfernt es</translation>
+        <source>Take a colour from somebody in the picture (Ctrl and click with the colour brush)</source>
+        <translation>Eine Farbe von jemandem im Bild nehmen (Strg und Klick mit dem Farbpinsel)</translation>
+    </message>
+    <message>
+        <source>Painted with lately</source>
+        <translation>Zuletzt gemalt</translation>
+    </message>
+    <message>
+        <source>A right click removes it</source>
+        <translation>Ein Rechtsklick entfernt sie</translation>
+    </message>
+    <message>
+        <source>Colours of New People</source>
+        <translation>Farben neuer Personen</translation>
+    </message>
+    <message>
+        <source>Another colour that new people may wear</source>
+        <translation>Noch eine Farbe, die neue Personen tragen können</translation>
+    </message>
+    <message>
+        <source>Another colour for random and for gradients</source>
+        <translation>Noch eine Farbe für Zufall und Verläufe</translation>
     </message>
 </context>
 <context>
@@ -1552,10 +2120,6 @@ Sonst wird sie verworfen.</translation>
 </context>
 <context>
     <name>crowd::widgets::ImportDialog</name>
-    <message>
-        <source>Walk on the spot; the program moves the character</source>
-        <translation>Auf der Stelle gehen; das Programm bewegt die Figur</translation>
-    </message>
     <message>
         <source>Import %1</source>
         <translation>%1 importieren</translation>
@@ -1593,28 +2157,27 @@ Sonst wird sie verworfen.</translation>
         <translation>&amp;Importieren</translation>
     </message>
     <message>
-        <source>Clip</source>
-        <translation>Clip</translation>
+        <source>Stay on the spot; the program moves the character</source>
+        <translation>Auf der Stelle bleiben; das Programm bewegt die Figur</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
+        <source>To the &amp;Ground</source>
+        <translation>Auf den &amp;Boden</translation>
     </message>
     <message>
-        <source>Ground speed</source>
-        <translation>Lauftempo</translation>
+        <source>Raise or lower it until its lowest point is on the ground</source>
+        <translation>Heben oder senken, bis der tiefste Punkt den Boden berührt</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>As &amp;Proposed</source>
+        <translation>Wie &amp;vorgeschlagen</translation>
     </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch einer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1687,10 +2250,6 @@ Sonst wird sie verworfen.</translation>
         <translation>keiner</translation>
     </message>
     <message>
-        <source>Tint; choose a colour</source>
-        <translation>Tönung; Farbe wählen</translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation>Teile</translation>
     </message>
@@ -1730,6 +2289,65 @@ Sonst wird sie verworfen.</translation>
         <source>Change Group</source>
         <translation>Gruppe ändern</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Numbers of tags from 1 to 64, as 1, 3-5</source>
+        <translation>Nummern der Marken von 1 bis 64, etwa 1, 3-5</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Number of the seat</source>
+        <translation>Nummer des Sitzes</translation>
+    </message>
+    <message>
+        <source>Stand Up</source>
+        <translation>Aufstehen</translation>
+    </message>
+    <message>
+        <source>Stand up: the seat is free again</source>
+        <translation>Aufstehen: der Sitz ist wieder frei</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seated</source>
+        <translation>
+            <numerusform>eine(r) sitzt</numerusform>
+            <numerusform>%n sitzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>rank %1, wedge %2</source>
+        <translation>Rang %1, Keil %2</translation>
+    </message>
+    <message>
+        <source>Tint; a click chooses a colour, a right click takes it off</source>
+        <translation>Farbton; ein Klick wählt eine Farbe, ein Rechtsklick nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>Change Template</source>
+        <translation>Vorlage wechseln</translation>
+    </message>
+    <message>
+        <source>Change Tags</source>
+        <translation>Marken ändern</translation>
+    </message>
+    <message>
+        <source>Sit Down</source>
+        <translation>Hinsetzen</translation>
+    </message>
+    <message>
+        <source>There is no seat %1.</source>
+        <translation>Es gibt keinen Sitz %1.</translation>
+    </message>
+    <message>
+        <source>Somebody else sits on seat %1.</source>
+        <translation>Auf Sitz %1 sitzt schon jemand.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::LightForm</name>
@@ -1752,6 +2370,44 @@ Sonst wird sie verworfen.</translation>
     <message>
         <source>Change Light</source>
         <translation>Licht ändern</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::MissingAssetsDialog</name>
+    <message>
+        <source>Missing Assets</source>
+        <translation>Fehlende Dateien</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Was at</source>
+        <translation>War in</translation>
+    </message>
+    <message>
+        <source>&amp;Locate…</source>
+        <translation>&amp;Suchen…</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Bühne</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown. When one is found, the others are looked for near it.</source>
+        <translation>
+            <numerusform>Eine Datei dieser Szene konnte nicht geladen werden. Die Szene ist heil und kann ohne Verlust gesichert werden; was die Datei zeichnet, fehlt im Bild.</numerusform>
+            <numerusform>%n Dateien dieser Szene konnten nicht geladen werden. Die Szene ist heil und kann ohne Verlust gesichert werden; was die Dateien zeichnen, fehlt im Bild. Ist eine gefunden, werden die anderen in ihrer Nähe gesucht.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1826,6 +2482,56 @@ Sonst wird sie verworfen.</translation>
         <source>Import Stage…</source>
         <translation>Bühne importieren …</translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Rename Stage</source>
+        <translation>Bühne umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename Template</source>
+        <translation>Vorlage umbenennen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Dissolve the Group</source>
+        <translation>Die Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Dissolve Group</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Group the Selected</source>
+        <translation>Ausgewählte gruppieren</translation>
+    </message>
+    <message>
+        <source>Import Template…</source>
+        <translation>Vorlage importieren…</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TemplateDelegate</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TemplatePreview</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TemplatesDock</name>
@@ -1834,24 +2540,12 @@ Sonst wird sie verworfen.</translation>
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Ticked templates are painted by the create brush</source>
-        <translation>Angekreuzte Vorlagen malt der Pinsel „Schaffen“</translation>
-    </message>
-    <message>
-        <source>How often the template comes in the mix</source>
-        <translation>Wie oft die Vorlage in der Mischung vorkommt</translation>
-    </message>
-    <message>
         <source>Import a template</source>
         <translation>Eine Vorlage importieren</translation>
     </message>
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>Rename Template</source>
@@ -1872,6 +2566,14 @@ Sonst wird sie verworfen.</translation>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Ticked templates are painted by the create brush; a double click paints one alone</source>
+        <translation>Angekreuzte Vorlagen malt der Pinsel zum Erschaffen; ein Doppelklick malt nur eine</translation>
+    </message>
+    <message>
+        <source>How often the chosen template comes in the mix</source>
+        <translation>Wie oft die gewählte Vorlage in der Mischung vorkommt</translation>
     </message>
 </context>
 <context>
@@ -1902,6 +2604,26 @@ C drücken und Personen auf den Boden malen.</translation>
     <message>
         <source>The memory for baked animations is used up: some people stand still. The preferences set its size.</source>
         <translation>Der Speicher für Animationen ist voll: Manche Personen stehen still. Die Größe steht in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Animations are not baked: some people stand still.</source>
+        <translation>Animationen sind nicht vorbereitet: manche Personen stehen still.</translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Go on baking</source>
+        <translation>Weiter vorbereiten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop baking: whose animation is not ready stands still</source>
+        <translation>Vorbereiten anhalten: wessen Animation nicht fertig ist, steht still</translation>
     </message>
 </context>
 </TS>

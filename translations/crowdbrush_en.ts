@@ -268,14 +268,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Keys and Mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What keys and mouse buttons do</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;About Crowdbrush</source>
         <translation type="unfinished"></translation>
     </message>
@@ -337,6 +329,133 @@
     </message>
     <message>
         <source>&amp;Animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Camera &amp;9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View as Camera &amp;9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look through the scene&apos;s camera of this number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the present view as the scene&apos;s camera of this number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture &amp;Only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide panels and tool bar, or show them again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python &amp;Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type Python, with the open scene as &quot;scene&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run Script…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a Python file on the open scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the script that runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What mouse buttons and keys do</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AssetController</name>
+    <message>
+        <source>Reading %1…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -406,6 +525,30 @@
         <source>Speed: × %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Distance, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of them, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance: %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete: %1 % of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by: %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -460,23 +603,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drag: create people · + −: how many</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Drag: delete people · + −: how fast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: colour people · + −: strength</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: turn people · + −: direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: change what people do · + −: speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -489,6 +616,42 @@
     </message>
     <message>
         <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: create people · + −: how many · Ctrl+click: more of the kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: colour people · + −: strength · Ctrl+click: take the colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: turn people · + −: direction · Ctrl+click: the point to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: change what people do · + −: speed · Ctrl+click: take the clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click somebody to take the colour · Escape: not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the point to face · Escape: not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click somebody to create more of the kind · Escape: not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click somebody to take what is done there · Escape: not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody under the cursor</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -600,6 +763,14 @@
         <source>Drag to show the direction</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No free seat of the chosen ranks and wedges under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So small a share of them is nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -669,11 +840,58 @@
         <source>&amp;Help</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;Example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to &amp;Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep View &amp;as Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
     <message>
         <source>Drag: orbit · Shift: pan · Ctrl: nearer, farther · Wheel: towards the cursor · Right button or Shift+F: fly with WASD · F: show the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Script</name>
+    <message>
+        <source>Add Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change People</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -687,7 +905,7 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Shift: add · Ctrl: toggle · Drag: rectangle, or move the selected · Delete: remove · F: show the selection</source>
+        <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -829,38 +1047,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Locate “%1”</source>
+        <source>Locate “%1” (%2)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The template could not be read</source>
+        <source>The file could not be read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Locate Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The stage could not be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Locate Stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Missing Assets</source>
+        <source>Locate Assets</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown.</source>
+        <source>%n asset(s) found.</source>
         <translation>
-            <numerusform>%n asset of this scene could not be loaded. The scene is intact and can be saved without loss; what it draws is not shown.</numerusform>
-            <numerusform>%n assets of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown.</numerusform>
+            <numerusform>One asset found.</numerusform>
+            <numerusform>%n assets found.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>crowd::app::Autosaver</name>
     <message>
-        <source>To point the scene at a file that has moved, choose Locate in the Templates or the Scene panel.</source>
+        <source>Unsaved work is not kept for the case of a crash. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -868,6 +1077,84 @@
     <name>crowd::app::BackgroundTask</name>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::CameraBookmarks</name>
+    <message>
+        <source>The scene has no camera %1. %2 keeps this view as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera %1, “%2”, shows this view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ConsoleDock</name>
+    <message>
+        <source>Python Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open scene is &quot;scene&quot;, everything else is in &quot;crowdbrush&quot;. Return runs, Shift+Return starts another line, Tab completes, up and down go through what was typed before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a script file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the script that runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear what was printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another script is running: wait for it or stop it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The script that runs does not stop. Close all the same? What it was doing is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… %1 characters are left out …
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ConsoleInput</name>
+    <message>
+        <source>Python, for example:  len(scene)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -887,12 +1174,6 @@
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Crowdbrush kept unsaved changes of “%1” from %2. Open them?
-
-Otherwise they are thrown away and the scene opens as it was saved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -936,32 +1217,77 @@ Otherwise they are thrown away and the scene opens as it was saved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Crowdbrush kept a scene that was never saved, from %1. Open it?
-
-Otherwise it is thrown away.</source>
+        <source>Loading %1…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loading %1…</source>
+        <source>Another scene is being opened; wait for it or cancel it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish or cancel (Esc) what you are doing first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It was moved, renamed or deleted; choose File &gt; Open to look for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept unsaved changes of “%1” from %2. Recover them?
+
+Thrown away, they are gone and the scene opens as it was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Throw Away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowdbrush kept a scene that was never saved, from %1. Recover it?
+
+Thrown away, it is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed on Disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program since it was opened here. Saving replaces that version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replace It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To keep both, cancel and choose File &gt; Save As.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” exists already. Replace it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These files are missing and could not be collected:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::Interpreter</name>
+    <message>
+        <source>Finish or cancel the stroke first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>crowd::app::KeysDialog</name>
     <message>
-        <source>Keys and Mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In the picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Left button</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>paints with the active brush, or selects</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -973,14 +1299,6 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Middle button, Alt + left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>turn the view; with Shift shift it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation type="unfinished"></translation>
     </message>
@@ -989,27 +1307,7 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ctrl + wheel, [ and ]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>size of the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>+ and −</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>main number of the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Space held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>navigates with the left button; tapped it plays and pauses</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1017,38 +1315,158 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>flies with W A S D and the mouse; Escape ends it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Escape</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>takes the stroke in progress back, or selects nobody</source>
+        <source>Mouse and Keys</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Everywhere</source>
+        <source>In the Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Painting with a brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paints one person or place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paints in a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paints in a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paints; Escape takes the stroke back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2, Ctrl + wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smaller and larger brush; dragging with Shift does it too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the brush’s main number: how many, how strong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click, or drag a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>selects; Shift adds, Ctrl changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag somebody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves those who are selected, to free seats or the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>selects nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orbits; with Shift it pans, with Ctrl it comes nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space or Alt held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left orbits, middle pans, right comes nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>show those who are selected; show everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 9, Ctrl + 1 to 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to a camera; keep this view as that camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the front, the side, above; also with Alt and the digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perspective or orthographic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flies: W A S D, Q and E, the wheel for the speed, a click lands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing and the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space tapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plays and pauses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hides the panels, and brings them back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fills the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preferences change them</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
     <message>
-        <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to &amp;Camera</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Untitled</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1080,15 +1498,27 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The scene has no cameras</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>About Crowdbrush</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;An editor that paints crowds.&lt;/p&gt;&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes”, Ulicny, de Heras Ciechomski and Thalmann, 2004.&lt;/p&gt;</source>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 brings the panels back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Crowdbrush %1&lt;/h3&gt;&lt;p&gt;Paint crowds.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes” by Branislav Ulicny, Pablo de Heras Ciechomski and Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT licence. Made with Qt %1, GLM, Embree, tinygltf, meshoptimizer and oneTBB.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1127,10 +1557,6 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Never</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1143,15 +1569,7 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mouse buttons</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep unsaved work every</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Memory for keyframes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1159,7 +1577,37 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Memory and language change when Crowdbrush starts again.</source>
+        <source>The language changes when Crowdbrush starts again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose animation finds no room stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse buttons of the brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for baked animations</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ScriptGuard</name>
+    <message>
+        <source>A script is running: wait for it, or stop it in the console.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::ShortcutsPage</name>
+    <message>
+        <source>Search for an action or its keys</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1171,11 +1619,19 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Those keys belong to “%1”.</source>
+        <source>All Back to Defaults</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All Back to Defaults</source>
+        <source>%1 belongs to “%2”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give It to “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a field and press the keys.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1195,12 +1651,49 @@ Otherwise it is thrown away.</source>
             <numerusform>%n selected</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n in view</source>
+        <translation>
+            <numerusform>%n in view</numerusform>
+            <numerusform>%n in view</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>%1 ms · %2 triangles</source>
+        <source>%1 ms · %2 fps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of one picture, and what was drawn in it: %1 of %2 people</source>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of one picture: %1 triangles in %2 draws</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::WelcomeHint</name>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over the free seats: people sit down. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close, and do not show this again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::model::SceneDocument</name>
+    <message>
+        <source>Finish or cancel (Esc) what you are doing first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This step cannot be taken: %1. The scene is unharmed; save it. What was done since can still be undone and redone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo takes %1 MB of memory and cannot use the disk: %2. Nothing is lost; make room there, or save and reopen the scene to forget its undo steps.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1211,31 +1704,11 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How often low (left) to high values (right) come: draw it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Area</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reaches</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spray</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All in circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1252,10 +1725,6 @@ Otherwise it is thrown away.</source>
     </message>
     <message>
         <source> /s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pen pressure changes size</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1327,19 +1796,7 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point X</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Point Z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Seats</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1387,34 +1844,6 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Girth from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Girth to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Phase from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Phase to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Clips (none: what suits)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1435,14 +1864,6 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Blend between the colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another colour for each slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Clips (none: as they are)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1455,11 +1876,115 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed from</source>
+        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed to</source>
+        <source>Pen pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose in the Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click the point to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outfits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each wears any of the materials that the template has for a slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also places hidden behind the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also what lies between the colours, not only one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each slot its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the first to the last colour along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They face along the line that is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the lower to the higher values along the line.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1501,25 +2026,47 @@ Otherwise it is thrown away.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::ClipMix</name>
+    <message>
+        <source>How often the clip comes among those ticked</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ClipTable</name>
+    <message>
+        <source>Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (when standing)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the character gets in a second of this clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::ColourDock</name>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The colour that is painted; where a gradient begins</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a gradient ends; the other colour of random</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1531,7 +2078,27 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1; a right click removes it</source>
+        <source>Take a colour from somebody in the picture (Ctrl and click with the colour brush)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Painted with lately</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A right click removes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of New People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour that new people may wear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for random and for gradients</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1548,10 +2115,6 @@ Otherwise it is thrown away.</source>
 </context>
 <context>
     <name>crowd::widgets::ImportDialog</name>
-    <message>
-        <source>Walk on the spot; the program moves the character</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Import %1</source>
         <translation type="unfinished"></translation>
@@ -1589,28 +2152,27 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Clip</source>
+        <source>Stay on the spot; the program moves the character</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>To the &amp;Ground</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ground speed</source>
+        <source>Raise or lower it until its lowest point is on the ground</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 s</source>
+        <source>As &amp;Proposed</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source> m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation type="unfinished"></translation>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and one more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1683,10 +2245,6 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tint; choose a colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1726,6 +2284,65 @@ Otherwise it is thrown away.</source>
         <source>Change Group</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers of tags from 1 to 64, as 1, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand up: the seat is free again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seated</source>
+        <translation>
+            <numerusform>%n seated</numerusform>
+            <numerusform>%n seated</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>rank %1, wedge %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint; a click chooses a colour, a right click takes it off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sit Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no seat %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody else sits on seat %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::LightForm</name>
@@ -1748,6 +2365,44 @@ Otherwise it is thrown away.</source>
     <message>
         <source>Change Light</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::MissingAssetsDialog</name>
+    <message>
+        <source>Missing Assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Was at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Locate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown. When one is found, the others are looked for near it.</source>
+        <translation>
+            <numerusform>One asset of this scene could not be loaded. The scene is intact and can be saved without loss; what it draws is not shown.</numerusform>
+            <numerusform>%n assets of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown. When one is found, the others are looked for near it.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1822,6 +2477,56 @@ Otherwise it is thrown away.</source>
         <source>Import Stage…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dissolve the Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dissolve Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group the Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Template…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TemplateDelegate</name>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::TemplatePreview</name>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::TemplatesDock</name>
@@ -1830,23 +2535,11 @@ Otherwise it is thrown away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ticked templates are painted by the create brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How often the template comes in the mix</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import a template</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1867,6 +2560,14 @@ Otherwise it is thrown away.</source>
     </message>
     <message>
         <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticked templates are painted by the create brush; a double click paints one alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the chosen template comes in the mix</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1895,6 +2596,26 @@ Press C and paint people on the ground.</source>
     </message>
     <message>
         <source>The memory for baked animations is used up: some people stand still. The preferences set its size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animations are not baked: some people stand still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on baking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop baking: whose animation is not ready stands still</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
