@@ -39,7 +39,11 @@ bool BackgroundTask::end()
 {
     m_thread.join();
     // Its setValue() handles events, so this may be called from within it.
+    const bool wasVisible = m_dialog->isVisible();
     m_dialog->hide();
+    if (wasVisible) {
+        m_window->activateWindow(); // or nobody has the keyboard
+    }
     m_dialog->deleteLater();
     m_dialog = nullptr;
     return !m_isCancelled;

@@ -7,6 +7,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QMimeData>
 #include <QtGui/QCloseEvent>
+#include <QtGui/QKeyEvent>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
@@ -353,6 +354,20 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_files.forgetRecovery();
     m_layout.save();
     event->accept();
+}
+
+/// Shortcuts go to the active window alone, and for a while after a dialog has closed the window
+/// may have the keyboard without being the active one: keys that nobody took are looked up here.
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    QAction* action = event->isAutoRepeat()
+                          ? nullptr
+                          : m_actions.actionWithShortcut(QKeySequence(event->keyCombination()));
+    if (action != nullptr && action->isEnabled()) {
+        action->trigger();
+        return;
+    }
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -63,6 +63,7 @@ private Q_SLOTS:
     void undoActionFollowsTheDocument();
     void titleTellsOfChanges();
     void droppedModelBecomesATemplate();
+    void keysThatAreNoShortcutsYetStillAct();
     void severalDroppedFilesComeOneAfterTheOther();
     void unsupportedFileIsRefusedAtOnce();
     void twoScenesInARowDoNotCollide();
@@ -244,6 +245,22 @@ void MainWindowTest::panelsAreRememberedAndReset()
     m_window->dockLayout().reset();
     QVERIFY(!hidden->isHidden());
     QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::LeftDockWidgetArea);
+}
+
+void MainWindowTest::keysThatAreNoShortcutsYetStillAct()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    const bool wasOn = m_window->state().viewOptions().showGroundGrid;
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_G, Qt::ControlModifier); // past the shortcuts
+    QApplication::sendEvent(&m_window->viewport(), &press);
+    QCOMPARE(m_window->state().viewOptions().showGroundGrid, !wasOn);
+    // In the middle of a stroke they mean nothing.
+    const QPoint at = m_window->viewport().rect().center();
+    QTest::mousePress(&m_window->viewport(), Qt::LeftButton, {}, at);
+    QKeyEvent again(QEvent::KeyPress, Qt::Key_G, Qt::ControlModifier);
+    QApplication::sendEvent(&m_window->viewport(), &again);
+    QTest::mouseRelease(&m_window->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(m_window->state().viewOptions().showGroundGrid, !wasOn);
 }
 
 void MainWindowTest::recentFilesComeNewestFirst()

@@ -149,7 +149,9 @@ bool ViewportWidget::event(QEvent* event)
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event)
 {
-    if (!m_tools.keyDown(keyOf(*event))) {
+    // During a drag all keys are the tool's, also those that mean nothing to it.
+    const bool isClaimed = m_tools.claimsKey(event->key());
+    if (!m_tools.keyDown(keyOf(*event)) && !isClaimed) {
         QOpenGLWidget::keyPressEvent(event);
     }
 }
