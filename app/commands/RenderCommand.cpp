@@ -11,9 +11,9 @@
 #include <QtCore/QStringList>
 
 #include "app/commands/OptionText.h"
+#include "app/commands/SceneSource.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
-#include "app/commands/SceneSource.h"
 
 namespace crowd::app {
 

@@ -52,7 +52,7 @@ struct ScriptHost
 {
     model::SceneDocument* document;
     model::KeyframeStore* keyframes; ///< what is on screen; strokes pick by it
-    model::StageRays* stage; ///< of the host for scripts alone; set before each stroke
+    model::StageRays* stage;         ///< of the host for scripts alone; set before each stroke
     /// Runs work on the thread that the document belongs to, and waits for it.
     std::function<void(const std::function<void()>& work)> run;
 };
