@@ -65,7 +65,7 @@ void print(const QJsonObject& object, bool isJson)
     }
 }
 
-/// A table, or an object with one list; 0 when all are within what is published.
+/// A table, or an object with one list; 0 when all are within their limits.
 int runValidation(bool isJson)
 {
     QJsonArray list;
