@@ -55,6 +55,7 @@ private Q_SLOTS:
     void middleAndAltNavigateWithAnyTool();
     void escapeGoesBackToTheViewBefore();
     void spaceTappedPlaysAndHeldNavigates();
+    void orbitStaysAboveTheGround();
     void wheelGoesTowardsThePointUnderTheCursor();
     void flyingNeedsItsModeForKeys();
     void keysDoNothingElseInTheMiddleOfADrag();
@@ -474,11 +475,36 @@ void TestToolController::spaceTappedPlaysAndHeldNavigates()
     QVERIFY(hand.state.camera() != before);
     QVERIFY(hand.state.transport().isPlaying());
     QVERIFY(hand.document.scene().population.isEmpty());
+    // The keyboard's repetition can look like a release and a press at one moment.
+    hand.tools.keyDown({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
+    hand.drag(kCenter, kCenter + QPointF(50.0, 0.0));
+    hand.letTimePass(1.0);
+    hand.tools.keyUp({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
+    hand.tools.keyDown({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
+    hand.drag(kCenter, kCenter + QPointF(-50.0, 0.0));
+    QVERIFY(hand.document.scene().population.isEmpty());
+    hand.letTimePass(0.02);
+    hand.tools.keyUp({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
+    QVERIFY(hand.state.transport().isPlaying());
     // Held long without moving is no tap either.
     hand.tools.keyDown({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
     hand.letTimePass(2.0);
     hand.tools.keyUp({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
     QVERIFY(hand.state.transport().isPlaying());
+}
+
+void TestToolController::orbitStaysAboveTheGround()
+{
+    Hand hand;
+    hand.press(kCenter, Qt::MiddleButton);
+    for (int i = 1; i <= 60; ++i) {
+        hand.move(kCenter - QPointF(0.0, 10.0 * i));
+        QVERIFY(hand.state.camera().position.y > 0.0F);
+    }
+    const model::Camera low = hand.state.camera();
+    QVERIFY(low.position.y < 2.0F);
+    hand.move(kCenter - QPointF(40.0, 600.0));
+    QVERIFY(hand.state.camera() != low); // still turns
 }
 
 void TestToolController::wheelGoesTowardsThePointUnderTheCursor()

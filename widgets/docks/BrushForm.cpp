@@ -240,7 +240,8 @@ void BrushForm::addCurve(std::function<model::DistributionCurve(const Settings&)
         change([&](Settings& settings) { set(settings, curve->curve()); });
     });
     bind(
-        curve, [curve, get](const Settings& s) { curve->setCurve(get(s)); }, isShown);
+        labelled(tr("Frequency"), curve, this),
+        [curve, get](const Settings& s) { curve->setCurve(get(s)); }, isShown);
 }
 
 void BrushForm::addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips)

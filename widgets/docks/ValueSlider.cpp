@@ -156,7 +156,9 @@ double ValueSlider::valueAt(double share) const
 
 QString ValueSlider::number() const
 {
-    return QLocale().toString(m_value, 'f', m_range.decimals) + m_range.suffix;
+    const double smallest = 0.5 * std::pow(10.0, -m_range.decimals);
+    const double value = std::abs(m_value) < smallest ? 0.0 : m_value; // no "-0.0"
+    return QLocale().toString(value, 'f', m_range.decimals) + m_range.suffix;
 }
 
 bool ValueSlider::showsAll() const

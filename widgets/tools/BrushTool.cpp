@@ -66,8 +66,7 @@ QString BrushTool::hint() const
         m_context.state.viewOptions().buttons == ButtonMapping::Paper
             ? Text::tr("Left: point · Middle: circle · Right: rectangle · "
                        "Alt or Space and drag: navigate · [ ]: size")
-            : Text::tr("Right button: brushes · Middle button, Alt or Space and "
-                       "drag: navigate · [ ], Ctrl+wheel, Shift+drag: size");
+            : Text::tr("Right button: brushes · Alt or Space and drag: navigate · [ ]: size");
     return Text::tr("%1 · %2").arg(whatItDoes(m_kind), general);
 }
 

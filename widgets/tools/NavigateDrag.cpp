@@ -17,6 +17,17 @@ constexpr double kDollyPerPixel = 0.006; ///< natural logarithm of the distance
 constexpr double kDollyPerNotch = 0.84;
 constexpr double kWheelSeconds = 0.16;
 constexpr double kSameGestureSeconds = 0.5;
+constexpr float kAboveGround = 0.1F; ///< metres
+
+/// An orbit that begins above the ground stays above it: from below there is nothing to paint.
+model::Camera orbitedAboveGround(const model::Camera& camera, const glm::vec3& around, float yaw,
+                                 float pitch)
+{
+    const model::Camera whole = orbited(camera, around, yaw, pitch);
+    const bool goesUnder =
+        camera.position.y >= kAboveGround && whole.position.y < kAboveGround && around.y > -1.0F;
+    return goesUnder ? orbited(camera, around, yaw, 0.0F) : whole;
+}
 
 } // namespace
 
@@ -38,8 +49,9 @@ void NavigateDrag::update(const ToolInput& input)
     const model::Camera& camera = state.camera();
     switch (m_kind) {
     case Navigation::Orbit:
-        state.setCamera(orbited(camera, m_anchor, static_cast<float>(-way.x() * kRadiansPerPixel),
-                                static_cast<float>(-way.y() * kRadiansPerPixel)));
+        state.setCamera(orbitedAboveGround(camera, m_anchor,
+                                           static_cast<float>(-way.x() * kRadiansPerPixel),
+                                           static_cast<float>(-way.y() * kRadiansPerPixel)));
         break;
     case Navigation::Pan:
         state.setCamera(panned(camera, state.viewSize(), glm::vec2(way.x(), way.y()),

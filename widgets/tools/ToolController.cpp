@@ -14,7 +14,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kTapSeconds = 0.35; ///< a key held longer was held
+constexpr double kTapSeconds = 0.35;         ///< a key held longer was held
+constexpr double kRepetitionSeconds = 0.004; ///< shorter than any hand between release and press
 
 } // namespace
 
@@ -205,33 +206,51 @@ bool ToolController::keyDown(const KeyInput& input)
     if (input.key == Qt::Key_Escape) {
         return escape();
     }
+    if (input.key == Qt::Key_Space && spaceDown(input)) {
+        return true;
+    }
     if (m_session) {
         m_session->key(input, true);
         return true; // nothing else happens in the middle of a drag
     }
-    if (input.key == Qt::Key_Space && input.modifiers == Qt::NoModifier) {
-        if (!input.isRepeat) {
-            m_isSpaceHeld = true;
-            m_isSpaceUsed = false;
-            m_spaceSeconds = input.timeSeconds;
-            refreshPicture();
-        }
-        return true;
-    }
     return runShortcut(input);
+}
+
+bool ToolController::spaceDown(const KeyInput& input)
+{
+    // The X server repeats a held key as release and press at one moment. Where the press arrives
+    // late, Qt takes the two for real; the key is still held.
+    const bool isSameHold =
+        input.isRepeat || input.timeSeconds - m_spaceUpSeconds < kRepetitionSeconds;
+    if (!isSameHold && (m_session || input.modifiers != Qt::NoModifier)) {
+        return false;
+    }
+    if (!isSameHold) {
+        m_isSpaceUsed = false;
+        m_spaceSeconds = input.timeSeconds;
+    }
+    m_isSpaceHeld = m_isSpaceHeld || !input.isRepeat;
+    refreshPicture();
+    return true;
+}
+
+bool ToolController::spaceUp(const KeyInput& input)
+{
+    if (!m_isSpaceHeld || input.isRepeat) {
+        return m_isSpaceHeld;
+    }
+    m_isSpaceHeld = false;
+    m_spaceUpSeconds = input.timeSeconds;
+    if (!m_isSpaceUsed && input.timeSeconds - m_spaceSeconds <= kTapSeconds) {
+        m_state.transport().toggle();
+    }
+    refreshPicture();
+    return true;
 }
 
 bool ToolController::keyUp(const KeyInput& input)
 {
-    if (input.key == Qt::Key_Space && m_isSpaceHeld) {
-        if (input.isRepeat) {
-            return true;
-        }
-        m_isSpaceHeld = false;
-        if (!m_isSpaceUsed && input.timeSeconds - m_spaceSeconds <= kTapSeconds) {
-            m_state.transport().toggle();
-        }
-        refreshPicture();
+    if (input.key == Qt::Key_Space && spaceUp(input)) {
         return true;
     }
     return m_session && !input.isRepeat && m_session->key(input, false);

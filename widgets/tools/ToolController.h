@@ -65,6 +65,8 @@ private:
     [[nodiscard]] Tool& activeTool() const;
     [[nodiscard]] DragSessionPtr sessionFor(const ToolInput& input);
     [[nodiscard]] bool isNavigation(const ToolInput& input) const;
+    bool spaceDown(const KeyInput& input);
+    bool spaceUp(const KeyInput& input);
     [[nodiscard]] ToolInput monotonic(ToolInput input);
     bool runShortcut(const KeyInput& input);
     bool escape();
@@ -88,6 +90,7 @@ private:
     bool m_isSpaceHeld = false;
     bool m_isSpaceUsed = false;
     double m_spaceSeconds = 0.0;
+    double m_spaceUpSeconds = -1.0;
 };
 
 } // namespace crowd::widgets

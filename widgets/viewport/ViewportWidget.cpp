@@ -258,8 +258,11 @@ QString ViewportWidget::helpText() const
         return tr("This scene is empty.\nDrop a character (.glb) or a stage here, or open a "
                   "scene from the File menu.");
     }
-    return m_tools.isDragging()
-               ? QString()
+    if (m_tools.isDragging()) {
+        return {};
+    }
+    return m_state.tool() == ToolId::BrushCreate
+               ? tr("Nobody is here yet.\nDrag over the ground: people come.")
                : tr("Nobody is here yet.\nPress C and paint people on the ground.");
 }
 
