@@ -41,7 +41,22 @@ private Q_SLOTS:
     void aPointToFaceIsTakenFromTheGround();
     void escapePutsTheBrushBack();
     void noGhostStandsWherePeopleArePicked();
+    void theKeyAloneShowsWhatAPressWouldDo();
 };
+
+void PickDragTest::theKeyAloneShowsWhatAPressWouldDo()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    hand.state.setTool(ToolId::BrushColour);
+    hand.hover(hand.pixelOf(ids[0]));
+    const Qt::CursorShape brush = hand.tools.picture().cursor;
+    hand.tools.keyDown({Qt::Key_Control, Qt::ControlModifier, false, hand.now()});
+    QCOMPARE(hand.tools.picture().cursor, Qt::CrossCursor);
+    QVERIFY(brush != Qt::CrossCursor);
+    hand.tools.keyUp({Qt::Key_Control, Qt::NoModifier, false, hand.now()});
+    QCOMPARE(hand.tools.picture().cursor, brush);
+}
 
 void PickDragTest::controlTakesTheColourThatSomebodyWears()
 {

@@ -201,8 +201,19 @@ void ToolController::wheel(const WheelInput& input)
     m_wheel.turn({m_state, m_queries}, input);
 }
 
+void ToolController::showModifiers(const KeyInput& input)
+{
+    const bool isModifier = input.key == Qt::Key_Control || input.key == Qt::Key_Shift ||
+                            input.key == Qt::Key_Alt || input.key == Qt::Key_Meta;
+    if (isModifier && m_pointer && !m_session) {
+        m_pointer->modifiers = input.modifiers; // what a press would do now, without moving first
+        refreshPicture();
+    }
+}
+
 bool ToolController::keyDown(const KeyInput& input)
 {
+    showModifiers(input);
     if (input.key == Qt::Key_Escape) {
         return escape();
     }
@@ -250,6 +261,7 @@ bool ToolController::spaceUp(const KeyInput& input)
 
 bool ToolController::keyUp(const KeyInput& input)
 {
+    showModifiers(input);
     if (input.key == Qt::Key_Space && spaceUp(input)) {
         return true;
     }

@@ -65,6 +65,7 @@ private:
     [[nodiscard]] Tool& activeTool() const;
     [[nodiscard]] DragSessionPtr sessionFor(const ToolInput& input);
     [[nodiscard]] bool isNavigation(const ToolInput& input) const;
+    void showModifiers(const KeyInput& input);
     bool spaceDown(const KeyInput& input);
     bool spaceUp(const KeyInput& input);
     [[nodiscard]] ToolInput monotonic(ToolInput input);
