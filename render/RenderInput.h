@@ -62,6 +62,14 @@ struct OverlayLine
     glm::vec4 color{1.0F};
 };
 
+/// A translucent part of an area over the scene (paths, places). Hidden parts shine through
+/// faintly.
+struct OverlayTriangle
+{
+    std::array<glm::vec3, 3> corners{};
+    glm::vec4 color{1.0F};
+};
+
 /// Projected heights in physical pixels below which the next coarser level is drawn.
 struct LevelThresholds
 {
@@ -97,6 +105,7 @@ struct RenderInput
     std::span<const Ghost> ghosts;
     std::span<const Marker> markers;
     std::span<const OverlayLine> lines;
+    std::span<const OverlayTriangle> areas;
     bool showGround = true; ///< ground plane and grid; off for thumbnails
     bool showShadows = true;
     /// Background instead of the sky when its alpha is above zero.

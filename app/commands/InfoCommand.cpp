@@ -145,9 +145,9 @@ model::Result<Json> describeScene(const std::string& file)
                 {"templates", namesOf(scene.templates)},
                 {"stage", namesOf(scene.stages)},
                 {"cameras", namesOf(scene.cameras)},
-                {"places", 0},
-                {"paths", 0},
-                {"rules", 0},
+                {"places", scene.places.size()},
+                {"paths", scene.paths.size()},
+                {"rules", scene.rules.size()},
                 {"states", 0},
                 {"seats", seats},
                 {"warnings", std::move(warnings)}};

@@ -14,6 +14,7 @@
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureFile.h"
 #include "app/pictures/PictureMaker.h"
+#include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
 
@@ -146,8 +147,7 @@ class ScenePictures
 {
 public:
     ScenePictures(model::Scene scene, const model::Camera& camera, const Plan& plan)
-        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()),
-          m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(m_scene.templates))
+        : m_scene(std::move(scene)), m_seats(m_scene.worldSeats()), m_motion(m_scene)
     {
         m_request.stages = m_scene.stages;
         m_request.seats = m_seats;
@@ -166,16 +166,15 @@ public:
             return maker.error();
         }
         m_maker = std::move(maker).value();
+        for (const std::string& problem : m_motion.problems()) {
+            std::fprintf(stderr, "%s\n", problem.c_str());
+        }
         return {};
     }
 
     [[nodiscard]] model::Result<void> write(double seconds, const QString& path)
     {
-        auto frame = std::make_shared<model::CrowdFrame>();
-        frame->population = m_scene.population;
-        frame->templates = m_templates;
-        frame->seconds = seconds;
-        m_request.frame = frame;
+        m_request.frame = m_motion.at(seconds);
         if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
@@ -188,7 +187,7 @@ public:
 private:
     model::Scene m_scene;
     std::vector<model::WorldSeat> m_seats;
-    std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
+    behavior::SceneMotion m_motion;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
     PictureRequest m_request;
     std::unique_ptr<PictureMaker> m_maker;

@@ -45,6 +45,13 @@ GaitTable::GaitTable(const model::TemplateEntry& entry)
     }
 }
 
+bool GaitTable::isMover(std::size_t clip) const
+{
+    return std::ranges::any_of(m_gaits, [clip](const Gait& gait) {
+        return gait.clip == clip && gait.metresPerSecond > 0.0F;
+    });
+}
+
 std::size_t GaitTable::choose(std::size_t present, float metresPerSecond) const
 {
     const auto border = [this](std::size_t upper) {

@@ -24,6 +24,8 @@ public:
     explicit GaitTable(const model::TemplateEntry& entry);
 
     [[nodiscard]] bool isEmpty() const { return m_gaits.size() < 2; }
+    /// Whether a clip (as the clip column counts) moves over the ground.
+    [[nodiscard]] bool isMover(std::size_t clip) const;
     [[nodiscard]] const Gait& gait(std::size_t index) const { return m_gaits[index]; }
     /// The gait for a ground speed, given the present one: a border must be crossed by some way
     /// before the gait changes, so that nobody flickers between two.

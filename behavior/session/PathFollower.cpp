@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "behavior/crowd/Chunks.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/base/Bounds.h"
 #include "model/base/Random.h"
 
@@ -16,6 +17,10 @@ constexpr float kArrivalMetres = 0.4F;
 /// Who was pushed off his point has arrived when he is past it and not further away than this.
 constexpr float kPassedMetres = 1.5F;
 constexpr float kWidestPlace = 1e4F;
+constexpr float kSlowShare = 0.5F;
+constexpr float kCornerMetres = 0.5F;
+/// Who does not get nearer to his corner for so long asks for the way again.
+constexpr std::uint32_t kAstraySteps = 60;
 
 /// Uniform in the unit disk.
 glm::vec2 shareOf(std::uint64_t seed)
@@ -30,13 +35,25 @@ std::string nameOf(const model::Path& path)
     return "Path \"" + path.name + "\"";
 }
 
+float squareOf(glm::vec2 v)
+{
+    return v.x * v.x + v.y * v.y;
+}
+
 } // namespace
 
 std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> places,
                                                 std::span<const model::Path> paths)
 {
     std::vector<std::string> problems;
+    const std::vector<Route> former = std::move(m_routes);
     m_routes.clear();
+    m_slow.clear();
+    for (const model::Place& place : places) {
+        if (place.role == model::PlaceRole::Slow && model::Bounds::isPlace(place.position)) {
+            m_slow.push_back({{place.position.x, place.position.z}, place.radius});
+        }
+    }
     for (const model::Path& path : paths) {
         Route route{path.id, path.kind, {}};
         for (const model::PlaceId id : path.places) {
@@ -49,9 +66,16 @@ std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> pl
                                    "\" has no position or size; people "
                                    "pass it over. Give it numbers.");
             } else {
-                route.stops.push_back({{place->position.x, place->position.z},
-                                       place->position.y,
-                                       std::clamp(place->radius, 0.0F, kWidestPlace)});
+                Stop stop{id,
+                          {place->position.x, place->position.z},
+                          place->position.y,
+                          std::clamp(place->radius, 0.0F, kWidestPlace)};
+                for (const model::PathBranch& branch : path.branches) {
+                    if (branch.place == id) {
+                        stop.branches.push_back({branch.path, std::max(branch.weight, 0.0F)});
+                    }
+                }
+                route.stops.push_back(std::move(stop));
             }
         }
         if (route.stops.empty()) {
@@ -60,7 +84,37 @@ std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> pl
             m_routes.push_back(std::move(route));
         }
     }
+    for (Walk& walk : m_walks) {
+        if (walk.route == kNoRoute) {
+            continue;
+        }
+        const std::size_t formerStops = former[walk.route].stops.size();
+        walk.route = routeOf(former[walk.route].id);
+        if (walk.route == kNoRoute) {
+            continue;
+        }
+        const Route& route = m_routes[walk.route];
+        const bool isLonger = route.stops.size() > formerStops;
+        if (walk.hasArrived && (isLonger || route.kind != model::PathKind::Simple)) {
+            walk.hasArrived = false; // there is more to walk now
+            walk.next = isLonger ? static_cast<std::uint32_t>(formerStops) : 0;
+        }
+        walk.next = std::min(walk.next, static_cast<std::uint32_t>(route.stops.size() - 1));
+    }
     return problems;
+}
+
+std::uint32_t PathFollower::routeOf(model::PathId path) const
+{
+    const auto route = std::ranges::find(m_routes, path, &Route::id);
+    return route == m_routes.end() ? kNoRoute
+                                   : static_cast<std::uint32_t>(route - m_routes.begin());
+}
+
+model::PathId PathFollower::pathOf(std::uint32_t agent) const
+{
+    const std::uint32_t route = m_walks[agent].route;
+    return route == kNoRoute ? 0 : m_routes[route].id;
 }
 
 std::vector<std::string> PathFollower::assign(std::span<const Assignment> assignments,
@@ -69,14 +123,7 @@ std::vector<std::string> PathFollower::assign(std::span<const Assignment> assign
     std::size_t lost = 0;
     m_walks.assign(agents, {});
     for (const Assignment& assignment : assignments) {
-        const auto route = std::ranges::find(m_routes, assignment.path, &Route::id);
-        if (route == m_routes.end() || assignment.agent >= agents) {
-            ++lost;
-            continue;
-        }
-        Walk& walk = m_walks[assignment.agent];
-        walk.route = static_cast<std::uint32_t>(route - m_routes.begin());
-        walk.share = shareOf(assignment.seed);
+        lost += assignment.agent < agents && follow(assignment) ? 0 : 1;
     }
     if (lost == 0) {
         return {};
@@ -85,21 +132,117 @@ std::vector<std::string> PathFollower::assign(std::span<const Assignment> assign
             ". Give them another path."};
 }
 
+bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)
+{
+    Walk& walk = m_walks[assignment.agent];
+    const std::uint32_t turns = walk.turns;
+    walk = {};
+    walk.turns = turns;
+    walk.seed = assignment.seed;
+    walk.share = shareOf(assignment.seed);
+    walk.pace = assignment.metresPerSecond;
+    walk.route = routeOf(assignment.path);
+    if (walk.route == kNoRoute) {
+        return false;
+    }
+    if (from != nullptr) {
+        const std::vector<Stop>& stops = m_routes[walk.route].stops;
+        const auto nearest = std::ranges::min_element(
+            stops, {}, [&](const Stop& stop) { return squareOf(stop.position - *from); });
+        walk.next = static_cast<std::uint32_t>(nearest - stops.begin());
+    }
+    return true;
+}
+
+void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
+{
+    Walk& walk = m_walks[agent];
+    walk.hasErrand = true;
+    walk.isErrandDone = false;
+    walk.isHeld = false;
+    walk.errand = point;
+}
+
+void PathFollower::goOn(std::uint32_t agent)
+{
+    Walk& walk = m_walks[agent];
+    walk.isHeld = false;
+    walk.hasErrand = false;
+    walk.isErrandDone = false;
+}
+
+void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
+{
+    m_walks[agent].pace = metresPerSecond;
+}
+
+void PathFollower::rearrange(std::span<const std::uint32_t> keep)
+{
+    std::vector<Walk> walks(keep.size());
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i] != kNobody) {
+            walks[i] = std::move(m_walks[keep[i]]);
+        }
+    }
+    m_walks = std::move(walks);
+}
+
+void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
+{
+    m_surface = std::move(surface);
+    for (Walk& walk : m_walks) {
+        walk.corners.clear();
+        walk.cornersFor = glm::vec2(1e30F);
+    }
+}
+
 bool PathFollower::isWalking(std::uint32_t agent) const
 {
-    return m_walks[agent].route != kNoRoute && !m_walks[agent].hasArrived;
+    const Walk& walk = m_walks[agent];
+    if (walk.isHeld || walk.hasErrand) {
+        return walk.hasErrand && !walk.isHeld && !walk.isErrandDone;
+    }
+    return walk.route != kNoRoute && !walk.hasArrived;
+}
+
+/// Some go over to another path at a place with branches.
+void PathFollower::branchOff(Walk& walk) const
+{
+    const std::vector<Branch>& branches = m_routes[walk.route].stops[walk.next].branches;
+    float total = 1.0F;
+    for (const Branch& branch : branches) {
+        total += branch.weight;
+    }
+    float drawn = total * model::unitFloat(model::hashKeys(walk.seed, 41, walk.turns)) - 1.0F;
+    for (const Branch& branch : branches) {
+        if (drawn >= 0.0F && drawn < branch.weight && routeOf(branch.path) != kNoRoute) {
+            walk.route = routeOf(branch.path);
+            walk.next = 0;
+            return;
+        }
+        drawn -= branch.weight;
+    }
 }
 
 /// From the place reached to the next one, by the path's kind.
-void PathFollower::goOn(AgentColumns& agents, std::size_t row, Walk& walk) const
+void PathFollower::passStop(AgentColumns& agents, std::size_t row, Walk& walk) const
 {
+    walk.happened |= ReachedPlace;
+    walk.reached = m_routes[walk.route].stops[walk.next].place;
+    ++walk.turns;
+    const std::uint32_t before = walk.route;
+    branchOff(walk);
     const Route& route = m_routes[walk.route];
+    if (walk.route != before) {
+        return;
+    }
     if (walk.next + 1 < route.stops.size()) {
         ++walk.next;
         return;
     }
     if (route.kind == model::PathKind::Simple || route.stops.size() == 1) {
         walk.hasArrived = true;
+        walk.happened |= EndedPath;
     } else if (route.kind == model::PathKind::Cyclic) {
         walk.next = 0;
     } else {
@@ -111,39 +254,101 @@ void PathFollower::goOn(AgentColumns& agents, std::size_t row, Walk& walk) const
     }
 }
 
+/// Vector to walk along now: to the next corner of the way around what stands between.
+glm::vec2 PathFollower::wayTo(const AgentColumns& agents, std::size_t row, Walk& walk,
+                              const glm::vec3& to) const
+{
+    const glm::vec2 at(agents.x[row], agents.z[row]);
+    const glm::vec2 aimed(to.x, to.z);
+    if (!m_surface) {
+        return aimed - at;
+    }
+    if (walk.cornersFor != aimed || walk.stepsAstray > kAstraySteps) {
+        walk.corners = m_surface->way({at.x, agents.y[row], at.y}, to);
+        std::ranges::reverse(walk.corners); // the next one is the last
+        walk.cornersFor = aimed;
+        walk.stepsAstray = 0;
+    }
+    while (walk.corners.size() > 1 &&
+           squareOf(walk.corners.back() - at) < kCornerMetres * kCornerMetres) {
+        walk.corners.pop_back();
+        walk.stepsAstray = 0;
+    }
+    const glm::vec2 way = (walk.corners.empty() ? aimed : walk.corners.back()) - at;
+    const float towards = way.x * agents.velocityX[row] + way.y * agents.velocityZ[row];
+    walk.stepsAstray = towards > 0.0F ? 0 : walk.stepsAstray + 1;
+    return way;
+}
+
+float PathFollower::slowness(float x, float z) const
+{
+    for (const SlowArea& area : m_slow) {
+        if (squareOf(area.center - glm::vec2(x, z)) < area.radius * area.radius) {
+            return kSlowShare;
+        }
+    }
+    return 1.0F;
+}
+
+void PathFollower::steerRow(AgentColumns& agents, std::size_t row) const
+{
+    const std::uint32_t agent = agents.agent[row];
+    Walk& walk = m_walks[agent];
+    walk.happened = 0;
+    agents.desiredX[row] = 0.0F;
+    agents.desiredZ[row] = 0.0F;
+    agents.preferredSpeed[row] = 0.0F; // stands unless there is somewhere to go
+    if (!isWalking(agent)) {
+        return;
+    }
+    const glm::vec2 at(agents.x[row], agents.z[row]);
+    const auto target = [&] {
+        if (walk.hasErrand) {
+            return walk.errand;
+        }
+        const Stop& stop = m_routes[walk.route].stops[walk.next];
+        const glm::vec2 point = aim(walk, stop);
+        return glm::vec3(point.x, stop.height, point.y);
+    };
+    const auto rest = [&] {
+        const glm::vec3 to = target();
+        return glm::vec2(to.x - agents.x[row], to.z - agents.z[row]);
+    };
+    const glm::vec2 left = rest();
+    const bool isPast = left.x * agents.velocityX[row] + left.y * agents.velocityZ[row] < 0.0F;
+    const float near = isPast ? kPassedMetres : kArrivalMetres;
+    // A way that ends where nothing leads on ends there.
+    const bool isStuck = m_surface && walk.corners.size() == 1 &&
+                         walk.corners.front() != walk.cornersFor &&
+                         squareOf(walk.corners.front() - at) < kArrivalMetres * kArrivalMetres;
+    if (squareOf(left) < near * near || isStuck) {
+        if (walk.hasErrand) {
+            walk.isErrandDone = true;
+            walk.happened |= EndedErrand;
+        } else {
+            passStop(agents, row, walk);
+        }
+        if (!isWalking(agent)) {
+            return;
+        }
+    }
+    const glm::vec2 way = wayTo(agents, row, walk, target());
+    const float squared = squareOf(way);
+    const float speed = walk.pace * slowness(agents.x[row], agents.z[row]);
+    agents.preferredSpeed[row] = speed;
+    if (squared > 1e-8F) {
+        const float scale = speed / std::sqrt(squared);
+        agents.desiredX[row] = way.x * scale;
+        agents.desiredZ[row] = way.y * scale;
+    }
+}
+
 void PathFollower::steer(CrowdSimulation& crowd)
 {
     AgentColumns& agents = crowd.columns();
     overRows(agents.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
-            Walk& walk = m_walks[agents.agent[row]];
-            agents.desiredX[row] = 0.0F;
-            agents.desiredZ[row] = 0.0F;
-            if (walk.route == kNoRoute || walk.hasArrived) {
-                continue;
-            }
-            const auto wayTo = [&] {
-                const Stop& stop = m_routes[walk.route].stops[walk.next];
-                return aim(walk, stop) - glm::vec2(agents.x[row], agents.z[row]);
-            };
-            glm::vec2 way = wayTo();
-            float squared = way.x * way.x + way.y * way.y;
-            const bool isPast =
-                way.x * agents.velocityX[row] + way.y * agents.velocityZ[row] < 0.0F;
-            const float near = isPast ? kPassedMetres : kArrivalMetres;
-            if (squared < near * near) {
-                goOn(agents, row, walk);
-                way = wayTo();
-                squared = way.x * way.x + way.y * way.y;
-            }
-            if (!walk.hasArrived && squared > 1e-8F) {
-                const float pace = agents.preferredSpeed[row] / std::sqrt(squared);
-                agents.desiredX[row] = way.x * pace;
-                agents.desiredZ[row] = way.y * pace;
-            }
-            if (walk.hasArrived) {
-                agents.preferredSpeed[row] = 0.0F; // stands from now on
-            }
+            steerRow(agents, row);
         }
     });
 }

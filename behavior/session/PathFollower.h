@@ -2,20 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "model/scene/Path.h"
 
 namespace crowd::behavior {
 
+class WalkSurface;
+
 /// Sends agents along paths: each to its own point within every place's radius, the same share of
 /// the radius to the same side everywhere, so that between two places a flow is as wide as their
-/// radii say. Not thread safe; steer() itself uses all cores.
+/// radii say. With a surface to walk on they go around what stands in the way. Not thread safe;
+/// steer() itself uses all cores.
 class PathFollower
 {
 public:
@@ -25,16 +30,35 @@ public:
         std::uint32_t agent = 0;
         model::PathId path = 0;
         std::uint64_t seed = 0;
+        float metresPerSecond = model::kUsualWalkingSpeed;
     };
+    /// What happened to an agent in the last steer().
+    enum Happening : std::uint8_t { ReachedPlace = 1, EndedPath = 2, EndedErrand = 4 };
 
     /// Sentences for the artist about paths and assignments that cannot be walked; those are left
-    /// out.
+    /// out. Who walks goes on where the new paths allow.
     [[nodiscard]] std::vector<std::string> setPaths(std::span<const model::Place> places,
                                                     std::span<const model::Path> paths);
     [[nodiscard]] std::vector<std::string> assign(std::span<const Assignment> assignments,
                                                   std::size_t agents);
+    /// What there is to walk on; null: open ground.
+    void setSurface(std::shared_ptr<const WalkSurface> surface);
 
-    /// Sets desired velocities, and places of those who jump to the first place.
+    /// From the beginning, or from the stop nearest to `from` where that is given. False: there is
+    /// no such path, and the agent stands.
+    bool follow(const Assignment& assignment, const glm::vec2* from = nullptr);
+    /// To a point, before anything else; stays there until told to go on.
+    void sendTo(std::uint32_t agent, const glm::vec3& point);
+    void stop(std::uint32_t agent) { m_walks[agent].isHeld = true; }
+    void goOn(std::uint32_t agent);
+    void setPace(std::uint32_t agent, float metresPerSecond);
+    [[nodiscard]] float pace(std::uint32_t agent) const { return m_walks[agent].pace; }
+    /// Agents are other ones now: keep[i] is the former agent, or kNobody for a new one.
+    void rearrange(std::span<const std::uint32_t> keep);
+    static constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
+
+    /// Sets desired velocities and preferred speeds, and places of those who jump to the first
+    /// place.
     void steer(CrowdSimulation& crowd);
 
     [[nodiscard]] bool isWalking(std::uint32_t agent) const;
@@ -42,13 +66,30 @@ public:
     [[nodiscard]] std::size_t nextPlace(std::uint32_t agent) const { return m_walks[agent].next; }
     /// Whether its path has ended.
     [[nodiscard]] bool hasArrived(std::uint32_t agent) const { return m_walks[agent].hasArrived; }
+    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const
+    {
+        return m_walks[agent].happened;
+    }
+    /// Of a path's stop that was reached last.
+    [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const
+    {
+        return m_walks[agent].reached;
+    }
+    [[nodiscard]] model::PathId pathOf(std::uint32_t agent) const;
 
 private:
+    struct Branch
+    {
+        model::PathId path = 0;
+        float weight = 0.0F;
+    };
     struct Stop
     {
+        model::PlaceId place = 0;
         glm::vec2 position{0.0F};
         float height = 0.0F;
         float radius = 0.0F;
+        std::vector<Branch> branches{};
     };
     struct Route
     {
@@ -56,12 +97,31 @@ private:
         model::PathKind kind = model::PathKind::Simple;
         std::vector<Stop> stops;
     };
+    /// Where people walk slower.
+    struct SlowArea
+    {
+        glm::vec2 center{0.0F};
+        float radius = 0.0F;
+    };
     struct Walk
     {
         std::uint32_t route = kNoRoute;
         std::uint32_t next = 0;
         glm::vec2 share{0.0F}; ///< of the radius, in the unit disk
+        std::uint64_t seed = 0;
+        std::uint32_t turns = 0; ///< stops passed: keys the choice at a branch
+        float pace = model::kUsualWalkingSpeed;
         bool hasArrived = false;
+        bool isHeld = false;
+        bool hasErrand = false;
+        bool isErrandDone = false;
+        glm::vec3 errand{0.0F};
+        std::uint8_t happened = 0;
+        model::PlaceId reached = 0;
+        // Around what stands in the way: corners still to come, the last one the aim.
+        std::vector<glm::vec2> corners;
+        glm::vec2 cornersFor{1e30F}; ///< aim that they lead to
+        std::uint32_t stepsAstray = 0;
     };
     static constexpr std::uint32_t kNoRoute = 0xFFFFFFFFU;
 
@@ -69,10 +129,18 @@ private:
     {
         return stop.position + walk.share * stop.radius;
     }
-    void goOn(AgentColumns& agents, std::size_t row, Walk& walk) const;
+    [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
+    void passStop(AgentColumns& agents, std::size_t row, Walk& walk) const;
+    void branchOff(Walk& walk) const;
+    void steerRow(AgentColumns& agents, std::size_t row) const;
+    [[nodiscard]] glm::vec2 wayTo(const AgentColumns& agents, std::size_t row, Walk& walk,
+                                  const glm::vec3& to) const;
+    [[nodiscard]] float slowness(float x, float z) const;
 
     std::vector<Route> m_routes;
-    std::vector<Walk> m_walks; ///< by agent
+    std::vector<SlowArea> m_slow;
+    mutable std::vector<Walk> m_walks; ///< by agent; each row writes its own
+    std::shared_ptr<const WalkSurface> m_surface;
 };
 
 } // namespace crowd::behavior

@@ -3,77 +3,148 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 
 #include "behavior/crowd/Chunks.h"
 #include "behavior/crowd/ForceKernel.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/base/Random.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 constexpr float kBodyRadius = 0.25F;
-constexpr float kFastest = 10.0F;
 constexpr float kTurnRadiansPerSecond = 4.0F;
 constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he is pushed
+constexpr float kMovesAbove = 0.02F;
 constexpr float kSpeedSmoothing = 0.15F;
 constexpr float kPi = 3.14159265F;
+constexpr float kRampShare = 0.25F; ///< of the way to the ground's height, a step
+constexpr int kObstacleSides = 12;
+constexpr float kExitMetres = 0.5F;  ///< who is so near to an exit is through
+constexpr float kFieldReach = 3.0F;  ///< of an attractor or repeller, times its radius
+constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who have left
 
-/// Heading after turning towards a direction as far as a body can in one step.
-float turned(float heading, float velocityX, float velocityZ)
+/// Angle after turning towards another one as far as a body can in one step.
+float turnedTo(float heading, float target)
 {
-    float turn = std::remainder(std::atan2(velocityX, velocityZ) - heading, 2.0F * kPi);
+    float turn = std::remainder(target - heading, 2.0F * kPi);
     const float most = kTurnRadiansPerSecond * Session::kStepSeconds;
     turn = std::clamp(turn, -most, most);
     return std::remainder(heading + turn, 2.0F * kPi);
 }
 
-} // namespace
-
-Session::Session(const model::Scene& scene, const SessionPlan& plan)
-    : m_population(scene.population),
-      m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates)),
-      m_seed(scene.seed)
+bool isSameList(const std::vector<model::TemplateEntry>& a,
+                const std::vector<model::TemplateEntry>& b)
 {
-    for (const model::TemplateEntry& entry : *m_templates) {
-        m_gaits.emplace_back(entry);
-    }
-    m_warnings = m_follower.setPaths(plan.places, plan.paths);
-    addWalkers(plan);
-    addBodies(plan);
+    return std::ranges::equal(a, b, [](const auto& left, const auto& right) {
+        return left.id == right.id && left.asset == right.asset &&
+               left.clipNames == right.clipNames &&
+               std::ranges::equal(left.clipSpeeds, right.clipSpeeds, [](float x, float y) {
+                   return x == y || (std::isnan(x) && std::isnan(y));
+               });
+    });
 }
 
-void Session::addWalkers(const SessionPlan& plan)
+} // namespace
+
+SessionPlan SessionPlan::of(const model::Scene& scene)
 {
-    std::vector<SessionPlan::Walker> walkers = plan.walkers;
-    std::ranges::stable_sort(walkers, {}, &SessionPlan::Walker::id);
-    m_walkerOfAgent.assign(m_population.size(), kNobody);
+    SessionPlan plan;
+    plan.places = scene.places;
+    plan.paths = scene.paths;
+    return plan;
+}
+
+Session::Session(const model::Scene& scene, const SessionPlan& plan)
+    : m_population(scene.population), m_places(plan.places), m_paths(plan.paths), m_seed(scene.seed)
+{
+    m_plannedWalls = plan.walls;
+    readTemplates(scene);
+    m_warnings = m_follower.setPaths(m_places, m_paths);
+    addPeople(plan);
+    addBodies();
+    setWalls(m_places);
+    m_rules.setRules(scene);
+    m_rules.setPeople(m_population,
+                      std::vector<std::uint32_t>(m_population.size(), PathFollower::kNobody));
+}
+
+Session::~Session() = default;
+
+void Session::readTemplates(const model::Scene& scene)
+{
+    m_templates = std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates);
+    m_gaits.clear();
+    m_clips.clear();
+    for (const model::TemplateEntry& entry : *m_templates) {
+        const GaitTable& gaits = m_gaits.emplace_back(entry);
+        std::vector<ClipFacts>& facts = m_clips.emplace_back(entry.clipNames.size());
+        for (std::size_t i = 0; i < facts.size() && entry.asset; ++i) {
+            const int index = entry.asset->clipIndex(entry.clipNames[i]);
+            if (index >= 0) {
+                const model::Clip& clip = entry.asset->clips[static_cast<std::size_t>(index)];
+                facts[i] = {clip.seconds, clip.loop, gaits.isMover(i)};
+            }
+        }
+    }
+}
+
+float Session::paceOf(const model::Population& people, std::size_t row) const
+{
+    const float speed = people.column(model::columns::walkSpeed)[row];
+    if (std::isfinite(speed) && speed > 0.0F) {
+        return std::min(speed, model::kMaxWalkingSpeed);
+    }
+    const float u = model::unitFloat(model::hashKeys(m_seed, people.ids()[row], 33));
+    return model::kUsualWalkingSpeed * (0.85F + 0.3F * u); // nobody walks like his neighbour
+}
+
+PathFollower::Assignment Session::walkOf(const model::Population& people, std::size_t row) const
+{
+    return {static_cast<std::uint32_t>(row), people.column(model::columns::path)[row],
+            model::hashKeys(m_seed, people.ids()[row], 31), paceOf(people, row)};
+}
+
+Session::Shown Session::shownFrom(const model::Population& people, std::size_t row) const
+{
+    const auto entry = std::ranges::find(
+        *m_templates, people.column(model::columns::templateId)[row], &model::TemplateEntry::id);
+    Shown shown;
+    shown.table = static_cast<std::uint32_t>(entry - m_templates->begin());
+    shown.heading = people.column(model::columns::heading)[row];
+    shown.height = people.column(model::columns::height)[row];
+    shown.place = static_cast<double>(people.column(model::columns::phase)[row]);
+    shown.position = people.column(model::columns::position)[row];
+    return shown;
+}
+
+void Session::addPeople(const SessionPlan& plan)
+{
     std::vector<PathFollower::Assignment> assignments;
+    for (std::size_t row = 0; row < m_population.size(); ++row) {
+        m_shown.push_back(shownFrom(m_population, row));
+        const PathFollower::Assignment walk = walkOf(m_population, row);
+        if (walk.path != 0 && plan.walkers.empty()) {
+            assignments.push_back(walk);
+        }
+    }
     std::size_t missing = 0;
-    for (const SessionPlan::Walker& walker : walkers) {
+    std::vector<bool> isTaken(m_population.size(), false);
+    for (const SessionPlan::Walker& walker : plan.walkers) {
         const std::size_t row = m_population.rowOf(walker.id);
-        if (row == model::Population::npos || m_walkerOfAgent[row] != kNobody) {
+        if (row == model::Population::npos || isTaken[row]) {
             ++missing;
             continue;
         }
-        const auto entry =
-            std::ranges::find(*m_templates, m_population.column(model::columns::templateId)[row],
-                              &model::TemplateEntry::id);
-        Shown shown;
-        shown.row = static_cast<std::uint32_t>(row);
-        shown.table = static_cast<std::uint32_t>(entry - m_templates->begin());
-        shown.heading = m_population.column(model::columns::heading)[row];
-        shown.height = m_population.column(model::columns::height)[row];
-        shown.place = static_cast<double>(m_population.column(model::columns::phase)[row]);
-        m_walkerOfAgent[row] = static_cast<std::uint32_t>(m_shown.size());
-        m_ids.push_back(walker.id);
-        m_shown.push_back(shown);
-        const bool isSpeed = std::isfinite(walker.metresPerSecond);
-        m_wantedSpeed.push_back(isSpeed ? std::clamp(walker.metresPerSecond, 0.0F, kFastest)
-                                        : 1.3F);
-        assignments.push_back(
-            {static_cast<std::uint32_t>(row), walker.path, model::hashKeys(m_seed, walker.id, 31)});
+        isTaken[row] = true;
+        const float pace = std::isfinite(walker.metresPerSecond)
+                               ? std::clamp(walker.metresPerSecond, 0.0F, model::kMaxWalkingSpeed)
+                               : model::kUsualWalkingSpeed;
+        assignments.push_back({static_cast<std::uint32_t>(row), walker.path,
+                               model::hashKeys(m_seed, walker.id, 31), pace});
     }
     if (missing > 0) {
         m_warnings.push_back("Walkers that are not in the scene, or named twice. Left out: " +
@@ -82,35 +153,214 @@ void Session::addWalkers(const SessionPlan& plan)
     for (std::string& problem : m_follower.assign(assignments, m_population.size())) {
         m_warnings.push_back(std::move(problem));
     }
+    for (std::size_t row = 0; row < m_population.size() && plan.walkers.empty(); ++row) {
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(m_population, row));
+    }
 }
 
-void Session::addBodies(const SessionPlan& plan)
+/// Bodies anew from where people are shown; who moves keeps his velocity.
+void Session::addBodies()
 {
-    const auto positions = m_population.column(model::columns::position);
     const auto girths = m_population.column(model::columns::girth);
     std::vector<AgentState> bodies(m_population.size());
-    bool hasLevels = false;
+    bool hasLevels = m_surface != nullptr;
     for (std::size_t row = 0; row < bodies.size(); ++row) {
-        const bool walks = m_walkerOfAgent[row] != kNobody &&
-                           m_follower.isWalking(static_cast<std::uint32_t>(row));
-        bodies[row].position = {positions[row].x, positions[row].z};
-        bodies[row].groundHeight = positions[row].y;
+        const Shown& shown = m_shown[row];
+        bodies[row].position = {shown.position.x, shown.position.z};
+        bodies[row].groundHeight = shown.position.y;
         bodies[row].radius = kBodyRadius * std::clamp(girths[row], 0.2F, 4.0F);
-        bodies[row].preferredSpeed = walks ? m_wantedSpeed[m_walkerOfAgent[row]] : 0.0F;
-        hasLevels = hasLevels || std::fabs(positions[row].y - positions[0].y) > kLevelMetres;
+        bodies[row].preferredSpeed = 0.0F; // until it is steered
+        bodies[row].velocity =
+            shown.speed * glm::vec2(std::sin(shown.heading), std::cos(shown.heading));
+        hasLevels =
+            hasLevels || std::fabs(shown.position.y - m_shown.front().position.y) > kLevelMetres;
     }
     m_crowd.parameters.slowing = 1.0F;
     m_crowd.setLevels(hasLevels);
-    m_crowd.setWalls(plan.walls);
     m_crowd.setAgents(bodies);
-    for (Shown& shown : m_shown) {
-        shown.position = positions[shown.row];
+}
+
+void Session::setWalls(const std::vector<model::Place>& places)
+{
+    std::vector<Wall> walls = m_plannedWalls;
+    if (m_surface) {
+        walls.insert(walls.end(), m_surface->walls().begin(), m_surface->walls().end());
+    }
+    for (const model::Place& place : places) {
+        for (int side = 0; side < kObstacleSides && place.role == model::PlaceRole::Obstacle;
+             ++side) {
+            const auto corner = [&](int index) {
+                const float angle =
+                    2.0F * kPi * static_cast<float>(index) / static_cast<float>(kObstacleSides);
+                return glm::vec2(place.position.x, place.position.z) +
+                       place.radius * glm::vec2(std::sin(angle), std::cos(angle));
+            };
+            walls.push_back(
+                {corner(side), corner(side + 1), place.position.y - 1.0F, place.position.y + 2.0F});
+        }
+    }
+    m_crowd.setWalls(walls);
+}
+
+void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
+{
+    m_surface = std::move(surface);
+    m_follower.setSurface(m_surface);
+    m_crowd.setLevels(m_surface != nullptr);
+    setWalls(m_places);
+    warnOfPlaces();
+}
+
+/// Places that nobody can get to.
+void Session::warnOfPlaces()
+{
+    for (const model::Place& place : m_places) {
+        const bool isOn = !m_surface || place.role != model::PlaceRole::Spot ||
+                          m_surface->reaches(place.position, std::max(place.radius, 0.5F));
+        if (!isOn && m_surface->reaches(place.position, 30.0F)) {
+            m_warnings.push_back("Place \"" + place.name +
+                                 "\" is not on ground that people can walk on; they go as near as "
+                                 "they can. Move it.");
+        }
+    }
+}
+
+void Session::adopt(const model::Scene& scene, bool arePosesKept)
+{
+    if (!isSameList(*m_templates, scene.templates)) {
+        readTemplates(scene);
+    }
+    adoptPaths(scene);
+    if (!std::ranges::equal(m_population.ids(), scene.population.ids())) {
+        adoptRows(scene);
+    }
+    adoptValues(scene, arePosesKept);
+    m_population = scene.population;
+    m_rules.setRules(scene);
+}
+
+void Session::adoptPaths(const model::Scene& scene)
+{
+    if (m_places == scene.places && m_paths == scene.paths) {
+        return;
+    }
+    m_places = scene.places;
+    m_paths = scene.paths;
+    m_warnings = m_follower.setPaths(m_places, m_paths);
+    setWalls(m_places);
+    warnOfPlaces();
+}
+
+/// People came or went.
+void Session::adoptRows(const model::Scene& scene)
+{
+    const model::Population& people = scene.population;
+    std::vector<std::uint32_t> keep(people.size(), PathFollower::kNobody);
+    std::vector<Shown> shown(people.size());
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        const std::size_t former = m_population.rowOf(people.ids()[row]);
+        if (former != model::Population::npos) {
+            keep[row] = static_cast<std::uint32_t>(former);
+            shown[row] = m_shown[former];
+        } else {
+            shown[row] = shownFrom(people, row);
+        }
+    }
+    m_shown = std::move(shown);
+    m_follower.rearrange(keep);
+    m_rules.setPeople(people, keep);
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (keep[row] == PathFollower::kNobody) {
+            const PathFollower::Assignment walk = walkOf(people, row);
+            if (walk.path != 0) {
+                m_follower.follow(walk);
+            }
+        }
+    }
+    // From here on the former values of the rows are those of the same people.
+    std::vector<model::IndividualId> gone;
+    std::ranges::set_difference(m_population.ids(), people.ids(), std::back_inserter(gone));
+    std::vector<model::IndividualId> come;
+    std::ranges::set_difference(people.ids(), m_population.ids(), std::back_inserter(come));
+    (void)m_population.remove(gone);
+    m_population.add(people.rows(come));
+    addBodies();
+}
+
+/// Values that an edit changed since the last look at the scene.
+void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+{
+    namespace keys = model::columns;
+    const model::Population& now = scene.population;
+    const auto isOther = [&](const auto& key) {
+        return now.columnBytes(key.id).data() != m_population.columnBytes(key.id).data();
+    };
+    bool hasMoved = false;
+    const auto each = [&](const auto& key, const auto& act) {
+        if (!isOther(key)) {
+            return; // shared: nobody wrote
+        }
+        const auto before = m_population.column(key);
+        const auto after = now.column(key);
+        for (std::size_t row = 0; row < after.size(); ++row) {
+            if (!(before[row] == after[row])) {
+                act(row);
+            }
+        }
+    };
+    if (!arePosesKept) {
+        each(keys::position, [&](std::size_t row) {
+            m_shown[row].position = now.column(keys::position)[row];
+            m_shown[row].speed = 0.0F;
+            hasMoved = true;
+        });
+        each(keys::heading,
+             [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
+    }
+    each(keys::path, [&](std::size_t row) {
+        const glm::vec2 at(m_shown[row].position.x, m_shown[row].position.z);
+        m_follower.follow(walkOf(now, row), &at);
+    });
+    each(keys::walkSpeed, [&](std::size_t row) {
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+    });
+    each(keys::tags, [&](std::size_t row) {
+        m_rules.setTags(static_cast<std::uint32_t>(row), now.column(keys::tags)[row]);
+    });
+    each(keys::height,
+         [&](std::size_t row) { m_shown[row].height = now.column(keys::height)[row]; });
+    each(keys::templateId, [&](std::size_t row) {
+        m_shown[row].table = shownFrom(now, row).table;
+        m_shown[row].gait = 0;
+        m_shown[row].order = -1;
+    });
+    if (hasMoved) {
+        addBodies();
+    }
+}
+
+void Session::send(const std::string& event, float payload, std::vector<model::IndividualId> ids)
+{
+    glm::vec3 middle(0.0F);
+    std::vector<std::uint32_t> agents;
+    for (const model::IndividualId each : ids) {
+        const std::size_t row = m_population.rowOf(each);
+        if (row != model::Population::npos) {
+            agents.push_back(static_cast<std::uint32_t>(row));
+            middle += m_shown[row].position;
+        }
+    }
+    middle /= static_cast<float>(std::max<std::size_t>(1, agents.size()));
+    for (const std::uint32_t agent : agents) {
+        m_rules.send(event, payload, agent, middle);
     }
 }
 
 void Session::step()
 {
     m_follower.steer(m_crowd);
+    m_rules.step(*this, m_steps);
+    actPlaces();
     m_crowd.step(kStepSeconds);
     ++m_steps;
     overRows(m_crowd.size(), [this](std::size_t begin, std::size_t end) {
@@ -120,22 +370,85 @@ void Session::step()
     });
 }
 
-/// Body, heading and gait of the agent in a row of the crowd, if it is a walker.
+/// Attractors, repellers and exits.
+void Session::actPlaces()
+{
+    AgentColumns& agents = m_crowd.columns();
+    for (const model::Place& place : m_places) {
+        const bool isField =
+            place.role == model::PlaceRole::Attractor || place.role == model::PlaceRole::Repeller;
+        if (!isField && place.role != model::PlaceRole::Exit) {
+            continue;
+        }
+        const float reach = isField ? place.radius * kFieldReach : place.radius + kExitMetres;
+        const float sign = place.role == model::PlaceRole::Attractor ? 1.0F : -1.0F;
+        for (std::size_t row = 0; row < agents.size(); ++row) {
+            const std::uint32_t agent = agents.agent[row];
+            const glm::vec2 way(place.position.x - agents.x[row], place.position.z - agents.z[row]);
+            const float away = std::sqrt(way.x * way.x + way.y * way.y);
+            if (away > reach || agents.preferredSpeed[row] <= 0.0F || m_shown[agent].isGone) {
+                continue;
+            }
+            if (!isField) {
+                leave(agent);
+                continue;
+            }
+            const float pull =
+                sign * agents.preferredSpeed[row] * (1.0F - away / reach) / std::max(away, 0.1F);
+            agents.desiredX[row] += way.x * pull;
+            agents.desiredZ[row] += way.y * pull;
+        }
+    }
+}
+
+const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
+{
+    if (shown.table >= m_clips.size() || clip < 0 ||
+        static_cast<std::size_t>(clip) >= m_clips[shown.table].size()) {
+        return nullptr;
+    }
+    return &m_clips[shown.table][static_cast<std::size_t>(clip)];
+}
+
+/// Body, heading and gait of the agent in a row of the crowd.
 void Session::show(std::size_t row)
 {
-    const AgentColumns& agents = m_crowd.columns();
-    const std::uint32_t walker = m_walkerOfAgent[agents.agent[row]];
-    if (walker == kNobody) {
+    AgentColumns& agents = m_crowd.columns();
+    Shown& shown = m_shown[agents.agent[row]];
+    if (shown.isGone) {
+        // Out of everybody's way, spread as they were at the beginning.
+        const glm::vec3 start = m_population.column(model::columns::position)[agents.agent[row]];
+        agents.x[row] = start.x;
+        agents.z[row] = start.z;
+        agents.y[row] = kGoneHeight;
         return;
     }
-    Shown& shown = m_shown[walker];
     const float velocityX = agents.velocityX[row];
     const float velocityZ = agents.velocityZ[row];
     const float speed = std::sqrt(velocityX * velocityX + velocityZ * velocityZ);
+    shown.isLive = shown.isLive || speed > kMovesAbove || shown.order >= 0 || shown.isTurning ||
+                   agents.preferredSpeed[row] > 0.0F;
+    if (!shown.isLive) {
+        return;
+    }
+    if (m_surface && agents.preferredSpeed[row] > 0.0F) {
+        const float ground = m_surface->height(agents.x[row], agents.z[row], agents.y[row]);
+        agents.y[row] += (ground - agents.y[row]) * kRampShare;
+    }
     shown.position = {agents.x[row], agents.y[row], agents.z[row]};
     shown.speed += (speed - shown.speed) * kSpeedSmoothing;
     if (speed > kTurnsAbove) {
-        shown.heading = turned(shown.heading, velocityX, velocityZ);
+        shown.heading = turnedTo(shown.heading, std::atan2(velocityX, velocityZ));
+        shown.isTurning = false;
+    } else if (shown.isTurning) {
+        shown.heading = turnedTo(shown.heading, shown.facing);
+    }
+    if (const ClipFacts* facts = clipFacts(shown, shown.order)) {
+        shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(kStepSeconds) /
+                                                        static_cast<double>(facts->seconds)
+                                                  : 0.0;
+        shown.orderPlace = shown.isOrderLooped ? shown.orderPlace - std::floor(shown.orderPlace)
+                                               : std::min(shown.orderPlace, 1.0);
     }
     if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
         return;
@@ -150,45 +463,185 @@ void Session::show(std::size_t row)
     }
 }
 
-model::CrowdFramePtr Session::frame()
+PersonPose Session::poseOf(std::size_t agent) const
 {
-    std::vector<glm::vec3> positions;
-    std::vector<float> headings;
-    std::vector<std::uint16_t> clips;
-    std::vector<float> phases;
-    std::vector<float> rates;
-    const auto clipColumn = m_population.column(model::columns::clip);
-    const auto phaseColumn = m_population.column(model::columns::phase);
-    const auto rateColumn = m_population.column(model::columns::playbackSpeed);
-    for (const Shown& shown : m_shown) {
-        positions.push_back(shown.position);
-        headings.push_back(shown.heading);
-        if (m_steps == 0 || shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
-            clips.push_back(clipColumn[shown.row]);
-            phases.push_back(phaseColumn[shown.row]);
-            rates.push_back(rateColumn[shown.row]);
-            continue;
+    const Shown& shown = m_shown[agent];
+    PersonPose pose;
+    pose.id = m_population.ids()[agent];
+    pose.isGone = shown.isGone;
+    pose.position = shown.position;
+    pose.heading = shown.heading;
+    const bool hasGaits = shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
+    const std::uint32_t gait = hasGaits ? shown.gait : 0;
+    if (const ClipFacts* facts = clipFacts(shown, shown.order); facts != nullptr && gait == 0) {
+        pose.clip = static_cast<std::uint16_t>(shown.order);
+        pose.isLooped = facts->isLooped;
+        pose.clipSeconds = facts->seconds;
+        pose.place = shown.orderPlace;
+        return pose;
+    }
+    const std::uint16_t own = m_population.column(model::columns::clip)[agent];
+    const ClipFacts* ownFacts = clipFacts(shown, own);
+    const bool isMover = ownFacts != nullptr && ownFacts->isMover;
+    if (!hasGaits || (gait == 0 && !isMover)) {
+        // Standing he does what the scene lets him do.
+        pose.clip = own;
+        pose.isLooped = ownFacts == nullptr || ownFacts->isLooped;
+        pose.clipSeconds = ownFacts == nullptr ? 0.0F : ownFacts->seconds;
+        pose.rate = m_population.column(model::columns::playbackSpeed)[agent];
+        const double passed = pose.clipSeconds > 0.0F ? seconds() * static_cast<double>(pose.rate) /
+                                                            static_cast<double>(pose.clipSeconds)
+                                                      : 0.0;
+        pose.place =
+            static_cast<double>(m_population.column(model::columns::phase)[agent]) + passed;
+        return pose;
+    }
+    const GaitTable::Gait& chosen = m_gaits[shown.table].gait(gait);
+    pose.clip = chosen.clip;
+    pose.rate = GaitTable::playback(chosen, shown.speed, shown.height);
+    pose.clipSeconds = chosen.seconds;
+    pose.place = shown.place;
+    return pose;
+}
+
+SessionPosePtr Session::pose() const
+{
+    auto pose = std::make_shared<SessionPose>();
+    pose->step = m_steps;
+    pose->seconds = seconds();
+    for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
+        if (m_shown[agent].isLive) {
+            pose->people.push_back(poseOf(agent));
         }
-        const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.gait);
-        const float rate = GaitTable::playback(gait, shown.speed, shown.height);
-        // The reader adds the time that has passed at this rate; take it off here.
-        const double passed = gait.seconds > 0.0F ? seconds() * static_cast<double>(rate) /
-                                                        static_cast<double>(gait.seconds)
-                                                  : 0.0;
-        const double phase = shown.place - passed;
-        clips.push_back(gait.clip);
-        phases.push_back(static_cast<float>(phase - std::floor(phase)));
-        rates.push_back(rate);
+        if (m_rules.isLit(static_cast<std::uint32_t>(agent), m_steps)) {
+            pose->lit.push_back(m_population.ids()[agent]);
+        }
     }
-    if (!m_ids.empty()) {
-        m_population.setValues<glm::vec3>(model::columns::position, m_ids, positions);
-        m_population.setValues<float>(model::columns::heading, m_ids, headings);
-        m_population.setValues<std::uint16_t>(model::columns::clip, m_ids, clips);
-        m_population.setValues<float>(model::columns::phase, m_ids, phases);
-        m_population.setValues<float>(model::columns::playbackSpeed, m_ids, rates);
+    return pose;
+}
+
+model::CrowdFramePtr Session::frame() const
+{
+    model::CrowdFrame frame{m_population, m_templates, seconds()};
+    const SessionPosePtr now = pose();
+    applyPose(*now, *now, frame);
+    return std::make_shared<const model::CrowdFrame>(std::move(frame));
+}
+
+glm::vec3 Session::position(std::uint32_t agent) const
+{
+    return m_shown[agent].position;
+}
+
+model::IndividualId Session::id(std::uint32_t agent) const
+{
+    return m_population.ids()[agent];
+}
+
+model::TemplateId Session::templateOf(std::uint32_t agent) const
+{
+    return m_population.column(model::columns::templateId)[agent];
+}
+
+std::uint32_t Session::group(std::uint32_t agent) const
+{
+    return m_population.column(model::columns::group)[agent];
+}
+
+bool Session::isSeated(std::uint32_t agent) const
+{
+    return m_population.column(model::columns::seat)[agent] != model::kNoSeat;
+}
+
+bool Session::isGone(std::uint32_t agent) const
+{
+    return m_shown[agent].isGone;
+}
+
+model::PathId Session::pathOf(std::uint32_t agent) const
+{
+    return m_follower.pathOf(agent);
+}
+
+std::uint8_t Session::happenings(std::uint32_t agent) const
+{
+    return m_follower.happenings(agent);
+}
+
+model::PlaceId Session::reachedPlace(std::uint32_t agent) const
+{
+    return m_follower.reachedPlace(agent);
+}
+
+float Session::play(std::uint32_t agent, const std::string& clip, bool isLooped)
+{
+    Shown& shown = m_shown[agent];
+    if (shown.table >= m_templates->size()) {
+        return -1.0F;
     }
-    return std::make_shared<const model::CrowdFrame>(
-        model::CrowdFrame{m_population, m_templates, seconds()});
+    const std::vector<std::string>& names = (*m_templates)[shown.table].clipNames;
+    const auto found = std::ranges::find(names, clip);
+    if (found == names.end()) {
+        return -1.0F;
+    }
+    shown.order = static_cast<int>(found - names.begin());
+    shown.isOrderLooped = isLooped;
+    shown.orderPlace = 0.0;
+    shown.isLive = true;
+    return std::max(0.1F, clipFacts(shown, shown.order)->seconds);
+}
+
+void Session::endClip(std::uint32_t agent)
+{
+    m_shown[agent].order = -1;
+}
+
+bool Session::follow(std::uint32_t agent, model::PathId path)
+{
+    const glm::vec2 at(m_shown[agent].position.x, m_shown[agent].position.z);
+    return m_follower.follow(
+        {agent, path, model::hashKeys(m_seed, id(agent), 31), m_follower.pace(agent)}, &at);
+}
+
+void Session::sendTo(std::uint32_t agent, const glm::vec3& point)
+{
+    m_follower.sendTo(agent, point);
+}
+
+void Session::stop(std::uint32_t agent)
+{
+    m_follower.stop(agent);
+}
+
+void Session::goOn(std::uint32_t agent)
+{
+    m_follower.goOn(agent);
+}
+
+void Session::setPace(std::uint32_t agent, float metresPerSecond)
+{
+    if (std::isfinite(metresPerSecond)) {
+        m_follower.setPace(agent, std::clamp(metresPerSecond, 0.0F, model::kMaxWalkingSpeed));
+    }
+}
+
+void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
+{
+    Shown& shown = m_shown[agent];
+    const glm::vec3 way = point - shown.position;
+    if (way.x * way.x + way.z * way.z > 1e-4F) {
+        shown.facing = std::atan2(way.x, way.z);
+        shown.isTurning = true;
+    }
+}
+
+void Session::leave(std::uint32_t agent)
+{
+    m_shown[agent].isGone = true;
+    m_shown[agent].isLive = true;
+    m_shown[agent].position.y = kGoneHeight;
+    m_follower.stop(agent);
+    m_crowd.setLevels(true);
 }
 
 } // namespace crowd::behavior

@@ -2,17 +2,22 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/rules/RuleEngine.h"
 #include "behavior/session/Gait.h"
 #include "behavior/session/PathFollower.h"
+#include "behavior/session/SessionPose.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Path.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
+
+class WalkSurface;
 
 /// What a session needs to know beside the scene.
 struct SessionPlan
@@ -21,41 +26,61 @@ struct SessionPlan
     {
         model::IndividualId id = 0;
         model::PathId path = 0;
-        float metresPerSecond = 1.3F;
+        float metresPerSecond = model::kUsualWalkingSpeed;
     };
     std::vector<model::Place> places;
     std::vector<model::Path> paths;
     std::vector<Walker> walkers;
     std::vector<Wall> walls;
+
+    /// What the scene itself says. Who was given no speed has one of his own.
+    [[nodiscard]] static SessionPlan of(const model::Scene& scene);
 };
 
 /// One run of the simulation. Starts from the scene, keeps columns of its own and never writes to
-/// the scene. Whoever is not a walker is an obstacle that stays. Steps are 1/30 s; the same scene,
-/// plan and number of steps give the same bits. One thread at a time; frames may be read on any.
-class Session
+/// the scene. Whoever does not walk is an obstacle that stays. Steps are 1/30 s; the same scene,
+/// plan, edits and number of steps give the same bits. One thread at a time; frames and poses may
+/// be read on any.
+class Session : private RuleHost
 {
 public:
     static constexpr float kStepSeconds = 1.0F / 30.0F;
 
     Session(const model::Scene& scene, const SessionPlan& plan);
+    explicit Session(const model::Scene& scene) : Session(scene, SessionPlan::of(scene)) {}
+    ~Session() override;
 
     void step();
     [[nodiscard]] std::uint64_t steps() const { return m_steps; }
-    [[nodiscard]] double seconds() const { return static_cast<double>(m_steps) / 30.0; }
+    [[nodiscard]] double seconds() const { return m_start + static_cast<double>(m_steps) / 30.0; }
+    /// The transport's time at the beginning: only where clips stand depends on it.
+    void setStart(double seconds) { m_start = seconds; }
+
+    /// The scene was edited: what is another there now is another here from the next step on,
+    /// everything else goes on as it is. After poses were kept, where people are in the scene is
+    /// where they are here.
+    void adopt(const model::Scene& scene, bool arePosesKept = false);
+    /// What there is to walk on, and its walls; null: open ground.
+    void setSurface(std::shared_ptr<const WalkSurface> surface);
+    /// An event happens to these people at the next step.
+    void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
+
+    /// Those whom the session moves, as of the last step.
+    [[nodiscard]] SessionPosePtr pose() const;
     /// Everybody as of the last step, for the renderer.
-    [[nodiscard]] model::CrowdFramePtr frame();
+    [[nodiscard]] model::CrowdFramePtr frame() const;
     /// Sentences for the artist about what in the plan could not be followed.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+    [[nodiscard]] RuleEngine& rules() { return m_rules; }
 
     /// For measuring and tuning.
     [[nodiscard]] CrowdSimulation& crowd() { return m_crowd; }
     [[nodiscard]] const PathFollower& follower() const { return m_follower; }
 
 private:
-    /// What a walker shows; one per walker, ascending by id.
+    /// What an individual shows; one per row of the population, which is its agent.
     struct Shown
     {
-        std::uint32_t row = 0; ///< in the population
         std::uint32_t table = 0;
         std::uint32_t gait = 0;
         float speed = 0.0F; ///< smoothed, m/s
@@ -63,24 +88,77 @@ private:
         float height = 1.0F;
         double place = 0.0; ///< in the clip, 0..1
         glm::vec3 position{0.0F};
+        bool isLive = false; ///< it has moved or acted: the scene's values count no more
+        bool isGone = false;
+        // A clip that a rule lets it play, as the clip column counts.
+        int order = -1;
+        bool isOrderLooped = false;
+        double orderPlace = 0.0;
+        float facing = 0.0F; ///< what it turns to while it stands
+        bool isTurning = false;
+    };
+    struct ClipFacts
+    {
+        float seconds = 0.0F;
+        bool isLooped = true;
+        bool isMover = false;
     };
 
-    void addWalkers(const SessionPlan& plan);
-    void addBodies(const SessionPlan& plan);
-    void show(std::size_t row);
+    // RuleHost
+    [[nodiscard]] std::size_t agents() const override { return m_shown.size(); }
+    [[nodiscard]] glm::vec3 position(std::uint32_t agent) const override;
+    [[nodiscard]] model::IndividualId id(std::uint32_t agent) const override;
+    [[nodiscard]] model::TemplateId templateOf(std::uint32_t agent) const override;
+    [[nodiscard]] std::uint32_t group(std::uint32_t agent) const override;
+    [[nodiscard]] bool isSeated(std::uint32_t agent) const override;
+    [[nodiscard]] bool isGone(std::uint32_t agent) const override;
+    [[nodiscard]] model::PathId pathOf(std::uint32_t agent) const override;
+    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const override;
+    [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const override;
+    float play(std::uint32_t agent, const std::string& clip, bool isLooped) override;
+    void endClip(std::uint32_t agent) override;
+    bool follow(std::uint32_t agent, model::PathId path) override;
+    void sendTo(std::uint32_t agent, const glm::vec3& point) override;
+    void stop(std::uint32_t agent) override;
+    void goOn(std::uint32_t agent) override;
+    void setPace(std::uint32_t agent, float metresPerSecond) override;
+    void turnTo(std::uint32_t agent, const glm::vec3& point) override;
+    void leave(std::uint32_t agent) override;
 
-    model::Population m_population;
+    void readTemplates(const model::Scene& scene);
+    void addPeople(const SessionPlan& plan);
+    void addBodies();
+    void setWalls(const std::vector<model::Place>& places);
+    void warnOfPlaces();
+    void adoptRows(const model::Scene& scene);
+    void adoptValues(const model::Scene& scene, bool arePosesKept);
+    void adoptPaths(const model::Scene& scene);
+    void actPlaces();
+    void show(std::size_t row);
+    [[nodiscard]] Shown shownFrom(const model::Population& people, std::size_t row) const;
+    [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
+    [[nodiscard]] PathFollower::Assignment walkOf(const model::Population& people,
+                                                  std::size_t row) const;
+    [[nodiscard]] std::vector<std::uint32_t> rowsOfAgents() const;
+    [[nodiscard]] PersonPose poseOf(std::size_t agent) const;
+    [[nodiscard]] const ClipFacts* clipFacts(const Shown& shown, int clip) const;
+
+    model::Population m_population; ///< as the scene has it
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
-    std::vector<GaitTable> m_gaits; ///< one per template
-    std::vector<model::IndividualId> m_ids;
+    std::vector<GaitTable> m_gaits;              ///< one per template
+    std::vector<std::vector<ClipFacts>> m_clips; ///< per template, as the clip column counts
     std::vector<Shown> m_shown;
-    std::vector<std::uint32_t> m_walkerOfAgent; ///< agents are rows of the population
-    std::vector<float> m_wantedSpeed;           ///< by walker
     CrowdSimulation m_crowd;
     PathFollower m_follower;
+    RuleEngine m_rules;
+    std::shared_ptr<const WalkSurface> m_surface;
+    std::vector<Wall> m_plannedWalls;
+    std::vector<model::Place> m_places;
+    std::vector<model::Path> m_paths;
     std::vector<std::string> m_warnings;
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;
+    double m_start = 0.0;
 };
 
 } // namespace crowd::behavior

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "model/bake/KeyframeStore.h"
+#include "model/brush/BrushSettings.h"
 #include "model/pick/StageRays.h"
+#include "model/scene/CrowdFrame.h"
 #include "model/view/View.h"
 
 namespace crowd::model {
@@ -14,6 +19,10 @@ struct BrushContext
     View view;
     KeyframeStore& keyframes;
     const StageRays& stage;
+    /// Puts people where a running session has them; empty: they are where the scene says.
+    std::function<void(CrowdFrame&)> pose{};
+    /// Tells a running session; empty: there is none. Ids ascend.
+    std::function<void(const EventSettings&, std::span<const IndividualId>)> sendEvent{};
 };
 
 } // namespace crowd::model

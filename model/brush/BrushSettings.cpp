@@ -89,6 +89,21 @@ MainNumber BrushSettings::mainNumber() const
         return numberOfOrientation(orientation.heading);
     case BrushKind::Animation:
         return {MainQuantity::Speed, animation.speed.low, 0.0, 4.0, 0.1, 1};
+    case BrushKind::Walk:
+        return {MainQuantity::WalkSpeed, walk.speed.low, 0.0, kMaxWalkingSpeed, 0.1, 1};
+    case BrushKind::Tag:
+    case BrushKind::Untag:
+        return {MainQuantity::Tag, tag.tag + 1.0, 1.0, kTagCount, 1.0, 0};
+    case BrushKind::Event:
+        return {MainQuantity::Payload, event.payload, -1000.0, 1000.0, 0.1, 1};
+    case BrushKind::Path:
+    case BrushKind::Environment:
+        return {MainQuantity::PlaceRadius,
+                place.radiusMetres,
+                kMinPlaceRadius,
+                kMaxPlaceRadius,
+                0.25,
+                2};
     }
     return {MainQuantity::Rate, ratePerSecond, 1.0, 500.0, 5.0, 0};
 }
@@ -131,6 +146,21 @@ BrushSettings BrushSettings::withMainNumber(double value) const
             std::max(kept, kept + animation.speed.high - animation.speed.low);
         changed.animation.speed.low = kept;
         changed.animation.setsSpeed = true;
+        break;
+    case MainQuantity::WalkSpeed:
+        changed.walk.speed.high =
+            std::min(kMaxWalkingSpeed, std::max(kept, kept + walk.speed.high - walk.speed.low));
+        changed.walk.speed.low = kept;
+        changed.walk.setsSpeed = true;
+        break;
+    case MainQuantity::Tag:
+        changed.tag.tag = static_cast<std::uint8_t>(std::lround(kept) - 1);
+        break;
+    case MainQuantity::Payload:
+        changed.event.payload = kept;
+        break;
+    case MainQuantity::PlaceRadius:
+        changed.place.radiusMetres = kept;
         break;
     }
     return changed;

@@ -10,12 +10,26 @@
 #include <glm/vec3.hpp>
 
 #include "model/population/Columns.h"
+#include "model/scene/Path.h"
+#include "model/scene/Rule.h"
 
 /// What a brush is set to: plain values, compared and copied freely, kept in preferences and in
 /// recorded strokes. Metres, radians, seconds, logical pixels; colours sRGB.
 namespace crowd::model {
 
-enum class BrushKind : std::uint8_t { Create, Delete, Colour, Orientation, Animation };
+enum class BrushKind : std::uint8_t {
+    Create,
+    Delete,
+    Colour,
+    Orientation,
+    Animation,
+    Walk, ///< which path people follow, and how fast
+    Tag,
+    Untag,
+    Event,      ///< speaks to the running session, never to the document
+    Path,       ///< adds places to a path; no stroke over people
+    Environment ///< adds places that act by themselves; no stroke over people
+};
 enum class BrushSelection : std::uint8_t {
     Point,       ///< what is under the cursor
     Spray,       ///< random points of a circle, so many a second
@@ -47,13 +61,6 @@ struct TemplateWeight
     TemplateId id = 0;
     float weight = 1.0F;
     friend bool operator==(const TemplateWeight&, const TemplateWeight&) = default;
-};
-
-struct ClipWeight
-{
-    std::string clip; ///< by name: each template has its own
-    float weight = 1.0F;
-    friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
 };
 
 using PaintColor = std::array<std::uint8_t, 3>; ///< sRGB red, green, blue
@@ -141,6 +148,37 @@ struct AnimationSettings
     friend bool operator==(const AnimationSettings&, const AnimationSettings&) = default;
 };
 
+struct WalkSettings
+{
+    bool setsPath = true;
+    PathId path = 0; ///< 0: follow none
+    bool setsSpeed = true;
+    ValueRange speed{1.1F, 1.5F}; ///< m/s
+    friend bool operator==(const WalkSettings&, const WalkSettings&) = default;
+};
+
+struct TagSettings
+{
+    std::uint8_t tag = 0; ///< bit
+    friend bool operator==(const TagSettings&, const TagSettings&) = default;
+};
+
+struct EventSettings
+{
+    std::string name = "cheer";
+    float payload = 2.5F;
+    friend bool operator==(const EventSettings&, const EventSettings&) = default;
+};
+
+/// Of the brushes that add places.
+struct PlaceSettings
+{
+    float radiusMetres = 1.5F;
+    PathKind kind = PathKind::Cyclic;     ///< of new paths
+    PlaceRole role = PlaceRole::Obstacle; ///< of the environment brush
+    friend bool operator==(const PlaceSettings&, const PlaceSettings&) = default;
+};
+
 /// The number that + and - change, and what it is.
 enum class MainQuantity : std::uint8_t {
     Density,       ///< create in an area without seat grid: persons per m²
@@ -151,7 +189,11 @@ enum class MainQuantity : std::uint8_t {
     Strength,      ///< colour: per cent
     Heading,       ///< orientation: degrees
     Turn,          ///< orientation by something else: degrees from it
-    Speed          ///< animation: playback speed
+    Speed,         ///< animation: playback speed
+    WalkSpeed,     ///< walk: m/s
+    Tag,           ///< tag and untag: which
+    Payload,       ///< event: the number that goes with it
+    PlaceRadius    ///< path and environment: metres
 };
 
 struct MainNumber
@@ -183,6 +225,10 @@ struct BrushSettings
     ColourSettings colour;
     OrientationSettings orientation;
     AnimationSettings animation;
+    WalkSettings walk;
+    TagSettings tag;
+    EventSettings event;
+    PlaceSettings place;
 
     [[nodiscard]] MainNumber mainNumber() const;
     /// The same brush with another main number, kept within its limits.
@@ -192,7 +238,13 @@ struct BrushSettings
     /// Whether the area has a circle of radiusPixels.
     [[nodiscard]] bool hasCircle() const
     {
-        return selection == BrushSelection::Spray || selection == BrushSelection::AllInCircle;
+        return !addsPlaces() &&
+               (selection == BrushSelection::Spray || selection == BrushSelection::AllInCircle);
+    }
+    /// Whether it sets places on the ground instead of painting on people.
+    [[nodiscard]] bool addsPlaces() const
+    {
+        return kind == BrushKind::Path || kind == BrushKind::Environment;
     }
     /// Whether a share of what is inside is meant, not so much a second.
     [[nodiscard]] bool takesShare() const { return selection != BrushSelection::Spray; }
@@ -201,7 +253,7 @@ struct BrushSettings
     {
         return selection == BrushSelection::Rectangle ||
                (op == BrushOperator::Gradient && kind != BrushKind::Create &&
-                kind != BrushKind::Delete);
+                kind != BrushKind::Delete && kind != BrushKind::Event);
     }
     friend bool operator==(const BrushSettings&, const BrushSettings&) = default;
 };

@@ -42,7 +42,8 @@ class Shares
 {
 public:
     explicit Shares(const ChangeRequest& request)
-        : m_request(request), m_positions(request.edit.scene().population.column(columns::position))
+        : m_request(request),
+          m_shown(request.shown != nullptr ? *request.shown : request.edit.scene().population)
     {
     }
 
@@ -55,7 +56,7 @@ public:
         case BrushOperator::Random:
             return drawn(id, purpose, extra);
         case BrushOperator::Gradient:
-            if (const auto foot = m_request.view.project(m_positions[row])) {
+            if (const auto foot = m_request.view.project(positionOf(row, id))) {
                 return gradientShare(m_request.line, {foot->x, foot->y});
             }
             return 0.0;
@@ -69,8 +70,14 @@ public:
     }
 
 private:
+    [[nodiscard]] glm::vec3 positionOf(std::size_t row, IndividualId id) const
+    {
+        const std::size_t shownRow = m_request.shown != nullptr ? m_shown.rowOf(id) : row;
+        return m_shown.column(columns::position)[shownRow];
+    }
+
     const ChangeRequest& m_request;
-    std::span<const glm::vec3> m_positions;
+    const Population& m_shown;
 };
 
 /// Calls visit(row, id) for each of the request's individuals.
@@ -255,6 +262,52 @@ ChangeResult changeAnimations(const ChangeRequest& request)
     return result;
 }
 
+ChangeResult changeWalks(const ChangeRequest& request)
+{
+    const Population& people = request.edit.scene().population;
+    const WalkSettings& settings = request.settings.walk;
+    const auto paths = people.column(columns::path);
+    const auto speeds = people.column(columns::walkSpeed);
+    const Shares shares(request);
+    ColumnChange<PathId> pathChange;
+    ColumnChange<float> speedChange;
+    const bool isThere =
+        settings.path == 0 || request.edit.scene().findPath(settings.path) != nullptr;
+    forEachRow(request, [&](std::size_t row, IndividualId id) {
+        if (settings.setsPath && isThere) {
+            pathChange.set(id, paths[row], settings.path);
+        }
+        if (settings.setsSpeed) {
+            // Nobody walks like his neighbour: the operator decides only how evenly.
+            const double share = request.settings.op == BrushOperator::Gradient
+                                     ? shares.at(row, id, DrawPurpose::Speed)
+                                     : shares.drawn(id, DrawPurpose::Speed, 1);
+            speedChange.set(id, speeds[row], inRange(settings.speed, share));
+        }
+    });
+    ChangeResult result;
+    pathChange.apply(request.edit, columns::path, result.changed);
+    speedChange.apply(request.edit, columns::walkSpeed, result.changed);
+    const bool setsAnything = (settings.setsPath && isThere) || settings.setsSpeed;
+    result.reason = setsAnything ? StrokeReason::AlreadyThisWalk : StrokeReason::NothingChosen;
+    return result;
+}
+
+ChangeResult changeTags(const ChangeRequest& request)
+{
+    const auto tags = request.edit.scene().population.column(columns::tags);
+    const std::uint64_t bit = std::uint64_t{1} << request.settings.tag.tag;
+    const bool isUntag = request.settings.kind == BrushKind::Untag;
+    ColumnChange<std::uint64_t> change;
+    forEachRow(request, [&](std::size_t row, IndividualId id) {
+        change.set(id, tags[row], isUntag ? tags[row] & ~bit : tags[row] | bit);
+    });
+    ChangeResult result;
+    change.apply(request.edit, columns::tags, result.changed);
+    result.reason = isUntag ? StrokeReason::WithoutThisTag : StrokeReason::AlreadyThisTag;
+    return result;
+}
+
 } // namespace
 
 ChangeResult changeProperties(const ChangeRequest& request)
@@ -270,8 +323,18 @@ ChangeResult changeProperties(const ChangeRequest& request)
     case BrushKind::Animation:
         result = changeAnimations(request);
         break;
+    case BrushKind::Walk:
+        result = changeWalks(request);
+        break;
+    case BrushKind::Tag:
+    case BrushKind::Untag:
+        result = changeTags(request);
+        break;
     case BrushKind::Create:
     case BrushKind::Delete:
+    case BrushKind::Event:
+    case BrushKind::Path:
+    case BrushKind::Environment:
         break;
     }
     if (!result.changed.empty()) {

@@ -24,6 +24,7 @@ struct ChangeRequest
     StrokeLine line;        ///< press to current: gradients
     std::optional<float> strokeHeading;
     std::span<const IndividualId> ids; ///< ascending, all present
+    const Population* shown = nullptr; ///< where they are seen; null: where the scene says
 };
 
 struct ChangeResult
@@ -32,7 +33,7 @@ struct ChangeResult
     StrokeReason reason = StrokeReason::None; ///< why nobody changed
 };
 
-/// Of the settings' kind: colour, orientation or animation.
+/// Of the settings' kind: colour, orientation, animation, walk, tag or untag.
 [[nodiscard]] ChangeResult changeProperties(const ChangeRequest& request);
 
 } // namespace crowd::model

@@ -17,12 +17,16 @@ SelectionWork::SelectionWork(StrokeGround& ground)
 
 void SelectionWork::showTime(double seconds)
 {
-    if (m_frame->seconds != seconds) {
+    if (m_frame->seconds != seconds || (m_ground.context.pose && !m_shown)) {
         CrowdFrame at = *m_frame;
         at.seconds = seconds;
-        m_frame = std::make_shared<const CrowdFrame>(std::move(at));
+        m_frame = std::make_shared<const CrowdFrame>(at);
+        if (m_ground.context.pose) {
+            m_ground.context.pose(at);
+            m_shown = std::make_shared<const CrowdFrame>(std::move(at));
+        }
     }
-    m_picker.update(m_frame, m_ground.seats, m_ground.context.view);
+    m_picker.update(m_shown ? m_shown : m_frame, m_ground.seats, m_ground.context.view);
 }
 
 std::vector<IndividualId> SelectionWork::selected(const Dab& dab) const
@@ -75,10 +79,25 @@ void SelectionWork::count(std::span<const IndividualId> changed)
 void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& line,
                            std::uint64_t seed, std::optional<float> heading)
 {
-    const ChangeResult result = changeProperties(
-        {*m_ground.edit, m_ground.settings, m_ground.context.view, seed, line, heading, ids});
+    if (m_ground.settings.kind == BrushKind::Event) {
+        send(ids);
+        return;
+    }
+    const ChangeResult result =
+        changeProperties({*m_ground.edit, m_ground.settings, m_ground.context.view, seed, line,
+                          heading, ids, m_shown ? &m_shown->population : nullptr});
     count(result.changed);
     m_reason = result.reason;
+}
+
+void SelectionWork::send(std::span<const IndividualId> ids)
+{
+    if (!m_ground.context.sendEvent) {
+        m_reason = StrokeReason::NoSession;
+        return;
+    }
+    m_ground.context.sendEvent(m_ground.settings.event, ids);
+    count(ids);
 }
 
 std::vector<IndividualId> SelectionWork::thinned(std::vector<IndividualId> ids)
@@ -130,6 +149,14 @@ void SelectionWork::apply(std::span<const StrokeDab> dabs)
     remove(std::move(gone));
 }
 
+void SelectionWork::end()
+{
+    if (m_ground.settings.kind == BrushKind::Event && m_ground.settings.isReevaluated() &&
+        !m_touched.empty()) {
+        send(m_touched);
+    }
+}
+
 void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
 {
     const BrushSettings& settings = m_ground.settings;
@@ -145,6 +172,9 @@ void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
     }
     if (m_touched.empty()) {
         return;
+    }
+    if (settings.kind == BrushKind::Event) {
+        return; // sent once, at the end
     }
     if (settings.kind == BrushKind::Delete) {
         remove(thinned(m_touched));

@@ -180,12 +180,14 @@ StrokeOutcome Stroke::finish()
         return outcome;
     }
     d.applyWaiting();
+    d.work->end();
     d.isOver = true;
     outcome.affected = affected();
     outcome.isCommitted =
         d.ground.edit->commit(strokeText(d.ground.settings.kind, outcome.affected));
     d.ground.edit.reset();
-    outcome.reason = outcome.isCommitted ? StrokeReason::None : d.work->reason();
+    outcome.isSent = d.ground.settings.kind == BrushKind::Event && outcome.affected > 0;
+    outcome.reason = outcome.isCommitted || outcome.isSent ? StrokeReason::None : d.work->reason();
     outcome.message = reasonText(outcome.reason);
     return outcome;
 }

@@ -34,6 +34,10 @@ enum class StrokeReason : std::uint8_t {
     NoSuchSlot,
     AlreadyThisHeading,
     AlreadyThisAnimation,
+    AlreadyThisWalk,
+    AlreadyThisTag,
+    WithoutThisTag,
+    NoSession, ///< an event that nobody could hear
     NoSuchClip,
     NothingChosen, ///< a brush that is set to change nothing
     NoDirection    ///< facing along a stroke that did not go anywhere
@@ -45,6 +49,7 @@ enum class StrokeReason : std::uint8_t {
 struct StrokeOutcome
 {
     bool isCommitted = false; ///< one undo step was made
+    bool isSent = false;      ///< an event reached a session
     int affected = 0;         ///< individuals created, removed or changed
     StrokeReason reason = StrokeReason::None;
     QString message; ///< reasonText(reason)

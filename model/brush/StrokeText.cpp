@@ -30,6 +30,17 @@ QString strokeText(BrushKind kind, int affected)
         return Brushes::tr("Turn %n individual(s)", nullptr, affected);
     case BrushKind::Animation:
         return Brushes::tr("Animate %n individual(s)", nullptr, affected);
+    case BrushKind::Walk:
+        return Brushes::tr("Set the walk of %n individual(s)", nullptr, affected);
+    case BrushKind::Tag:
+        return Brushes::tr("Tag %n individual(s)", nullptr, affected);
+    case BrushKind::Untag:
+        return Brushes::tr("Untag %n individual(s)", nullptr, affected);
+    case BrushKind::Event:
+        return Brushes::tr("Event reached %n individual(s)", nullptr, affected);
+    case BrushKind::Path:
+    case BrushKind::Environment:
+        break;
     }
     return {};
 }
@@ -75,6 +86,15 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("All of them already face this way");
     case StrokeReason::AlreadyThisAnimation:
         return Brushes::tr("All of them already move like this");
+    case StrokeReason::AlreadyThisWalk:
+        return Brushes::tr("All of them already walk like this");
+    case StrokeReason::AlreadyThisTag:
+        return Brushes::tr("All of them already have this tag");
+    case StrokeReason::WithoutThisTag:
+        return Brushes::tr("None of them has this tag");
+    case StrokeReason::NoSession:
+        return Brushes::tr("Nothing runs that could hear an event: give the scene rules, or people "
+                           "a path, and press Play");
     case StrokeReason::NoSuchClip:
         return Brushes::tr("None of them has a chosen clip");
     case StrokeReason::NothingChosen:

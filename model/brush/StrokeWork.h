@@ -53,6 +53,8 @@ public:
     virtual void apply(std::span<const StrokeDab> dabs) = 0;
     /// Everything once more, for strokes that are evaluated from press to current.
     virtual void reevaluate(const StrokeLine& line, double shownSeconds) = 0;
+    /// The button is up: what waited for that.
+    virtual void end() {}
     [[nodiscard]] virtual int affected() const = 0;
     /// Why nobody is affected.
     [[nodiscard]] virtual StrokeReason reason() const = 0;
@@ -85,6 +87,7 @@ public:
     explicit SelectionWork(StrokeGround& ground);
     void apply(std::span<const StrokeDab> dabs) override;
     void reevaluate(const StrokeLine& line, double shownSeconds) override;
+    void end() override;
     [[nodiscard]] int affected() const override { return m_affected; }
     [[nodiscard]] StrokeReason reason() const override { return m_reason; }
 
@@ -96,6 +99,7 @@ private:
     /// The share of them that a delete brush takes.
     [[nodiscard]] std::vector<IndividualId> thinned(std::vector<IndividualId> ids);
     void remove(std::vector<IndividualId> ids);
+    void send(std::span<const IndividualId> ids);
     void change(std::span<const IndividualId> ids, const StrokeLine& line, std::uint64_t seed,
                 std::optional<float> heading);
     void count(std::span<const IndividualId> changed);
@@ -103,6 +107,7 @@ private:
     StrokeGround& m_ground;
     ScenePicker m_picker;
     CrowdFramePtr m_frame;               ///< at the press, with the time of the last dab
+    CrowdFramePtr m_shown;               ///< the same, where a session has them; null: none runs
     std::vector<char> m_isTouched;       ///< by row of the frame
     std::vector<char> m_isChanged;       ///< by row of the frame
     std::vector<IndividualId> m_touched; ///< ascending

@@ -102,6 +102,30 @@ void EditRecord::touchLighting(const Scene& scene)
     }
 }
 
+void EditRecord::touchPlace(PlaceId id, const Scene& scene)
+{
+    m_places.try_emplace(id, entryOf(scene.places, id));
+}
+
+void EditRecord::touchPath(PathId id, const Scene& scene)
+{
+    m_paths.try_emplace(id, entryOf(scene.paths, id));
+}
+
+void EditRecord::touchRules(const Scene& scene)
+{
+    if (!m_rules) {
+        m_rules = scene.rules;
+    }
+}
+
+void EditRecord::touchTags(const Scene& scene)
+{
+    if (!m_tags) {
+        m_tags = scene.tags;
+    }
+}
+
 SceneDelta EditRecord::delta(const Scene& scene) const
 {
     SceneDelta delta;
@@ -124,6 +148,14 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     }
     if (m_lighting && !isSame(*m_lighting, scene.lighting)) {
         delta.lighting = ValueDelta<Lighting>{*m_lighting, scene.lighting};
+    }
+    delta.places = entryDeltas(m_places, scene.places);
+    delta.paths = entryDeltas(m_paths, scene.paths);
+    if (m_rules && *m_rules != scene.rules) {
+        delta.rules = ValueDelta<std::vector<Rule>>{*m_rules, scene.rules};
+    }
+    if (m_tags && *m_tags != scene.tags) {
+        delta.tags = ValueDelta<std::vector<TagName>>{*m_tags, scene.tags};
     }
     return delta;
 }

@@ -28,6 +28,10 @@ public:
     void touchStage(std::uint8_t id, const Scene& scene);
     void touchCameras(const Scene& scene);
     void touchLighting(const Scene& scene);
+    void touchPlace(PlaceId id, const Scene& scene);
+    void touchPath(PathId id, const Scene& scene);
+    void touchRules(const Scene& scene);
+    void touchTags(const Scene& scene);
 
     [[nodiscard]] IndividualId nextIdBefore() const { return m_nextIdBefore; }
     /// From the scene before the edit to `scene`.
@@ -42,6 +46,10 @@ private:
     std::map<std::uint8_t, std::optional<StageEntry>> m_stages;
     std::optional<std::vector<NamedCamera>> m_cameras;
     std::optional<Lighting> m_lighting;
+    std::map<PlaceId, std::optional<Place>> m_places;
+    std::map<PathId, std::optional<Path>> m_paths;
+    std::optional<std::vector<Rule>> m_rules;
+    std::optional<std::vector<TagName>> m_tags;
 };
 
 } // namespace crowd::model

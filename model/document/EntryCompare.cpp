@@ -75,4 +75,15 @@ bool isSame(const Lighting& a, const Lighting& b)
            a.showGroundGrid == b.showGroundGrid && a.unknownMembers == b.unknownMembers;
 }
 
+bool isSame(const Place& a, const Place& b)
+{
+    return a.name == b.name && isSame(a.position, b.position) && isSame(a.radius, b.radius) &&
+           a.color == b.color && a.role == b.role && a.unknownMembers == b.unknownMembers;
+}
+
+bool isSame(const Path& a, const Path& b)
+{
+    return a == b;
+}
+
 } // namespace crowd::model

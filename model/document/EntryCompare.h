@@ -12,5 +12,7 @@ namespace crowd::model {
 [[nodiscard]] bool isSame(const StageEntry& a, const StageEntry& b);
 [[nodiscard]] bool isSame(const std::vector<NamedCamera>& a, const std::vector<NamedCamera>& b);
 [[nodiscard]] bool isSame(const Lighting& a, const Lighting& b);
+[[nodiscard]] bool isSame(const Place& a, const Place& b);
+[[nodiscard]] bool isSame(const Path& a, const Path& b);
 
 } // namespace crowd::model

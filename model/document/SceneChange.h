@@ -35,13 +35,21 @@ struct CamerasChanged
 struct LightingChanged
 {
 };
+/// Places or paths.
+struct PathsChanged
+{
+};
+/// Rules or the names of tags.
+struct RulesChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
 };
 
-using SceneChange =
-    std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
-                 StagesChanged, CamerasChanged, LightingChanged, SceneReplaced>;
+using SceneChange = std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged,
+                                 TemplatesChanged, StagesChanged, CamerasChanged, LightingChanged,
+                                 PathsChanged, RulesChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -50,6 +50,35 @@ std::size_t bytesOf(const Lighting& lighting)
     return sizeof(lighting) + lighting.unknownMembers.size();
 }
 
+std::size_t bytesOf(const Place& place)
+{
+    return sizeof(place) + place.name.size() + place.unknownMembers.size();
+}
+
+std::size_t bytesOf(const Path& path)
+{
+    return sizeof(path) + path.name.size() + path.unknownMembers.size() +
+           path.places.size() * sizeof(PlaceId) + path.branches.size() * sizeof(PathBranch);
+}
+
+std::size_t bytesOf(const std::vector<Rule>& rules)
+{
+    std::size_t total = 0;
+    for (const Rule& rule : rules) {
+        total += sizeof(rule) + rule.name.size() + rule.unknownMembers.size() +
+                 rule.conditions.size() * sizeof(Condition) + rule.actions.size() * sizeof(Action);
+        for (const Action& action : rule.actions) {
+            total += action.event.size() + action.clips.size() * sizeof(ClipWeight);
+        }
+    }
+    return total;
+}
+
+std::size_t bytesOf(const std::vector<TagName>& tags)
+{
+    return tags.size() * sizeof(TagName);
+}
+
 template<class Entry>
 std::size_t bytesOf(const std::vector<EntryDelta<Entry>>& deltas)
 {
@@ -91,6 +120,12 @@ void keepLoadedAsset(const StageEntry& current, StageEntry& coming)
     }
 }
 
+/// Places and paths have no asset.
+template<class Entry>
+void keepLoadedAsset(const Entry& /*current*/, Entry& /*coming*/)
+{
+}
+
 template<class Entry>
 void swapEntries(std::vector<Entry>& entries, const std::vector<EntryDelta<Entry>>& deltas,
                  DeltaDirection direction)
@@ -129,7 +164,8 @@ void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction
 bool SceneDelta::isEmpty() const
 {
     return added.ids.empty() && removed.ids.empty() && columns.empty() && templates.empty() &&
-           stages.empty() && !cameras && !lighting;
+           stages.empty() && !cameras && !lighting && places.empty() && paths.empty() && !rules &&
+           !tags;
 }
 
 std::size_t SceneDelta::bulkBytes() const
@@ -144,12 +180,19 @@ std::size_t SceneDelta::bulkBytes() const
 
 std::size_t SceneDelta::bytes() const
 {
-    std::size_t total = sizeof(SceneDelta) + bulkBytes() + bytesOf(templates) + bytesOf(stages);
+    std::size_t total = sizeof(SceneDelta) + bulkBytes() + bytesOf(templates) + bytesOf(stages) +
+                        bytesOf(places) + bytesOf(paths);
     if (cameras) {
         total += bytesOf(cameras->before) + bytesOf(cameras->after);
     }
     if (lighting) {
         total += bytesOf(lighting->before) + bytesOf(lighting->after);
+    }
+    if (rules) {
+        total += bytesOf(rules->before) + bytesOf(rules->after);
+    }
+    if (tags) {
+        total += bytesOf(tags->before) + bytesOf(tags->after);
     }
     return total;
 }
@@ -159,6 +202,13 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
 {
     const bool isRedo = direction == DeltaDirection::Redo;
     // Templates first when they come and last when they go: nobody may lack his template meanwhile.
+    const auto pathsAndPlaces = [&] {
+        swapEntries(scene.places, delta.places, direction);
+        swapEntries(scene.paths, delta.paths, direction);
+        if (!delta.places.empty() || !delta.paths.empty()) {
+            announce(PathsChanged{});
+        }
+    };
     const auto templatesAndStages = [&] {
         swapEntries(scene.templates, delta.templates, direction);
         swapEntries(scene.stages, delta.stages, direction);
@@ -171,12 +221,14 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
     };
     if (isRedo) {
         templatesAndStages();
+        pathsAndPlaces();
     }
     scene.nextId = isRedo ? delta.nextIdAfter : delta.nextIdBefore;
     swapIndividuals(scene, isRedo ? delta.removed : delta.added,
                     isRedo ? delta.added : delta.removed, announce);
     swapColumns(scene, delta, direction, announce);
     if (!isRedo) {
+        pathsAndPlaces();
         templatesAndStages();
     }
     if (delta.cameras) {
@@ -186,6 +238,15 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
     if (delta.lighting) {
         scene.lighting = isRedo ? delta.lighting->after : delta.lighting->before;
         announce(LightingChanged{});
+    }
+    if (delta.tags) {
+        scene.tags = isRedo ? delta.tags->after : delta.tags->before;
+    }
+    if (delta.rules) {
+        scene.rules = isRedo ? delta.rules->after : delta.rules->before;
+    }
+    if (delta.tags || delta.rules) {
+        announce(RulesChanged{});
     }
 }
 

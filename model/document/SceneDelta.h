@@ -47,6 +47,10 @@ struct SceneDelta
     std::vector<EntryDelta<StageEntry>> stages;
     std::optional<ValueDelta<std::vector<NamedCamera>>> cameras;
     std::optional<ValueDelta<Lighting>> lighting;
+    std::vector<EntryDelta<Place>> places;
+    std::vector<EntryDelta<Path>> paths;
+    std::optional<ValueDelta<std::vector<Rule>>> rules;
+    std::optional<ValueDelta<std::vector<TagName>>> tags;
 
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).

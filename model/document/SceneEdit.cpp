@@ -42,6 +42,46 @@ decltype(Entry::id) freeId(const std::vector<Entry>& entries)
     return 0;
 }
 
+/// The highest path that people or rules name, there or not: a new one must not be taken for it.
+PathId highestPathNamed(const Scene& scene)
+{
+    PathId highest = 0;
+    for (const PathId path : scene.population.column(columns::path)) {
+        highest = std::max(highest, path);
+    }
+    for (const Rule& rule : scene.rules) {
+        highest = std::max(highest, rule.trigger.path);
+        for (const Action& action : rule.actions) {
+            highest = std::max(highest, action.path);
+        }
+    }
+    return highest;
+}
+
+PlaceId highestPlaceNamed(const Scene& scene)
+{
+    PlaceId highest = 0;
+    for (const Rule& rule : scene.rules) {
+        highest = std::max(highest, rule.trigger.place);
+        for (const Condition& condition : rule.conditions) {
+            highest = std::max(highest, condition.place);
+        }
+        for (const Action& action : rule.actions) {
+            highest = std::max(highest, action.place);
+        }
+    }
+    return highest;
+}
+
+/// As freeId(), above `named` where there is room.
+template<class Entry>
+std::uint32_t freeIdAbove(const std::vector<Entry>& entries, std::uint32_t named)
+{
+    const std::uint32_t free = freeId(entries);
+    const bool hasRoom = named < std::numeric_limits<std::uint32_t>::max();
+    return free <= named && hasRoom && free != 0 ? named + 1 : free;
+}
+
 } // namespace
 
 SceneEdit::SceneEdit(SceneDocument& document)
@@ -166,6 +206,94 @@ void SceneEdit::setLighting(const Lighting& lighting)
     m_record->touchLighting(scene());
     m_document.m_scene.lighting = lighting;
     m_document.announce(LightingChanged{});
+}
+
+PlaceId SceneEdit::addPlace(Place place)
+{
+    if (place.id == 0) {
+        place.id = freeIdAbove(scene().places, highestPlaceNamed(scene()));
+    }
+    if (place.id != 0) {
+        changePlace(place);
+    }
+    return place.id;
+}
+
+void SceneEdit::changePlace(const Place& place)
+{
+    m_record->touchPlace(place.id, scene());
+    putEntry(m_document.m_scene.places, place);
+    m_document.announce(PathsChanged{});
+}
+
+void SceneEdit::removePlace(PlaceId id)
+{
+    for (Path& path : m_document.m_scene.paths) {
+        const bool isThere = std::ranges::find(path.places, id) != path.places.end();
+        if (isThere ||
+            std::ranges::find(path.branches, id, &PathBranch::place) != path.branches.end()) {
+            m_record->touchPath(path.id, scene());
+            std::erase(path.places, id);
+            std::erase_if(path.branches, [id](const PathBranch& b) { return b.place == id; });
+        }
+    }
+    m_record->touchPlace(id, scene());
+    std::erase_if(m_document.m_scene.places, [id](const Place& place) { return place.id == id; });
+    m_document.announce(PathsChanged{});
+}
+
+PathId SceneEdit::addPath(Path path)
+{
+    if (path.id == 0) {
+        path.id = freeIdAbove(scene().paths, highestPathNamed(scene()));
+    }
+    if (path.id != 0) {
+        changePath(path);
+    }
+    return path.id;
+}
+
+void SceneEdit::changePath(const Path& path)
+{
+    m_record->touchPath(path.id, scene());
+    putEntry(m_document.m_scene.paths, path);
+    m_document.announce(PathsChanged{});
+}
+
+void SceneEdit::removePath(PathId id)
+{
+    std::vector<IndividualId> walkers;
+    const auto followed = scene().population.column(columns::path);
+    for (std::size_t row = 0; row < followed.size(); ++row) {
+        if (followed[row] == id) {
+            walkers.push_back(scene().population.ids()[row]);
+        }
+    }
+    const PathId none = 0;
+    setColumn(columns::path, walkers, std::span<const PathId>(&none, 1));
+    for (Path& path : m_document.m_scene.paths) {
+        if (std::ranges::find(path.branches, id, &PathBranch::path) != path.branches.end()) {
+            m_record->touchPath(path.id, scene());
+            std::erase_if(path.branches, [id](const PathBranch& b) { return b.path == id; });
+        }
+    }
+    m_record->touchPath(id, scene());
+    std::erase_if(m_document.m_scene.paths, [id](const Path& path) { return path.id == id; });
+    m_document.announce(PathsChanged{});
+}
+
+void SceneEdit::setRules(std::vector<Rule> rules)
+{
+    m_record->touchRules(scene());
+    m_document.m_scene.rules = std::move(rules);
+    m_document.announce(RulesChanged{});
+}
+
+void SceneEdit::setTags(std::vector<TagName> tags)
+{
+    m_record->touchTags(scene());
+    m_document.m_scene.tags = std::move(tags);
+    m_document.announce(RulesChanged{});
 }
 
 void SceneEdit::rollback()

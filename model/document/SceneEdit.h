@@ -48,6 +48,16 @@ public:
     void changeStage(const StageEntry& entry);
     void setCameras(std::vector<NamedCamera> cameras);
     void setLighting(const Lighting& lighting);
+    PlaceId addPlace(Place place);
+    void changePlace(const Place& place); ///< by id
+    /// Also takes it out of all paths.
+    void removePlace(PlaceId id);
+    PathId addPath(Path path);
+    void changePath(const Path& path); ///< by id; its places are there
+    /// Its places stay; nobody follows it any more.
+    void removePath(PathId id);
+    void setRules(std::vector<Rule> rules);
+    void setTags(std::vector<TagName> tags);
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();

@@ -28,6 +28,8 @@ constexpr std::array<ColumnInfo, kColumnCount> kColumns{{
     {"tags", ColumnType::UInt64, sizeof(std::uint64_t)},
     {"group", ColumnType::UInt32, sizeof(std::uint32_t)},
     {"seed", ColumnType::UInt32, sizeof(std::uint32_t)},
+    {"path", ColumnType::UInt32, sizeof(std::uint32_t)},
+    {"walkSpeed", ColumnType::Float, sizeof(float)},
 }};
 
 } // namespace

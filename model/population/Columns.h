@@ -45,6 +45,8 @@ enum class ColumnId : std::uint8_t {
     Tags,
     Group,
     Seed,
+    Path,
+    WalkSpeed,
     Count
 };
 inline constexpr std::size_t kColumnCount = static_cast<std::size_t>(ColumnId::Count);
@@ -87,6 +89,8 @@ inline constexpr ColumnKey<SeatId> seat{ColumnId::Seat};
 inline constexpr ColumnKey<std::uint64_t> tags{ColumnId::Tags};
 inline constexpr ColumnKey<std::uint32_t> group{ColumnId::Group};
 inline constexpr ColumnKey<std::uint32_t> seed{ColumnId::Seed};
+inline constexpr ColumnKey<std::uint32_t> path{ColumnId::Path};   ///< PathId followed, 0: none
+inline constexpr ColumnKey<float> walkSpeed{ColumnId::WalkSpeed}; ///< desired, m/s; 0: the usual
 /// Tint of slot 0..7.
 [[nodiscard]] constexpr ColumnKey<Tint> tint(int slot)
 {

@@ -53,7 +53,7 @@ bool isAlive(const QString& owner)
 }
 
 /// Folder and first part of the name of a document's autosaves.
-struct Place
+struct CopyPlace
 {
     QString folder;
     QString name;
@@ -64,7 +64,7 @@ struct Place
     }
 };
 
-Place placeBeside(const QString& projectPath)
+CopyPlace placeBeside(const QString& projectPath)
 {
     if (projectPath.isEmpty()) {
         return {dataFolder(), kUntitled};
@@ -74,7 +74,7 @@ Place placeBeside(const QString& projectPath)
 }
 
 /// For a project in a folder that cannot be written.
-Place placeElsewhere(const QString& projectPath)
+CopyPlace placeElsewhere(const QString& projectPath)
 {
     const QByteArray path = QFileInfo(projectPath).absoluteFilePath().toUtf8();
     return {dataFolder(),
@@ -84,7 +84,7 @@ Place placeElsewhere(const QString& projectPath)
 }
 
 /// Autosaves at a place whose process is gone, newest first.
-QFileInfoList leftAt(const Place& place)
+QFileInfoList leftAt(const CopyPlace& place)
 {
     QFileInfoList left;
     const QString start = place.name + QLatin1Char('.');
@@ -116,7 +116,7 @@ bool isNewerThan(const QFileInfo& recovery, const QFileInfo& project)
     return !project.exists() || recovery.lastModified() >= project.lastModified();
 }
 
-Result<void> writeAt(const Place& place, const Scene& scene)
+Result<void> writeAt(const CopyPlace& place, const Scene& scene)
 {
     if (!QDir().mkpath(place.folder)) {
         return Error{place.folder.toStdString() +
@@ -170,9 +170,9 @@ QStringList findUntitledRecoveries()
 
 void adoptRecovery(const QString& recovery, const QString& projectPath)
 {
-    const Place place = QFileInfo(recovery).absolutePath() == placeBeside(projectPath).folder
-                            ? placeBeside(projectPath)
-                            : placeElsewhere(projectPath);
+    const CopyPlace place = QFileInfo(recovery).absolutePath() == placeBeside(projectPath).folder
+                                ? placeBeside(projectPath)
+                                : placeElsewhere(projectPath);
     // Relative asset paths in it stay right: it stays in its folder.
     QFile::remove(place.fileOf(ownName()));
     QFile::rename(recovery, place.fileOf(ownName()));

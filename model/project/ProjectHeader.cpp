@@ -2,51 +2,20 @@
 #include "model/project/ProjectHeader.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <limits>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "model/project/EnvironmentJson.h"
 #include "model/project/JsonFields.h"
+#include "model/project/JsonWriting.h"
 
 namespace crowd::model {
 
 namespace {
 
 using nlohmann::json;
-
-/// A float as the shortest decimal that reads back as the same float (a double would drag digits).
-json number(float value)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    double shortest = 0.0;
-    std::from_chars(text.data(), end, shortest);
-    return shortest;
-}
-
-json numbers(const glm::vec3& v)
-{
-    return {number(v.x), number(v.y), number(v.z)};
-}
-
-json numbers(const glm::quat& q)
-{
-    return {number(q.x), number(q.y), number(q.z), number(q.w)};
-}
-
-/// The members known here over those that were kept unread.
-json withUnknown(const std::string& unknownMembers, const json& known)
-{
-    if (unknownMembers.empty()) {
-        return known;
-    }
-    json object = json::parse(unknownMembers);
-    object.update(known);
-    return object;
-}
 
 json toJson(const ImportSettings& settings)
 {
@@ -297,6 +266,8 @@ json headerToJson(const Scene& scene)
     top["stages"] = listToJson(scene.stages);
     top["cameras"] = listToJson(scene.cameras);
     top["lighting"] = toJson(scene.lighting);
+    writeEnvironment(scene, top);
+    writeRules(scene, top);
     return top;
 }
 
@@ -317,6 +288,8 @@ Result<Scene> headerFromJson(const json& top)
     if (const json* lighting = fields.find("lighting")) {
         scene.lighting = readLighting(JsonFields(*lighting, "lighting", problem));
     }
+    readEnvironment(fields, scene, problem);
+    readRules(fields, scene, problem);
     if (const json* table = fields.find("individuals")) {
         JsonFields tableFields(*table, "individuals", problem);
         (void)tableFields.find("columns");

@@ -159,6 +159,23 @@ void freeSharedSeats(IndividualRows& rows, std::vector<std::string>& warnings)
     }
 }
 
+/// Who follows a path that is not there stands still; the file is sound otherwise.
+void leaveMissingPaths(IndividualRows& rows, Scene& scene)
+{
+    std::size_t lost = 0;
+    for (PathId& path : rows.column(columns::path)) {
+        if (path != 0 && scene.findPath(path) == nullptr) {
+            path = 0;
+            ++lost;
+        }
+    }
+    if (lost > 0) {
+        scene.readWarnings.push_back(std::to_string(lost) +
+                                     " individuals followed a path that the file does not list; "
+                                     "they follow none now.");
+    }
+}
+
 } // namespace
 
 Result<void> RowParser::setColumns(const std::vector<std::string>& names)
@@ -299,6 +316,7 @@ Result<void> RowParser::finish(Scene& scene)
         }
     }
     freeSharedSeats(table, scene.readWarnings);
+    leaveMissingPaths(table, scene);
     keepUnknown(scene, table.ids, order);
     if (!table.ids.empty()) {
         scene.nextId = std::max(scene.nextId, table.ids.back() + 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,17 @@ namespace crowd::model {
 using PlaceId = std::uint32_t;
 using PathId = std::uint32_t;
 
+/// What a place does to those who walk. All but spots are parts of the environment that act
+/// without anybody being sent to them.
+enum class PlaceRole : std::uint8_t {
+    Spot,      ///< somewhere to go; does nothing by itself
+    Obstacle,  ///< nobody walks into it
+    Attractor, ///< people near it are drawn to it
+    Repeller,  ///< people near it keep away
+    Exit,      ///< who reaches it leaves the scene
+    Slow       ///< people walk at half their speed
+};
+
 /// A spot with a size on the ground. World frame, metres.
 struct Place
 {
@@ -20,11 +32,26 @@ struct Place
     std::string name;
     glm::vec3 position{0.0F};
     float radius = 1.0F;
+    std::array<std::uint8_t, 3> color{240, 150, 40}; ///< sRGB
+    PlaceRole role = PlaceRole::Spot;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Place&, const Place&) = default;
 };
 
+inline constexpr float kMinPlaceRadius = 0.05F;
+inline constexpr float kMaxPlaceRadius = 200.0F;
+
 /// What happens at the last place: stop; go on to the first; jump to the first.
 enum class PathKind : std::uint8_t { Simple, Cyclic, Teleport };
+
+/// Where some leave a path for the beginning of another one.
+struct PathBranch
+{
+    PlaceId place = 0;
+    PathId path = 0;
+    float weight = 1.0F; ///< against 1 for going on
+    friend bool operator==(const PathBranch&, const PathBranch&) = default;
+};
 
 /// An ordered list of places to walk along.
 struct Path
@@ -33,7 +60,14 @@ struct Path
     std::string name;
     PathKind kind = PathKind::Simple;
     std::vector<PlaceId> places;
+    std::vector<PathBranch> branches{};
+    std::array<std::uint8_t, 3> color{240, 150, 40}; ///< sRGB
+    std::string unknownMembers{};                    ///< see Scene::unknownMembers
     friend bool operator==(const Path&, const Path&) = default;
 };
+
+/// Walking speed of those who were given none, m/s.
+inline constexpr float kUsualWalkingSpeed = 1.3F;
+inline constexpr float kMaxWalkingSpeed = 10.0F;
 
 } // namespace crowd::model

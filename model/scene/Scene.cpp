@@ -43,6 +43,23 @@ const StageEntry* Scene::findStage(std::uint8_t id) const
     return findById(stages, id);
 }
 
+const Place* Scene::findPlace(PlaceId id) const
+{
+    return findById(places, id);
+}
+
+const Path* Scene::findPath(PathId id) const
+{
+    return findById(paths, id);
+}
+
+bool Scene::hasBehaviour() const
+{
+    const auto followed = population.column(columns::path);
+    return std::ranges::any_of(rules, &Rule::isEnabled) ||
+           std::ranges::any_of(followed, [](PathId path) { return path != 0; });
+}
+
 std::vector<WorldSeat> Scene::worldSeats() const
 {
     std::vector<WorldSeat> seats;

@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 
 #include "model/population/Population.h"
+#include "model/scene/Path.h"
+#include "model/scene/Rule.h"
 #include "model/scene/Stage.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"
@@ -107,6 +109,10 @@ struct Scene
     std::vector<StageEntry> stages;       ///< ascending ids
     std::vector<NamedCamera> cameras;
     Lighting lighting;
+    std::vector<Place> places; ///< ascending ids
+    std::vector<Path> paths;   ///< ascending ids; their places are there
+    std::vector<Rule> rules;   ///< the first ones matter most; may name what is gone
+    std::vector<TagName> tags; ///< ascending bits; those that have a name
     std::uint32_t seed = 1;
     /// JSON text of an object with those top-level members of the project file that this version
     /// does not know, empty for none; written back unchanged. Entries keep theirs in the same way.
@@ -119,6 +125,10 @@ struct Scene
     [[nodiscard]] const TemplateEntry* findTemplate(TemplateId id) const; ///< null: no such entry
     [[nodiscard]] TemplateEntry* findTemplate(TemplateId id);
     [[nodiscard]] const StageEntry* findStage(std::uint8_t id) const;
+    [[nodiscard]] const Place* findPlace(PlaceId id) const;
+    [[nodiscard]] const Path* findPath(PathId id) const;
+    /// Whether play has more to do than to run clips: somebody follows a path, or there are rules.
+    [[nodiscard]] bool hasBehaviour() const;
     /// All seats of the loaded stages, ascending by id.
     [[nodiscard]] std::vector<WorldSeat> worldSeats() const;
     /// Bounds of stages and people; a 20 m square on the ground when there is nothing.

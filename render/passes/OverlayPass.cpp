@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
+constexpr float kHiddenAreaOpacity = 0.2F;
 
 struct MarkerVertex
 {
@@ -92,6 +93,7 @@ void OverlayPass::draw(const PassContext& context)
     glEnable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);
+    drawAreas(context);
     drawMarkers(context);
     drawLines(context);
     glDepthMask(GL_TRUE);
@@ -115,6 +117,33 @@ void OverlayPass::drawMarkers(const PassContext& context)
     glBindVertexArray(m_markerArray.name());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(vertices.size()));
     context.countDraw(static_cast<std::int64_t>(vertices.size()) * 2);
+}
+
+void OverlayPass::drawAreas(const PassContext& context)
+{
+    if (context.input.areas.empty()) {
+        return;
+    }
+    std::vector<LineVertex> vertices;
+    vertices.reserve(context.input.areas.size() * 3);
+    for (const OverlayTriangle& area : context.input.areas) {
+        for (const glm::vec3& corner : area.corners) {
+            vertices.push_back({corner, linear(area.color)});
+        }
+    }
+    stream(m_lines, vertices);
+    m_line.use();
+    context.setCommon(m_line);
+    glBindVertexArray(m_lineArray.name());
+    const auto count = static_cast<GLsizei>(vertices.size());
+    m_line.set("opacity", kHiddenAreaOpacity);
+    glDepthFunc(GL_GREATER);
+    glDrawArrays(GL_TRIANGLES, 0, count);
+    m_line.set("opacity", 1.0F);
+    glDepthFunc(GL_LEQUAL);
+    glDrawArrays(GL_TRIANGLES, 0, count);
+    context.countDraw(count / 3);
+    context.countDraw(count / 3);
 }
 
 void OverlayPass::drawLines(const PassContext& context)

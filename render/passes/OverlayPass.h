@@ -17,6 +17,7 @@ public:
 
 private:
     void drawMarkers(const PassContext& context);
+    void drawAreas(const PassContext& context);
     void drawLines(const PassContext& context);
 
     ShaderProgram m_marker;

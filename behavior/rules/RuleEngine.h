@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/population/Population.h"
+#include "model/scene/Rule.h"
+#include "model/scene/Scene.h"
+
+namespace crowd::behavior {
+
+/// What rules can ask of people and let them do; a session is one. Agents count from 0.
+class RuleHost
+{
+public:
+    virtual ~RuleHost() = default;
+    [[nodiscard]] virtual std::size_t agents() const = 0;
+    [[nodiscard]] virtual glm::vec3 position(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual model::IndividualId id(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual model::TemplateId templateOf(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual std::uint32_t group(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual bool isSeated(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual bool isGone(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual model::PathId pathOf(std::uint32_t agent) const = 0;
+    /// PathFollower::Happening of the last step.
+    [[nodiscard]] virtual std::uint8_t happenings(std::uint32_t agent) const = 0;
+    [[nodiscard]] virtual model::PlaceId reachedPlace(std::uint32_t agent) const = 0;
+    /// Seconds that the clip takes; below 0: there is no such clip.
+    virtual float play(std::uint32_t agent, const std::string& clip, bool isLooped) = 0;
+    virtual void endClip(std::uint32_t agent) = 0;
+    /// False: there is no such path.
+    virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
+    virtual void sendTo(std::uint32_t agent, const glm::vec3& point) = 0;
+    virtual void stop(std::uint32_t agent) = 0;
+    virtual void goOn(std::uint32_t agent) = 0;
+    virtual void setPace(std::uint32_t agent, float metresPerSecond) = 0;
+    virtual void turnTo(std::uint32_t agent, const glm::vec3& point) = 0;
+    virtual void leave(std::uint32_t agent) = 0;
+};
+
+/// "A rule fired", for the artist's log.
+struct RuleFired
+{
+    std::uint64_t step = 0;
+    model::RuleId rule = 0;
+    model::IndividualId who = 0;
+    friend bool operator==(const RuleFired&, const RuleFired&) = default;
+};
+
+/// Runs rules over people: looks what has happened since the last step, starts sequences where
+/// conditions hold and goes on with those that run. Serial and in a fixed order, so the same scene
+/// and the same events give the same bits. Sent events arrive at the next step at the earliest: no
+/// cycle of events can close within one.
+class RuleEngine
+{
+public:
+    /// Takes over rules and places; sequences that run go on where their rule is unchanged.
+    void setRules(const model::Scene& scene);
+    /// Agents are other ones now; see PathFollower::rearrange. Tags come from the scene.
+    void setPeople(const model::Population& people, std::span<const std::uint32_t> keep);
+    void setTags(std::uint32_t agent, std::uint64_t tags);
+    [[nodiscard]] std::uint64_t tags(std::uint32_t agent) const { return m_minds[agent].tags; }
+
+    void step(RuleHost& host, std::uint64_t step);
+    void send(const std::string& event, float payload, std::uint32_t agent,
+              const glm::vec3& origin);
+
+    /// How often a rule fired in this session.
+    [[nodiscard]] std::uint64_t count(model::RuleId rule) const;
+    [[nodiscard]] const std::map<model::RuleId, std::uint64_t>& counts() const { return m_counts; }
+    /// What fired since the last call, at most some thousand entries.
+    [[nodiscard]] std::vector<RuleFired> takeLog();
+    /// Sentences about what went wrong while running, each once.
+    [[nodiscard]] const std::vector<std::string>& problems() const { return m_problems; }
+    /// For whom a rule fired within the last half second.
+    [[nodiscard]] bool isLit(std::uint32_t agent, std::uint64_t step) const;
+    [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
+
+private:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+    struct Cause
+    {
+        float payload = 0.0F;
+        glm::vec3 origin{0.0F};
+        bool hasOrigin = false;
+    };
+    struct Waiting
+    {
+        model::RuleId rule = 0;
+        Cause cause;
+    };
+    /// What somebody is busy with.
+    struct Mind
+    {
+        std::uint64_t tags = 0;
+        std::uint32_t rule = kNone; ///< index
+        std::uint32_t action = 0;
+        std::uint32_t firings = 0; ///< keys his draws
+        bool isStarted = false;    ///< the action has begun
+        bool isTravelling = false; ///< until an errand ends
+        double until = 0.0;        ///< seconds
+        Cause cause;
+        std::vector<Waiting> queue;
+        std::uint64_t litStep = 0;
+        bool hasSeenStart = false;
+    };
+    /// What a rule knows of each individual.
+    struct Memory
+    {
+        double last = -1e18;
+        double next = -1.0; ///< Every
+        std::uint32_t count = 0;
+        bool wasThere = false; ///< Entered, Left, TagNear
+    };
+    struct Event
+    {
+        double due = 0.0;
+        std::uint64_t order = 0;
+        std::string name;
+        float payload = 0.0F;
+        model::IndividualId who = 0;
+        glm::vec3 origin{0.0F};
+    };
+
+    void deliver(RuleHost& host);
+    void lookAround(RuleHost& host);
+    void lookAt(RuleHost& host, std::uint32_t rule);
+    void lookForTags(RuleHost& host, std::uint32_t rule);
+    [[nodiscard]] bool happensTo(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
+    [[nodiscard]] bool isInside(RuleHost& host, model::PlaceId place, std::uint32_t agent) const;
+    [[nodiscard]] bool holds(RuleHost& host, const model::Rule& rule, std::uint32_t agent) const;
+    [[nodiscard]] bool holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
+                             std::uint32_t agent) const;
+    void fire(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
+    void begin(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
+    void goOn(RuleHost& host, std::uint32_t agent);
+    /// True: the action is over.
+    [[nodiscard]] bool run(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void send(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;
+    void complain(std::string problem);
+    void indexPeople(RuleHost& host);
+
+    std::vector<model::Rule> m_rules; ///< enabled ones, the first matters most
+    std::vector<model::Place> m_places;
+    std::vector<model::TagName> m_tagNames;
+    std::vector<Mind> m_minds;                 ///< by agent
+    std::vector<std::vector<Memory>> m_memory; ///< by rule, by agent
+    std::vector<Event> m_events;               ///< heap: the earliest first
+    std::vector<std::pair<model::IndividualId, std::uint32_t>> m_agentOf; ///< ascending
+    std::map<model::RuleId, std::uint64_t> m_counts;
+    std::vector<RuleFired> m_log;
+    std::vector<std::string> m_problems;
+    std::uint64_t m_order = 0;
+    std::uint64_t m_step = 0;
+    double m_now = 0.0;
+    std::uint32_t m_seed = 1;
+};
+
+} // namespace crowd::behavior

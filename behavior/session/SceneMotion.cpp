@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/SceneMotion.h"
+
+#include <algorithm>
+
+#include "behavior/surface/WalkSurface.h"
+
+namespace crowd::behavior {
+
+SceneMotion::SceneMotion(const model::Scene& scene)
+    : m_scene(scene),
+      m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates))
+{
+    if (!scene.hasBehaviour()) {
+        return;
+    }
+    const bool hasStage =
+        std::ranges::any_of(scene.stages, [](const auto& stage) { return stage.asset != nullptr; });
+    if (hasStage) {
+        std::vector<glm::vec3> points;
+        const auto positions = scene.population.column(model::columns::position);
+        points.assign(positions.begin(), positions.end());
+        for (const model::Place& place : scene.places) {
+            points.push_back(place.position);
+        }
+        WalkSurface::Progress progress;
+        auto built = WalkSurface::build(scene.stages, points, {}, progress);
+        if (built) {
+            m_surface = built.value();
+        } else {
+            m_surfaceProblem = built.error().message;
+        }
+    }
+    begin();
+}
+
+SceneMotion::~SceneMotion() = default;
+
+void SceneMotion::begin()
+{
+    m_session = std::make_unique<Session>(m_scene);
+    if (m_surface) {
+        m_session->setSurface(m_surface);
+    }
+    m_after = m_session->pose();
+    m_before = m_after;
+}
+
+model::CrowdFramePtr SceneMotion::at(double seconds)
+{
+    model::CrowdFrame frame{m_scene.population, m_templates, seconds};
+    if (m_session) {
+        if (seconds < m_before->seconds) {
+            begin();
+        }
+        while (m_after->seconds < seconds - 1e-9) {
+            m_session->step();
+            m_before = std::exchange(m_after, m_session->pose());
+        }
+        applyPose(*m_before, *m_after, frame);
+    }
+    return std::make_shared<const model::CrowdFrame>(std::move(frame));
+}
+
+std::vector<std::string> SceneMotion::problems() const
+{
+    std::vector<std::string> problems;
+    if (m_session) {
+        problems = m_session->warnings();
+    }
+    if (!m_surfaceProblem.empty()) {
+        problems.push_back(m_surfaceProblem);
+    }
+    return problems;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "behavior/session/Session.h"
+
+namespace crowd::behavior {
+
+/// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
+/// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
+class SceneMotion
+{
+public:
+    /// The scene's stages are loaded; it outlives this.
+    explicit SceneMotion(const model::Scene& scene);
+    ~SceneMotion();
+
+    [[nodiscard]] model::CrowdFramePtr at(double seconds);
+    /// Sentences about what could not be followed.
+    [[nodiscard]] std::vector<std::string> problems() const;
+
+private:
+    void begin();
+
+    const model::Scene& m_scene;
+    std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
+    std::shared_ptr<const WalkSurface> m_surface;
+    std::string m_surfaceProblem;
+    std::unique_ptr<Session> m_session;
+    SessionPosePtr m_before;
+    SessionPosePtr m_after;
+};
+
+} // namespace crowd::behavior

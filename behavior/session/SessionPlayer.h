@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "behavior/session/Session.h"
+
+namespace crowd::behavior {
+
+/// Runs a session on a thread of its own, a little ahead of the picture, so that a slow step never
+/// makes anybody wait. All functions are called by one thread, which shows the picture; edits and
+/// events take effect at the next step that is computed.
+class SessionPlayer
+{
+public:
+    struct Report
+    {
+        std::vector<std::string> problems; ///< sentences for the artist
+        std::map<model::RuleId, std::uint64_t> fired;
+        double stepMs = 0.0; ///< of the last step
+    };
+
+    /// `published` is called on the session's thread after every step.
+    explicit SessionPlayer(std::function<void()> published);
+    ~SessionPlayer();
+    SessionPlayer(const SessionPlayer&) = delete;
+    SessionPlayer& operator=(const SessionPlayer&) = delete;
+
+    /// `seconds` is what the transport shows as it begins.
+    void start(const model::Scene& scene, double seconds = 0.0,
+               std::shared_ptr<const WalkSurface> surface = nullptr);
+    /// The session is gone; the scene is as it was.
+    void stop();
+    [[nodiscard]] bool isRunning() const { return m_thread.joinable(); }
+
+    /// The scene was edited; see Session::adopt().
+    void adopt(const model::Scene& scene, bool arePosesKept = false);
+    void setSurface(std::shared_ptr<const WalkSurface> surface);
+    void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
+
+    /// Steps are wanted up to a bit after this time, seconds.
+    void request(double seconds);
+    /// Time of the last step that is done.
+    [[nodiscard]] double available() const;
+    /// Puts people where they are at frame.seconds, as far as that has been computed.
+    void pose(model::CrowdFrame& frame) const;
+    /// For whom a rule fired shortly before the last step.
+    [[nodiscard]] std::vector<model::IndividualId> lit() const;
+    [[nodiscard]] Report report() const;
+    [[nodiscard]] std::vector<RuleFired> takeLog();
+
+private:
+    using Order = std::function<void(Session&)>;
+
+    void run(std::stop_token token);
+    void give(Order order);
+    void publish(Session& session, double stepMs);
+
+    std::function<void()> m_published;
+    std::unique_ptr<Session> m_session; ///< the thread's, once it runs
+    std::jthread m_thread;
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    // Under the mutex.
+    std::vector<Order> m_orders;
+    double m_wanted = 0.0;
+    std::deque<SessionPosePtr> m_poses; ///< the latest ones, ascending
+    Report m_report;
+    std::vector<RuleFired> m_log;
+};
+
+} // namespace crowd::behavior

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/SessionPose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kFarBelow = -1e5F;
+constexpr float kJumpMetres = 1.5F; ///< further in one step is no walk
+constexpr float kPi = 3.14159265F;
+
+struct Columns
+{
+    std::vector<model::IndividualId> ids;
+    std::vector<glm::vec3> positions;
+    std::vector<float> headings;
+    std::vector<std::uint16_t> clips;
+    std::vector<float> phases;
+    std::vector<float> rates;
+
+    explicit Columns(std::size_t people)
+    {
+        ids.reserve(people);
+        positions.reserve(people);
+        headings.reserve(people);
+        clips.reserve(people);
+        phases.reserve(people);
+        rates.reserve(people);
+    }
+};
+
+/// Phase at which a reader who adds the time that has passed comes to the place at `seconds`.
+float phaseFor(const PersonPose& pose, double place, double seconds)
+{
+    if (pose.clipSeconds <= 0.0F) {
+        return 0.0F;
+    }
+    const double phase =
+        place - seconds * static_cast<double>(pose.rate) / static_cast<double>(pose.clipSeconds);
+    return static_cast<float>(pose.isLooped ? phase - std::floor(phase) : phase);
+}
+
+void put(const PersonPose& from, const PersonPose& to, double share, double poseSeconds,
+         double seconds, Columns& columns)
+{
+    const auto part = static_cast<float>(share);
+    glm::vec3 position = from.position + (to.position - from.position) * part;
+    const glm::vec3 way = to.position - from.position;
+    if (way.x * way.x + way.y * way.y + way.z * way.z > kJumpMetres * kJumpMetres) {
+        position = part < 0.5F ? from.position : to.position;
+    }
+    if (from.isGone) {
+        position = {0.0F, kFarBelow, 0.0F};
+    }
+    const float turn = std::remainder(to.heading - from.heading, 2.0F * kPi);
+    const double moved = from.clipSeconds > 0.0F
+                             ? (seconds - poseSeconds) * static_cast<double>(from.rate) /
+                                   static_cast<double>(from.clipSeconds)
+                             : 0.0;
+    columns.ids.push_back(from.id);
+    columns.positions.push_back(position);
+    columns.headings.push_back(std::remainder(from.heading + turn * part, 2.0F * kPi));
+    columns.clips.push_back(from.clip);
+    columns.phases.push_back(phaseFor(from, from.place + moved, seconds));
+    columns.rates.push_back(from.rate);
+}
+
+} // namespace
+
+void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame)
+{
+    const double length = after.seconds - before.seconds;
+    const double share =
+        length > 0.0 ? std::clamp((frame.seconds - before.seconds) / length, 0.0, 1.0) : 0.0;
+    // Later than the last step: it stands until the next one is done.
+    const double seconds = length > 0.0 ? frame.seconds : before.seconds;
+    Columns columns(before.people.size());
+    const auto present = frame.population.ids();
+    std::size_t row = 0;
+    std::size_t next = 0;
+    for (const PersonPose& pose : before.people) {
+        while (row < present.size() && present[row] < pose.id) {
+            ++row;
+        }
+        while (next < after.people.size() && after.people[next].id < pose.id) {
+            ++next;
+        }
+        if (row >= present.size() || present[row] != pose.id) {
+            continue;
+        }
+        const bool goesOn = next < after.people.size() && after.people[next].id == pose.id;
+        put(pose, goesOn ? after.people[next] : pose, share, before.seconds, seconds, columns);
+        // The reader's clock is the frame's, wherever the pose's stands.
+        if (seconds != frame.seconds) {
+            const double place = pose.place;
+            columns.phases.back() = phaseFor(pose, place, frame.seconds);
+        }
+    }
+    if (columns.ids.empty()) {
+        return;
+    }
+    model::Population& people = frame.population;
+    namespace keys = model::columns;
+    people.setValues<glm::vec3>(keys::position, columns.ids, columns.positions);
+    people.setValues<float>(keys::heading, columns.ids, columns.headings);
+    people.setValues<std::uint16_t>(keys::clip, columns.ids, columns.clips);
+    people.setValues<float>(keys::phase, columns.ids, columns.phases);
+    people.setValues<float>(keys::playbackSpeed, columns.ids, columns.rates);
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/scene/CrowdFrame.h"
+
+namespace crowd::behavior {
+
+/// What one individual does at the end of a step.
+struct PersonPose
+{
+    model::IndividualId id = 0;
+    std::uint16_t clip = 0; ///< as the clip column counts
+    bool isLooped = true;
+    bool isGone = false;      ///< has left the scene
+    glm::vec3 position{0.0F}; ///< metres
+    float heading = 0.0F;     ///< radians
+    float rate = 1.0F;        ///< playback speed
+    float clipSeconds = 0.0F; ///< 0: a pose
+    double place = 0.0;       ///< in the clip; loops 0..1
+};
+
+/// Everybody whom a session moves at one of its steps; whoever is not here is as the scene says.
+/// Immutable once published; read on any thread.
+struct SessionPose
+{
+    std::uint64_t step = 0;
+    double seconds = 0.0;
+    std::vector<PersonPose> people;       ///< ascending ids
+    std::vector<model::IndividualId> lit; ///< for whom a rule fired lately; ascending
+};
+
+using SessionPosePtr = std::shared_ptr<const SessionPose>;
+
+/// Puts people where they are at frame.seconds, between two steps (the second may be the first).
+/// People whom the frame does not have are left out. Who has left is put far below the ground.
+void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame);
+
+} // namespace crowd::behavior

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/EnvironmentJson.h"
+
+#include <charconv>
+
+#include "model/project/JsonWriting.h"
+
+namespace crowd::model {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<const char*, 6> kRoles{"spot",     "obstacle", "attractor",
+                                            "repeller", "exit",     "slow"};
+constexpr std::array<const char*, 3> kKinds{"simple", "cyclic", "teleport"};
+constexpr float kMaxWeight = 1000.0F;
+
+json toJson(const Place& place)
+{
+    json object = {{"id", place.id},
+                   {"name", place.name},
+                   {"position", numbers(place.position)},
+                   {"radius", number(place.radius)},
+                   {"color", colorText(place.color)}};
+    if (place.role != PlaceRole::Spot) {
+        object["role"] = kRoles[static_cast<std::size_t>(place.role)];
+    }
+    return withUnknown(place.unknownMembers, object);
+}
+
+json toJson(const Path& path)
+{
+    json object = {{"id", path.id},
+                   {"name", path.name},
+                   {"kind", kKinds[static_cast<std::size_t>(path.kind)]},
+                   {"color", colorText(path.color)},
+                   {"places", path.places}};
+    for (const PathBranch& branch : path.branches) {
+        object["branches"].push_back(
+            {{"place", branch.place}, {"path", branch.path}, {"weight", number(branch.weight)}});
+    }
+    return withUnknown(path.unknownMembers, object);
+}
+
+Place placeFrom(JsonFields fields)
+{
+    Place place;
+    fields.require("id", place.id);
+    fields.read("name", place.name);
+    fields.require("position", place.position);
+    readWithin(fields, "radius", kMinPlaceRadius, kMaxPlaceRadius, place.radius);
+    readColor(fields, "color", place.color);
+    readName(fields, "role", kRoles, place.role);
+    place.unknownMembers = fields.unknown();
+    return place;
+}
+
+void readPlacesOf(JsonFields& fields, Path& path)
+{
+    const json* places = fields.find("places");
+    if (places == nullptr) {
+        return;
+    }
+    const auto isId = [](const json& id) {
+        return id.is_number_unsigned() && id.get<std::uint64_t>() <= 0xFFFFFFFFU;
+    };
+    if (!places->is_array() || !std::ranges::all_of(*places, isId)) {
+        fields.complain("places", "must be a list of ids of places");
+        return;
+    }
+    path.places = places->get<std::vector<PlaceId>>();
+}
+
+Path pathFrom(JsonFields fields, const std::string& where, std::string& problem)
+{
+    Path path;
+    fields.require("id", path.id);
+    fields.read("name", path.name);
+    readName(fields, "kind", kKinds, path.kind);
+    readColor(fields, "color", path.color);
+    readPlacesOf(fields, path);
+    readObjects(fields, "branches", where + ".", problem,
+                [&path](JsonFields branch, const std::string&) {
+                    PathBranch& read = path.branches.emplace_back();
+                    branch.require("place", read.place);
+                    branch.require("path", read.path);
+                    readWithin(branch, "weight", 0.0F, kMaxWeight, read.weight);
+                });
+    path.unknownMembers = fields.unknown();
+    return path;
+}
+
+/// Ascending ids, none 0, none twice.
+template<class Entry>
+void sortEntries(std::vector<Entry>& entries, const char* key, std::string& problem)
+{
+    std::ranges::sort(entries, {}, &Entry::id);
+    for (std::size_t i = 0; i < entries.size() && problem.empty(); ++i) {
+        if (entries[i].id == 0 || (i > 0 && entries[i].id == entries[i - 1].id)) {
+            problem = std::string(key) + ": the id " + std::to_string(entries[i].id) +
+                      (entries[i].id == 0 ? " is not allowed" : " is given twice");
+        }
+    }
+}
+
+/// Paths may name only places and paths that are there.
+void checkNames(const Scene& scene, std::string& problem)
+{
+    for (const Path& path : scene.paths) {
+        const std::string name = "paths: \"" + path.name + "\" (id " + std::to_string(path.id);
+        for (const PlaceId id : path.places) {
+            if (scene.findPlace(id) == nullptr && problem.empty()) {
+                problem = name + ") names the place " + std::to_string(id) + ", which is not there";
+            }
+        }
+        for (const PathBranch& branch : path.branches) {
+            if (scene.findPath(branch.path) == nullptr && problem.empty()) {
+                problem = name + ") branches off to the path " + std::to_string(branch.path) +
+                          ", which is not there";
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::string colorText(const std::array<std::uint8_t, 3>& color)
+{
+    static constexpr char kHex[] = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t byte : color) {
+        text += kHex[byte >> 4U];
+        text += kHex[byte & 15U];
+    }
+    return text;
+}
+
+void readColor(JsonFields& fields, const char* key, std::array<std::uint8_t, 3>& color)
+{
+    std::string text = colorText(color);
+    fields.read(key, text);
+    if (text.size() == 7 && text[0] == '#') {
+        unsigned value = 0;
+        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+        if (error == std::errc() && end == text.data() + 7) {
+            color = {static_cast<std::uint8_t>(value >> 16U),
+                     static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)};
+            return;
+        }
+    }
+    fields.complain(key, "must be a colour, as \"#f0962c\"");
+}
+
+void writeEnvironment(const Scene& scene, json& top)
+{
+    for (const Place& place : scene.places) {
+        top["places"].push_back(toJson(place));
+    }
+    for (const Path& path : scene.paths) {
+        top["paths"].push_back(toJson(path));
+    }
+}
+
+void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
+{
+    readObjects(top, "places", "", problem, [&scene](JsonFields fields, const std::string&) {
+        scene.places.push_back(placeFrom(std::move(fields)));
+    });
+    readObjects(top, "paths", "", problem,
+                [&scene, &problem](JsonFields fields, const std::string& where) {
+                    scene.paths.push_back(pathFrom(std::move(fields), where, problem));
+                });
+    sortEntries(scene.places, "places", problem);
+    sortEntries(scene.paths, "paths", problem);
+    checkNames(scene, problem);
+}
+
+} // namespace crowd::model

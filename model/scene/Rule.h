@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/population/Columns.h"
+#include "model/scene/Path.h"
+
+/// Rules as data: "when this happens, and these conditions hold, do this sequence". What they mean
+/// is behavior's affair. Metres, seconds.
+namespace crowd::model {
+
+using RuleId = std::uint32_t;
+
+inline constexpr int kTagCount = 64; ///< bits of the tags column
+
+struct ClipWeight
+{
+    std::string clip; ///< by name: each template has its own
+    float weight = 1.0F;
+    friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
+};
+
+/// A tag as the artist knows it.
+struct TagName
+{
+    std::uint8_t bit = 0; ///< 0..63
+    std::string name;
+    std::array<std::uint8_t, 3> color{200, 80, 200}; ///< sRGB
+    friend bool operator==(const TagName&, const TagName&) = default;
+};
+
+enum class TriggerKind : std::uint8_t {
+    Start,     ///< the session begins
+    Event,     ///< an event by name
+    Arrived,   ///< reached the place it was going to
+    Entered,   ///< came into a place's circle
+    Left,      ///< came out of it
+    PathEnded, ///< reached the end of a simple path
+    ClipEnded, ///< a clip that was played once is over
+    Every,     ///< again and again
+    TagNear    ///< somebody with a tag came near
+};
+
+struct Trigger
+{
+    TriggerKind kind = TriggerKind::Event;
+    std::string event;    ///< Event
+    PlaceId place = 0;    ///< Arrived, Entered, Left; 0: any
+    PathId path = 0;      ///< PathEnded; 0: any
+    float seconds = 5.0F; ///< Every
+    float jitter = 0.2F;  ///< Every: share of the time, 0..1
+    std::uint8_t tag = 0; ///< TagNear
+    float metres = 3.0F;  ///< TagNear
+    friend bool operator==(const Trigger&, const Trigger&) = default;
+};
+
+enum class ConditionKind : std::uint8_t {
+    HasTag,
+    OfTemplate,
+    InPlace,
+    FollowsPath, ///< path 0: any
+    IsSeated,
+    Chance
+};
+
+struct Condition
+{
+    ConditionKind kind = ConditionKind::HasTag;
+    bool isNot = false;
+    std::uint8_t tag = 0;
+    TemplateId templateId = 0;
+    PlaceId place = 0;
+    PathId path = 0;
+    float chance = 0.5F; ///< 0..1
+    friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+enum class ActionKind : std::uint8_t {
+    PlayClip,   ///< one of the clips, by weight
+    FollowPath, ///< path
+    GoToPlace,  ///< place
+    Flee,       ///< away from where the event came from, for so many metres
+    Stop,
+    GoOn,     ///< what was being walked before it stopped
+    Wait,     ///< seconds ± half of that
+    SetSpeed, ///< value: m/s; 0: the payload of the event
+    TurnTo,   ///< place; 0: where the event came from
+    AddTag,
+    RemoveTag,
+    SendEvent,
+    LeaveScene,
+    Again ///< from the first action on
+};
+
+/// Whom a sent event reaches.
+enum class EventReach : std::uint8_t { Self, Near, Tagged, Group, Everybody };
+
+struct Action
+{
+    ActionKind kind = ActionKind::PlayClip;
+    std::vector<ClipWeight> clips;
+    bool isLooped = false; ///< PlayClip: for `seconds`, else once
+    float seconds = 3.0F;
+    PathId path = 0;
+    PlaceId place = 0;
+    float value = 0.0F; ///< SetSpeed m/s; SendEvent: payload
+    std::uint8_t tag = 0;
+    std::string event;
+    EventReach reach = EventReach::Near;
+    float metres = 2.0F;
+    float secondsPerMetre = 0.0F; ///< SendEvent: so that a wave runs
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+/// What happens to somebody who is busy with another rule.
+enum class RuleMeeting : std::uint8_t { Interrupt, Queue, Ignore };
+
+struct Rule
+{
+    RuleId id = 0;
+    std::string name;
+    bool isEnabled = true;
+    Trigger trigger;
+    std::vector<Condition> conditions;
+    bool isAnyEnough = false; ///< one of the conditions, else all
+    std::vector<Action> actions;
+    RuleMeeting meeting = RuleMeeting::Interrupt;
+    float cooldownSeconds = 0.0F; ///< for the same individual
+    std::uint32_t limit = 0;      ///< so often for the same individual; 0: as often as it comes
+    std::string unknownMembers;   ///< see Scene::unknownMembers
+    friend bool operator==(const Rule&, const Rule&) = default;
+};
+
+} // namespace crowd::model

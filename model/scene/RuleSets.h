@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "model/scene/Scene.h"
+
+/// Rules to begin with, made for the clips and places of a scene.
+namespace crowd::model {
+
+enum class RuleSet : std::uint8_t {
+    Audience,    ///< applause and cheers that spread from where they began
+    StadiumWave, ///< a wave that runs round
+    Pedestrians, ///< some stop, look and go on; events make them run, walk or stop
+    Panic,       ///< away from it, on to others, out at the exits
+    Flock,       ///< animals that wander, and run when startled
+    Count
+};
+
+/// Without ids: they are given when the rules are added. Empty names stay for what a scene has not.
+[[nodiscard]] std::vector<Rule> rulesOf(RuleSet set, const Scene& scene);
+/// What the rules of a set listen to, for the event brush.
+[[nodiscard]] std::vector<std::string> eventsOf(const Scene& scene);
+/// Gives ids that no rule of the scene has.
+void giveIds(std::vector<Rule>& rules, const Scene& scene);
+
+} // namespace crowd::model

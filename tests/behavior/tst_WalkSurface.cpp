@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include "behavior/session/Session.h"
+#include "behavior/surface/WalkSurface.h"
+
+using namespace crowd;
+using behavior::Session;
+using behavior::WalkSurface;
+
+namespace {
+
+void addBox(model::StageMesh& mesh, glm::vec3 low, glm::vec3 high)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (int corner = 0; corner < 8; ++corner) {
+        mesh.positions.emplace_back((corner & 1) != 0 ? high.x : low.x,
+                                    (corner & 2) != 0 ? high.y : low.y,
+                                    (corner & 4) != 0 ? high.z : low.z);
+    }
+    // Outwards, counter-clockwise.
+    for (const std::uint32_t index :
+         {0U, 4U, 6U, 0U, 6U, 2U, 1U, 3U, 7U, 1U, 7U, 5U, 0U, 1U, 5U, 0U, 5U, 4U,
+          2U, 6U, 7U, 2U, 7U, 3U, 0U, 2U, 3U, 0U, 3U, 1U, 4U, 5U, 7U, 4U, 7U, 6U}) {
+        mesh.indices.push_back(first + index);
+    }
+}
+
+model::StageEntry stageOf(const model::StageMesh& mesh)
+{
+    auto asset = std::make_shared<model::StageAsset>();
+    asset->meshes = {mesh};
+    asset->materials.emplace_back();
+    for (const glm::vec3& position : mesh.positions) {
+        asset->bounds.add(position);
+    }
+    model::StageEntry entry;
+    entry.id = 1;
+    entry.asset = asset;
+    return entry;
+}
+
+/// A house 10 × 10 m and 6 m high around the origin.
+model::StageEntry house()
+{
+    model::StageMesh mesh;
+    addBox(mesh, {-5.0F, 0.0F, -5.0F}, {5.0F, 6.0F, 5.0F});
+    return stageOf(mesh);
+}
+
+/// Stairs of ten steps of 0.2 m to a platform at 2 m.
+model::StageEntry stairs()
+{
+    model::StageMesh mesh;
+    for (int step = 0; step < 10; ++step) {
+        const auto at = static_cast<float>(step);
+        addBox(mesh, {-3.0F, 0.0F, at * 0.35F}, {3.0F, 0.2F * (at + 1.0F), 12.0F});
+    }
+    return stageOf(mesh);
+}
+
+std::shared_ptr<const WalkSurface> surfaceOf(const model::StageEntry& stage)
+{
+    WalkSurface::Progress progress;
+    const std::vector<model::StageEntry> stages{stage};
+    auto built = WalkSurface::build(stages, {}, {}, progress);
+    if (!built) {
+        qWarning("%s", built.error().message.c_str());
+        return nullptr;
+    }
+    return built.value();
+}
+
+model::Scene walkerFrom(const glm::vec3& from, const glm::vec3& to)
+{
+    model::Scene scene;
+    auto rows = model::IndividualRows::withDefaults({1});
+    rows.column(model::columns::position)[0] = from;
+    rows.column(model::columns::path)[0] = 1;
+    scene.population.add(rows);
+    scene.places = {{1, "to", to, 0.05F}};
+    scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
+    return scene;
+}
+
+} // namespace
+
+class TestWalkSurface : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void waysGoAroundAHouse();
+    void aWalkerGoesAroundAHouse();
+    void aPathIntoAHouseEndsBeforeIt();
+    void stairsAreClimbed();
+    void nothingToWalkOnIsSaid();
+    void canBeCancelled();
+};
+
+void TestWalkSurface::waysGoAroundAHouse()
+{
+    const auto surface = surfaceOf(house());
+    QVERIFY(surface);
+    QVERIFY(surface->polygons() > 0);
+    const auto way = surface->way({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    QVERIFY(way.size() >= 3);
+    QCOMPARE(way.back(), glm::vec2(9.0F, 0.0F));
+    for (const glm::vec2& corner : way) {
+        QVERIFY(std::max(std::abs(corner.x), std::abs(corner.y)) > 5.1F);
+    }
+    QVERIFY(std::abs(surface->height(-9.0F, 3.0F, 0.4F)) < 0.1F);
+}
+
+void TestWalkSurface::aWalkerGoesAroundAHouse()
+{
+    const auto surface = surfaceOf(house());
+    QVERIFY(surface);
+    Session session(walkerFrom({-9.0F, 0.0F, 0.5F}, {9.0F, 0.0F, 0.0F}));
+    session.setSurface(surface);
+    for (int step = 0; step < 30 * 40; ++step) {
+        session.step();
+        const auto frame = session.frame();
+        const glm::vec3 at = frame->population.column(model::columns::position)[0];
+        QVERIFY2(std::max(std::abs(at.x), std::abs(at.z)) > 5.0F,
+                 QByteArray::number(static_cast<double>(at.x)));
+    }
+    const auto end = session.frame();
+    const glm::vec3 at = end->population.column(model::columns::position)[0];
+    QVERIFY2(std::abs(at.x - 9.0F) < 0.6F, QByteArray::number(static_cast<double>(at.x)));
+    QVERIFY(session.follower().hasArrived(0));
+}
+
+void TestWalkSurface::aPathIntoAHouseEndsBeforeIt()
+{
+    const auto surface = surfaceOf(house());
+    QVERIFY(surface);
+    Session session(walkerFrom({-9.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}));
+    session.setSurface(surface);
+    for (int step = 0; step < 30 * 20; ++step) {
+        session.step();
+    }
+    const auto end = session.frame();
+    const glm::vec3 at = end->population.column(model::columns::position)[0];
+    QVERIFY(std::isfinite(at.x) && at.x < -4.9F);
+}
+
+void TestWalkSurface::stairsAreClimbed()
+{
+    const auto surface = surfaceOf(stairs());
+    QVERIFY(surface);
+    Session session(walkerFrom({0.0F, 0.0F, -4.0F}, {0.0F, 2.0F, 9.0F}));
+    session.setSurface(surface);
+    float highest = 0.0F;
+    for (int step = 0; step < 30 * 30; ++step) {
+        session.step();
+        const auto frame = session.frame();
+        highest = std::max(highest, frame->population.column(model::columns::position)[0].y);
+    }
+    const auto end = session.frame();
+    const glm::vec3 at = end->population.column(model::columns::position)[0];
+    QVERIFY2(std::abs(at.y - 2.0F) < 0.12F, QByteArray::number(static_cast<double>(at.y)));
+    QVERIFY(at.z > 8.0F);
+    QVERIFY(highest < 2.2F);
+}
+
+void TestWalkSurface::nothingToWalkOnIsSaid()
+{
+    WalkSurface::Progress progress;
+    const auto built = WalkSurface::build({}, {}, {}, progress);
+    QVERIFY(!built.isOk());
+    QVERIFY(built.error().message.find("no stage") != std::string::npos);
+}
+
+void TestWalkSurface::canBeCancelled()
+{
+    WalkSurface::Progress progress;
+    progress.isCancelled = true;
+    const std::vector<model::StageEntry> stages{house()};
+    const auto built = WalkSurface::build(stages, {}, {}, progress);
+    QVERIFY(!built.isOk());
+    QVERIFY(built.error().message.find("cancelled") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestWalkSurface)
+#include "tst_WalkSurface.moc"

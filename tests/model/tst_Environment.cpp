@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include "model/document/SceneEdit.h"
+#include "model/project/ProjectReader.h"
+#include "model/project/ProjectWriter.h"
+
+using namespace crowd::model;
+
+namespace {
+
+Place placeAt(float x, float z, const char* name = "door")
+{
+    Place place;
+    place.name = name;
+    place.position = {x, 0.0F, z};
+    place.radius = 1.25F;
+    place.color = {1, 2, 3};
+    return place;
+}
+
+/// Three places, a path over them with a branch to another path, a rule and a tag.
+void furnish(SceneDocument& document)
+{
+    auto edit = document.beginEdit();
+    const PlaceId a = edit->addPlace(placeAt(0.0F, 0.0F, "gate"));
+    const PlaceId b = edit->addPlace(placeAt(5.0F, 0.0F));
+    const PlaceId c = edit->addPlace(placeAt(5.0F, 7.5F));
+    Path side;
+    side.name = "side";
+    side.places = {c, a};
+    const PathId sideId = edit->addPath(side);
+    Path round;
+    round.name = "round";
+    round.kind = PathKind::Cyclic;
+    round.places = {a, b, c, b};
+    round.branches = {{b, sideId, 0.5F}};
+    edit->addPath(round);
+    Rule rule;
+    rule.id = 4;
+    rule.name = "applause";
+    rule.trigger.event = "clap";
+    rule.conditions.push_back({ConditionKind::Chance, true, 3, 1, 2, 1, 0.25F});
+    Action action;
+    action.clips = {{"sit_clap", 2.0F}, {"sit_cheer", 1.0F}};
+    action.reach = EventReach::Tagged;
+    rule.actions = {action, action};
+    rule.limit = 3;
+    edit->setRules({rule});
+    edit->setTags({{0, "brave", {9, 8, 7}}, {63, "late", {1, 1, 1}}});
+    edit->commit(QStringLiteral("Furnish"));
+}
+
+std::string textOf(const Scene& scene)
+{
+    const auto text = projectToText(scene);
+    return text ? text.value() : "refused: " + text.error().message;
+}
+
+std::string sceneText(const std::string& members)
+{
+    return R"({"format": "crowdbrush-scene", "version": 1, )" + members +
+           R"("individuals": {"columns": ["id","template","position"], "rows": []}})";
+}
+
+} // namespace
+
+class TestEnvironment : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void savingKeepsEverything();
+    void undoAndRedoRestoreIdenticalBytes();
+    void filesFromBeforeHaveNone();
+    void aRemovedPlaceLeavesItsPaths();
+    void aRemovedPathIsFollowedByNobody();
+    void aNewPathIsNotTakenForADeletedOne();
+    void refusesWhatIsWrong_data();
+    void refusesWhatIsWrong();
+};
+
+void TestEnvironment::savingKeepsEverything()
+{
+    SceneDocument document;
+    furnish(document);
+    const std::string text = textOf(document.scene());
+    const auto read = projectFromText(text);
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    QCOMPARE(read.value().places, document.scene().places);
+    QCOMPARE(read.value().paths, document.scene().paths);
+    QCOMPARE(read.value().rules, document.scene().rules);
+    QCOMPARE(read.value().tags, document.scene().tags);
+    QCOMPARE(textOf(read.value()), text);
+}
+
+void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
+{
+    SceneDocument document;
+    const std::string empty = textOf(document.scene());
+    furnish(document);
+    const std::string full = textOf(document.scene());
+    {
+        auto edit = document.beginEdit();
+        edit->removePlace(2);
+        edit->removePath(1);
+        edit->setRules({});
+        edit->commit(QStringLiteral("Clear"));
+    }
+    const std::string less = textOf(document.scene());
+    QVERIFY(less != full);
+    document.undoStack().undo();
+    QCOMPARE(textOf(document.scene()), full);
+    document.undoStack().undo();
+    QCOMPARE(textOf(document.scene()), empty);
+    document.undoStack().redo();
+    document.undoStack().redo();
+    QCOMPARE(textOf(document.scene()), less);
+}
+
+void TestEnvironment::filesFromBeforeHaveNone()
+{
+    const auto read = projectFromText(sceneText(""));
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    QVERIFY(read.value().places.empty() && read.value().paths.empty());
+    QVERIFY(read.value().rules.empty() && !read.value().hasBehaviour());
+    QVERIFY(textOf(read.value()).find("paths") == std::string::npos);
+}
+
+void TestEnvironment::aRemovedPlaceLeavesItsPaths()
+{
+    SceneDocument document;
+    furnish(document);
+    auto edit = document.beginEdit();
+    edit->removePlace(2);
+    edit->commit(QStringLiteral("Delete"));
+    const Path* round = document.scene().findPath(2);
+    QCOMPARE(round->places, (std::vector<PlaceId>{1, 3}));
+    QVERIFY(round->branches.empty());
+}
+
+void TestEnvironment::aRemovedPathIsFollowedByNobody()
+{
+    SceneDocument document;
+    furnish(document);
+    auto edit = document.beginEdit();
+    IndividualRows rows = IndividualRows::withDefaults({1, 2});
+    rows.column(columns::path)[0] = 2;
+    rows.column(columns::path)[1] = 1;
+    edit->addIndividuals(std::move(rows));
+    edit->commit(QStringLiteral("Create"));
+    QVERIFY(document.scene().hasBehaviour());
+    edit = document.beginEdit();
+    edit->removePath(1);
+    edit->commit(QStringLiteral("Delete"));
+    const auto followed = document.scene().population.column(columns::path);
+    QCOMPARE(followed[0], 2U);
+    QCOMPARE(followed[1], 0U);
+    QVERIFY(document.scene().findPath(2)->branches.empty());
+    document.undoStack().undo();
+    QCOMPARE(document.scene().population.column(columns::path)[1], 1U);
+}
+
+void TestEnvironment::aNewPathIsNotTakenForADeletedOne()
+{
+    SceneDocument document;
+    auto edit = document.beginEdit();
+    const PathId gone = edit->addPath({});
+    Rule rule;
+    rule.id = 1;
+    rule.actions.emplace_back().kind = ActionKind::FollowPath;
+    rule.actions.back().path = gone;
+    edit->setRules({rule});
+    edit->removePath(gone);
+    QVERIFY(edit->addPath({}) != gone);
+    edit->rollback();
+}
+
+void TestEnvironment::refusesWhatIsWrong_data()
+{
+    QTest::addColumn<QString>("members");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char* name, const char* members, const char* said) {
+        QTest::newRow(name) << QString::fromUtf8(members) << QString::fromUtf8(said);
+    };
+    row("places that are no list", R"("places": 5,)", "places must be a list");
+    row("a place without id", R"("places": [{"position": [0,0,0]}],)", "places[0].id is missing");
+    row("a place without position", R"("places": [{"id": 1}],)", "places[0].position is missing");
+    row("the same place twice",
+        R"("places": [{"id": 1, "position": [0,0,0]}, {"id": 1, "position": [0,0,0]}],)",
+        "id 1 is given twice");
+    row("a place without size", R"("places": [{"id": 1, "position": [0,0,0], "radius": 0}],)",
+        "places[0].radius must lie between");
+    row("an unknown role", R"("places": [{"id": 1, "position": [0,0,0], "role": "x"}],)",
+        "places[0].role must be one of: spot, obstacle");
+    row("a colour that is none", R"("places": [{"id": 1, "position": [0,0,0], "color": "red"}],)",
+        "places[0].color must be a colour");
+    row("a path over a place that is not there", R"("paths": [{"id": 3, "places": [9]}],)",
+        "names the place 9, which is not there");
+    row("a path with names for places", R"("paths": [{"id": 3, "places": ["a"]}],)",
+        "paths[0].places must be a list of ids");
+    row("a branch to nowhere",
+        R"("places": [{"id": 1, "position": [0,0,0]}],
+           "paths": [{"id": 3, "places": [1], "branches": [{"place": 1, "path": 8}]}],)",
+        "branches off to the path 8, which is not there");
+    row("a rule of an unknown kind", R"("rules": [{"id": 1, "when": {"kind": "never"}}],)",
+        "rules[0].when.kind must be one of");
+    row("the same rule twice", R"("rules": [{"id": 1}, {"id": 1}],)", "rules: the id 1");
+    row("a chance above one", R"("rules": [{"id": 1, "if": [{"chance": 2}]}],)",
+        "rules[0].if[0].chance must lie between");
+    row("a clip without a name", R"("rules": [{"id": 1, "do": [{"clips": [{}]}]}],)",
+        "rules[0].do[0].clips[0].clip is missing");
+    row("a tag that is too large", R"("tags": [{"tag": 64}],)", "tags[0].tag must be a tag");
+}
+
+void TestEnvironment::refusesWhatIsWrong()
+{
+    QFETCH(QString, members);
+    QFETCH(QString, said);
+    const auto read = projectFromText(sceneText(members.toStdString()));
+    QVERIFY(!read.isOk());
+    const QString message = QString::fromStdString(read.error().message);
+    QVERIFY2(message.contains(said), qPrintable(message));
+}
+
+QTEST_APPLESS_MAIN(TestEnvironment)
+#include "tst_Environment.moc"
