@@ -75,6 +75,13 @@ QWidget* KeysDialog::picturePage(const widgets::ActionRegistry& actions,
     table.row(tr("%1 and %2, Ctrl + wheel").arg(keysOf("brush-smaller"), keysOf("brush-larger")),
               tr("smaller and larger brush; dragging with Shift does it too"));
     table.row(tr("+ and −"), tr("the brush’s main number: how many, how strong"));
+    table.heading(tr("Paths and behaviour"));
+    table.row(tr("Click with the path brush"), tr("adds a place; on the first place: closes it"));
+    table.row(keysOf("path-end"), tr("ends the path; the next click begins another one"));
+    table.row(tr("Drag a place, or its circle"), tr("moves it, or changes its size (selection)"));
+    table.row(tr("%1, %2").arg(keysOf("step"), keysOf("stop")),
+              tr("one step; back to the start, everybody where the scene has them"));
+    table.row(keysOf("keep-pose"), tr("keeps everybody where they are now"));
     table.heading(tr("Selecting"));
     table.row(tr("Click, or drag a rectangle"), tr("selects; Shift adds, Ctrl changes"));
     table.row(tr("Drag somebody"), tr("moves those who are selected, to free seats or the ground"));

@@ -9,6 +9,7 @@
 #include <QtGui/QCloseEvent>
 #include <QtGui/QKeyEvent>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QMessageBox>
@@ -95,6 +96,8 @@ void MainWindow::addDocks()
     auto* templates = new widgets::TemplatesDock(m_state, this);
     auto* scene = new widgets::SceneDock(m_state, this);
     auto* individual = new widgets::IndividualDock(m_state, this);
+    auto* environment = new widgets::EnvironmentDock(m_state, this);
+    auto* rules = new widgets::RulesDock(m_state, this);
     auto* history = new widgets::HistoryDock(m_state, this);
     m_layout.add(new widgets::BrushPaletteDock(m_state, this), Qt::LeftDockWidgetArea);
     m_layout.add(new widgets::BrushSettingsDock(m_state, this), Qt::LeftDockWidgetArea);
@@ -102,11 +105,15 @@ void MainWindow::addDocks()
     m_layout.add(new widgets::ColourDock(m_state, this), Qt::RightDockWidgetArea);
     m_layout.add(individual, Qt::RightDockWidgetArea);
     m_layout.add(scene, Qt::RightDockWidgetArea);
+    m_layout.add(environment, Qt::RightDockWidgetArea);
+    m_layout.add(rules, Qt::RightDockWidgetArea);
     m_layout.add(history, Qt::RightDockWidgetArea);
     m_console = new ConsoleDock(m_interpreter, this);
     m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
     tabifyDockWidget(individual, scene);
-    tabifyDockWidget(scene, history);
+    tabifyDockWidget(scene, environment);
+    tabifyDockWidget(environment, rules);
+    tabifyDockWidget(rules, history);
     individual->raise();
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,
             &AssetController::importTemplate);
@@ -165,6 +172,32 @@ void MainWindow::buildToolBar()
             bar->addAction(m_actions.action(id));
         }
     }
+    addSpeedField(*bar);
+}
+
+/// How many times faster than life it plays.
+void MainWindow::addSpeedField(QToolBar& bar)
+{
+    auto* speed = new QDoubleSpinBox(&bar);
+    speed->setObjectName(QStringLiteral("playSpeed"));
+    speed->setRange(0.1, 8.0);
+    speed->setSingleStep(0.1);
+    speed->setDecimals(1);
+    speed->setPrefix(tr("× "));
+    speed->setToolTip(tr("Speed of play"));
+    speed->setFocusPolicy(Qt::ClickFocus);
+    speed->setKeyboardTracking(false);
+    speed->setValue(m_state.transport().state().speed);
+    bar.addWidget(speed);
+    connect(speed, &QDoubleSpinBox::valueChanged, this,
+            [this](double value) { m_state.transport().setSpeed(value); });
+    connect(speed, &QDoubleSpinBox::editingFinished, m_viewport,
+            [this] { m_viewport->setFocus(); });
+    connect(&m_state.transport(), &widgets::Transport::stateChanged, speed,
+            [speed](const widgets::TransportState& state) {
+                const QSignalBlocker blocker(speed);
+                speed->setValue(state.speed);
+            });
 }
 
 void MainWindow::connectParts()
@@ -192,6 +225,17 @@ void MainWindow::connectParts()
     connect(&m_state, &widgets::EditorState::brushChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
     connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
+    connect(&m_state.paths(), &widgets::PathFocus::changed, this, refresh);
+    connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, refresh);
+    connect(&m_state.session(), &widgets::SessionControl::posesKept, this, [this](int people) {
+        m_state.showStatus(tr("%n people are kept where they are", nullptr, people));
+    });
+    connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, [this] {
+        const std::vector<std::string> problems = m_state.session().problems();
+        if (m_state.session().isRunning() && !problems.empty()) {
+            m_state.showStatus(QString::fromStdString(problems.front()));
+        }
+    });
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
     connect(&m_layout, &DockLayout::hiddenChanged, this, [this](bool isHidden) {
         refreshActions();
@@ -236,11 +280,17 @@ void MainWindow::refreshActions()
         m_actions.action(id)->setEnabled(m_state.activeBrush() != nullptr);
     }
     const bool hasSelection = !m_state.selection().isEmpty();
-    m_actions.action("delete")->setEnabled(hasSelection);
+    m_actions.action("delete")->setEnabled(hasSelection || !m_state.paths().places().empty());
     m_actions.action("select-none")->setEnabled(hasSelection);
     check("seat-grid", m_state.isSeatGridOn());
     check("ground-grid", m_state.viewOptions().showGroundGrid);
     check("shadows", m_state.viewOptions().showShadows);
+    check("paths", m_state.viewOptions().showPaths);
+    check("tags", m_state.viewOptions().showTags);
+    const bool isRunning = m_state.session().isRunning();
+    m_actions.action("keep-pose")->setEnabled(isRunning);
+    m_actions.action("path-of-places")->setEnabled(m_state.paths().places().size() > 1);
+    m_actions.action("path-end")->setEnabled(m_state.paths().isPainting());
     check("look-lit", m_state.viewOptions().look == render::Look::Lit);
     const bool isPlaying = m_state.transport().isPlaying();
     check("play", isPlaying);

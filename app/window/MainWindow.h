@@ -15,6 +15,7 @@
 #include "widgets/viewport/ViewportWidget.h"
 
 class QMenu;
+class QToolBar;
 
 namespace crowd::app {
 
@@ -59,6 +60,7 @@ private:
     void addDocks();
     void buildMenus();
     void buildToolBar();
+    void addSpeedField(QToolBar& bar);
     void connectParts();
     void warn(const QString& title, const QString& message);
     void refreshTitle();

@@ -5,10 +5,13 @@
 #include <array>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
+#include "widgets/tools/PlaceHandles.h"
 #include "widgets/viewport/SelectionCommands.h"
 #include "widgets/viewport/ViewCommands.h"
 
@@ -24,14 +27,32 @@ struct WindowAction
     void (*run)(MainWindow& window, bool isChecked);
 };
 
+constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};
+
+/// To the next of the usual speeds.
+void changeSpeed(widgets::EditorState& state, int direction)
+{
+    const double now = state.transport().state().speed;
+    double next = now;
+    for (const double speed : kSpeeds) {
+        if (direction < 0 && speed < now - 1e-9) {
+            next = speed;
+        } else if (direction > 0 && speed > now + 1e-9) {
+            next = speed;
+            break;
+        }
+    }
+    state.transport().setSpeed(next);
+    state.showStatus(QCoreApplication::translate("Actions", "Speed: × %1")
+                         .arg(QLocale().toString(next, 'g', 3)));
+}
+
 void resizeBrush(widgets::EditorState& state, double steps)
 {
     if (const model::BrushSettings* brush = state.activeBrush()) {
         const model::BrushSettings resized = widgets::resizedBySteps(*brush, steps);
         state.setBrush(resized);
-        state.showStatus(
-            QCoreApplication::translate("crowd::widgets::ToolController", "Brush size: %1 px")
-                .arg(qRound(resized.radiusPixels)));
+        state.showStatus(widgets::brushSizeText(resized));
     }
 }
 
@@ -75,6 +96,12 @@ const WindowAction kEditActions[] = {
     {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected people")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
+    {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Make &Path of Places"), "brush-path",
+      "Ctrl+Shift+P", QT_TRANSLATE_NOOP("Actions", "A path over the selected places, in order")},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state()); }},
+    {{"path-end", QT_TRANSLATE_NOOP("Actions", "&End Path"), "path-end", "Return; Enter",
+      QT_TRANSLATE_NOOP("Actions", "End the path that is being painted")},
+     [](MainWindow& w, bool) { w.state().paths().end(); }},
     {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
       QT_TRANSLATE_NOOP("Actions", "Select everybody")},
      [](MainWindow& w, bool) { w.state().selection().selectAll(); }},
@@ -129,6 +156,20 @@ const WindowAction kViewActions[] = {
          options.showShadows = on;
          w.state().setViewOptions(options);
      }},
+    {{"paths", QT_TRANSLATE_NOOP("Actions", "Pat&hs"), "brush-path", "Ctrl+Shift+H",
+      QT_TRANSLATE_NOOP("Actions", "Show places and paths"), true},
+     [](MainWindow& w, bool on) {
+         auto options = w.state().viewOptions();
+         options.showPaths = on;
+         w.state().setViewOptions(options);
+     }},
+    {{"tags", QT_TRANSLATE_NOOP("Actions", "Ta&gs"), "brush-tag", "Ctrl+Shift+T",
+      QT_TRANSLATE_NOOP("Actions", "Show who has which tag by a coloured disc"), true},
+     [](MainWindow& w, bool on) {
+         auto options = w.state().viewOptions();
+         options.showTags = on;
+         w.state().setViewOptions(options);
+     }},
     {{"look-lit", QT_TRANSLATE_NOOP("Actions", "&Lighting"), "look", "Ctrl+L",
       QT_TRANSLATE_NOOP("Actions", "Light the scene; otherwise plain colours"), true},
      [](MainWindow& w, bool on) {
@@ -151,9 +192,21 @@ const WindowAction kPlayActions[] = {
     {{"play", QT_TRANSLATE_NOOP("Actions", "&Play"), "play", "Ctrl+Space",
       QT_TRANSLATE_NOOP("Actions", "Play or pause"), true},
      [](MainWindow& w, bool on) { w.state().transport().setPlaying(on); }},
-    {{"rewind", QT_TRANSLATE_NOOP("Actions", "&Rewind"), "rewind", "Ctrl+Home",
-      QT_TRANSLATE_NOOP("Actions", "Back to the start of time")},
-     [](MainWindow& w, bool) { w.state().transport().rewind(); }},
+    {{"step", QT_TRANSLATE_NOOP("Actions", "&Step"), "step", "Ctrl+Right",
+      QT_TRANSLATE_NOOP("Actions", "One step of a thirtieth of a second, then pause")},
+     [](MainWindow& w, bool) { w.state().session().stepOnce(); }},
+    {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
+      QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
+     [](MainWindow& w, bool) { w.state().session().stop(); }},
+    {{"faster", QT_TRANSLATE_NOOP("Actions", "&Faster"), "faster", "Ctrl+Up",
+      QT_TRANSLATE_NOOP("Actions", "Play faster, up to 8 times")},
+     [](MainWindow& w, bool) { changeSpeed(w.state(), 1); }},
+    {{"slower", QT_TRANSLATE_NOOP("Actions", "S&lower"), "slower", "Ctrl+Down",
+      QT_TRANSLATE_NOOP("Actions", "Play slower, down to a tenth")},
+     [](MainWindow& w, bool) { changeSpeed(w.state(), -1); }},
+    {{"keep-pose", QT_TRANSLATE_NOOP("Actions", "&Keep Pose"), "keep-pose", "Ctrl+Return",
+      QT_TRANSLATE_NOOP("Actions", "Put everybody in the scene where they are now")},
+     [](MainWindow& w, bool) { w.state().session().keepPose(); }},
 };
 
 const WindowAction kScriptActions[] = {
@@ -189,9 +242,9 @@ const WindowAction kOtherActions[] = {
 constexpr const char* kFileMenu[] = {
     "new-theatre", "new-ground", "open", "@recent",         "@examples",    "", "save",
     "save-as",     "collect",    "",     "import-template", "import-stage", "", "quit"};
-constexpr const char* kEditMenu[] = {
-    "undo",        "redo",          "", "delete",     "", "select-all",
-    "select-none", "select-invert", "", "preferences"};
+constexpr const char* kEditMenu[] = {"undo",           "redo",          "", "delete",
+                                     "path-of-places", "path-end",      "", "select-all",
+                                     "select-none",    "select-invert", "", "preferences"};
 constexpr const char* kBrushMenu[] = {"select",
                                       "navigate",
                                       "",
@@ -201,15 +254,24 @@ constexpr const char* kBrushMenu[] = {"select",
                                       "brush-orientation",
                                       "brush-animation",
                                       "",
+                                      "brush-path",
+                                      "brush-walk",
+                                      "brush-environment",
+                                      "brush-event",
+                                      "brush-tag",
+                                      "brush-untag",
+                                      "",
                                       "brush-larger",
                                       "brush-smaller",
                                       "",
                                       "seat-grid"};
 constexpr const char* kViewMenu[] = {
-    "frame-selection", "frame-all", "",           "view-front", "view-side",     "view-top",
-    "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
-    "ground-grid",     "shadows",   "look-lit",   "",           "full-screen"};
-constexpr const char* kPlayMenu[] = {"play", "rewind"};
+    "frame-selection", "frame-all",  "",      "view-front", "view-side",
+    "view-top",        "projection", "",      "camera-add", "@cameras",
+    "@keep-cameras",   "",           "paths", "tags",       "ground-grid",
+    "shadows",         "look-lit",   "",      "full-screen"};
+constexpr const char* kPlayMenu[] = {"play",   "step",   "stop", "",
+                                     "faster", "slower", "",     "keep-pose"};
 constexpr const char* kScriptMenu[] = {"console", "", "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"keys", "about"};
@@ -252,14 +314,22 @@ constexpr const char* kToolBar[] = {"new-theatre",
                                     "brush-colour",
                                     "brush-orientation",
                                     "brush-animation",
+                                    "brush-path",
+                                    "brush-walk",
+                                    "brush-environment",
+                                    "brush-event",
+                                    "brush-tag",
+                                    "brush-untag",
                                     "",
                                     "seat-grid",
                                     "ground-grid",
                                     "look-lit",
                                     "frame-all",
                                     "",
-                                    "rewind",
-                                    "play"};
+                                    "stop",
+                                    "play",
+                                    "step",
+                                    "keep-pose"};
 
 void addTools(MainWindow& window)
 {
@@ -271,12 +341,21 @@ void addTools(MainWindow& window)
         QT_TRANSLATE_NOOP("Actions", "Recolour the people under the brush"),
         QT_TRANSLATE_NOOP("Actions", "Turn the people under the brush"),
         QT_TRANSLATE_NOOP("Actions", "Give the people under the brush another animation"),
+        QT_TRANSLATE_NOOP("Actions", "Paint places on the ground that make a path"),
+        QT_TRANSLATE_NOOP("Actions", "Let the people under the brush walk along a path"),
+        QT_TRANSLATE_NOOP("Actions", "Paint obstacles, attractors, exits and slow ground"),
+        QT_TRANSLATE_NOOP("Actions", "Let an event happen to the people under the brush"),
+        QT_TRANSLATE_NOOP("Actions", "Tag the people under the brush, for rules to ask for"),
+        QT_TRANSLATE_NOOP("Actions", "Take a tag off the people under the brush"),
     };
     static const char* const kTexts[] = {
         QT_TRANSLATE_NOOP("Actions", "&Select"),    QT_TRANSLATE_NOOP("Actions", "&Navigate"),
         QT_TRANSLATE_NOOP("Actions", "&Create"),    QT_TRANSLATE_NOOP("Actions", "&Delete"),
         QT_TRANSLATE_NOOP("Actions", "C&olour"),    QT_TRANSLATE_NOOP("Actions", "O&rientation"),
-        QT_TRANSLATE_NOOP("Actions", "&Animation"),
+        QT_TRANSLATE_NOOP("Actions", "&Animation"), QT_TRANSLATE_NOOP("Actions", "&Path"),
+        QT_TRANSLATE_NOOP("Actions", "&Walk"),      QT_TRANSLATE_NOOP("Actions", "En&vironment"),
+        QT_TRANSLATE_NOOP("Actions", "&Event"),     QT_TRANSLATE_NOOP("Actions", "&Tag"),
+        QT_TRANSLATE_NOOP("Actions", "&Untag"),
     };
     std::size_t i = 0;
     for (const widgets::ToolInfo& info : widgets::toolTable()) {

@@ -157,7 +157,8 @@ void MainWindowTest::harmlessActionsDoWhatTheySay()
     const bool isPlaying = state.transport().isPlaying();
     trigger("play");
     QCOMPARE(state.transport().isPlaying(), !isPlaying);
-    trigger("rewind");
+    trigger("stop");
+    QVERIFY(!state.transport().isPlaying());
     const std::size_t cameras = document().scene().cameras.size();
     trigger("camera-add");
     QCOMPARE(document().scene().cameras.size(), cameras + 1);

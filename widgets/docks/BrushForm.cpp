@@ -273,6 +273,23 @@ void BrushForm::addButton(const QString& label, const QString& tip, std::functio
         button, [](const Settings&) {}, isShown);
 }
 
+void BrushForm::addText(const QString& label, std::function<std::string(const Settings&)> get,
+                        std::function<void(Settings&, const std::string&)> set)
+{
+    auto* line = new QLineEdit(this);
+    line->setObjectName(QStringLiteral("brushText"));
+    connect(line, &QLineEdit::textEdited, this, [this, set](const QString& text) {
+        change([&](Settings& settings) { set(settings, text.toStdString()); });
+    });
+    bind(labelled(label, line, this),
+         [line, get](const Settings& s) {
+             if (!line->hasFocus()) {
+                 line->setText(QString::fromStdString(get(s)));
+             }
+         },
+         {});
+}
+
 void BrushForm::addLabel(const QString& text, Condition isShown)
 {
     bind(

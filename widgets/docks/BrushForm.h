@@ -61,6 +61,8 @@ public:
     void addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips);
     void addButton(const QString& label, const QString& tip, std::function<void()> run,
                    Condition isShown = {});
+    void addText(const QString& label, std::function<std::string(const Settings&)> get,
+                 std::function<void(Settings&, const std::string&)> set);
     void addLabel(const QString& text, Condition isShown = {});
     void addNote(const QString& text, Condition isShown = {});
     void finish();

@@ -24,6 +24,9 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
             [this](const model::SceneChange& change) {
                 if (std::holds_alternative<model::TemplatesChanged>(change) ||
                     std::holds_alternative<model::StagesChanged>(change) ||
+                    std::holds_alternative<model::RulesChanged>(change) ||
+                    (std::holds_alternative<model::PathsChanged>(change) &&
+                     brushKindOf(m_state.tool()) == model::BrushKind::Walk) ||
                     std::holds_alternative<model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }

@@ -59,6 +59,14 @@ QString mainQuantityName(MainQuantity quantity)
         return Text::tr("Turned by, °");
     case MainQuantity::Speed:
         return Text::tr("Speed");
+    case MainQuantity::WalkSpeed:
+        return Text::tr("Walking speed, m/s");
+    case MainQuantity::Tag:
+        return Text::tr("Tag");
+    case MainQuantity::Payload:
+        return Text::tr("Number");
+    case MainQuantity::PlaceRadius:
+        return Text::tr("Radius, m");
     }
     return {};
 }
@@ -86,8 +94,24 @@ QString mainNumberText(const model::BrushSettings& settings)
         return Text::tr("Turned by: %1°").arg(value);
     case MainQuantity::Speed:
         return Text::tr("Speed: × %1").arg(value);
+    case MainQuantity::WalkSpeed:
+        return Text::tr("Walking speed: %1 m/s").arg(value);
+    case MainQuantity::Tag:
+        return Text::tr("Tag: %1").arg(value);
+    case MainQuantity::Payload:
+        return Text::tr("Number: %1").arg(value);
+    case MainQuantity::PlaceRadius:
+        return Text::tr("Radius: %1 m").arg(value);
     }
     return value;
+}
+
+QString brushSizeText(const model::BrushSettings& settings)
+{
+    return settings.addsPlaces()
+               ? mainNumberText(settings)
+               : QCoreApplication::translate("crowd::widgets::ToolController", "Brush size: %1 px")
+                     .arg(qRound(settings.radiusPixels));
 }
 
 } // namespace crowd::widgets

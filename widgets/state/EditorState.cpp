@@ -12,8 +12,23 @@ using model::BrushKind;
 using model::BrushSettings;
 using model::Camera;
 
+namespace {
+
+/// The walk brush offers a path that is there.
+void refreshWalk(EditorState& state)
+{
+    BrushSettings settings = state.brush(BrushKind::Walk);
+    if (state.scene().findPath(settings.walk.path) == nullptr) {
+        settings.walk.path = state.scene().paths.empty() ? 0 : state.scene().paths.front().id;
+        state.setBrush(settings);
+    }
+}
+
+} // namespace
+
 EditorState::EditorState(model::SceneDocument& document, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(document)
+    : QObject(parent), m_document(document), m_selection(document), m_paths(document),
+      m_session(document, m_transport)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
         m_brushes[kind] = initialBrush(static_cast<BrushKind>(kind));
@@ -33,7 +48,7 @@ EditorState::~EditorState()
 
 model::CrowdFramePtr EditorState::frame() const
 {
-    return m_document.frame(m_transport.seconds());
+    return m_session.frame(m_transport.seconds());
 }
 
 void EditorState::setTool(ToolId id)
@@ -144,7 +159,7 @@ void EditorState::setHint(const QString& hint)
 
 void EditorState::advance(double realSeconds)
 {
-    m_transport.advance(realSeconds);
+    m_session.advance(realSeconds);
     if (m_motion.isMoving()) {
         const Camera camera = m_motion.advance(realSeconds);
         placeCamera(camera, m_motion.isMoving() ? QString() : m_motionName);
@@ -163,6 +178,10 @@ void EditorState::followScene(const model::SceneChange& change)
     }
     if (std::holds_alternative<model::StagesChanged>(change)) {
         refreshSeatGrid(false);
+    }
+    if (std::holds_alternative<model::PathsChanged>(change) ||
+        std::holds_alternative<model::SceneReplaced>(change)) {
+        refreshWalk(*this);
     }
     if (!std::holds_alternative<model::SceneReplaced>(change)) {
         return;

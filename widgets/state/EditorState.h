@@ -14,7 +14,9 @@
 #include "model/view/View.h"
 #include "render/RenderInput.h"
 #include "widgets/state/CameraMotion.h"
+#include "widgets/state/PathFocus.h"
 #include "widgets/state/Selection.h"
+#include "widgets/state/SessionControl.h"
 #include "widgets/state/ToolId.h"
 #include "widgets/state/Transport.h"
 
@@ -32,6 +34,8 @@ struct ViewOptions
     bool showSeats = true; ///< free seats as discs while the creation brush snaps to them
     bool showGroundGrid = true;
     bool showShadows = true;
+    bool showPaths = true;
+    bool showTags = false;
     render::Look look = render::Look::Lit;
     ButtonMapping buttons = ButtonMapping::Standard;
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
@@ -77,7 +81,11 @@ public:
     [[nodiscard]] const Selection& selection() const { return m_selection; }
     [[nodiscard]] Transport& transport() { return m_transport; }
     [[nodiscard]] const Transport& transport() const { return m_transport; }
-    /// What is shown now: the scene at the transport's time.
+    [[nodiscard]] PathFocus& paths() { return m_paths; }
+    [[nodiscard]] const PathFocus& paths() const { return m_paths; }
+    [[nodiscard]] SessionControl& session() { return m_session; }
+    [[nodiscard]] const SessionControl& session() const { return m_session; }
+    /// What is shown now: the scene at the transport's time, people where a session has them.
     [[nodiscard]] model::CrowdFramePtr frame() const;
 
     [[nodiscard]] ToolId tool() const { return m_tool; }
@@ -155,6 +163,8 @@ private:
     model::KeyframeStore m_keyframes;
     Selection m_selection;
     Transport m_transport;
+    PathFocus m_paths;
+    SessionControl m_session;
     std::array<model::BrushSettings, kBrushCount> m_brushes;
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;

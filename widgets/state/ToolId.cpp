@@ -22,6 +22,18 @@ const std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)>& toolTable()
          QT_TRANSLATE_NOOP("Tools", "Orientation Brush"), "O", BrushKind::Orientation},
         {ToolId::BrushAnimation, "brush-animation", QT_TRANSLATE_NOOP("Tools", "Animation Brush"),
          "A", BrushKind::Animation},
+        {ToolId::BrushPath, "brush-path", QT_TRANSLATE_NOOP("Tools", "Path Brush"), "P",
+         BrushKind::Path},
+        {ToolId::BrushWalk, "brush-walk", QT_TRANSLATE_NOOP("Tools", "Walk Brush"), "W",
+         BrushKind::Walk},
+        {ToolId::BrushEnvironment, "brush-environment",
+         QT_TRANSLATE_NOOP("Tools", "Environment Brush"), "I", BrushKind::Environment},
+        {ToolId::BrushEvent, "brush-event", QT_TRANSLATE_NOOP("Tools", "Event Brush"), "E",
+         BrushKind::Event},
+        {ToolId::BrushTag, "brush-tag", QT_TRANSLATE_NOOP("Tools", "Tag Brush"), "T",
+         BrushKind::Tag},
+        {ToolId::BrushUntag, "brush-untag", QT_TRANSLATE_NOOP("Tools", "Untag Brush"), "U",
+         BrushKind::Untag},
     }};
     return kTools;
 }
@@ -70,6 +82,16 @@ model::BrushSettings initialBrush(BrushKind kind)
     case BrushKind::Animation:
         settings.selection = model::BrushSelection::AllInCircle;
         settings.op = model::BrushOperator::Random;
+        break;
+    case BrushKind::Walk:
+    case BrushKind::Tag:
+    case BrushKind::Untag:
+    case BrushKind::Event:
+        settings.selection = model::BrushSelection::AllInCircle;
+        break;
+    case BrushKind::Path:
+    case BrushKind::Environment:
+        settings.selection = model::BrushSelection::Point;
         break;
     }
     return settings;

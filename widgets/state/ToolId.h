@@ -18,6 +18,12 @@ enum class ToolId : std::uint8_t {
     BrushColour,
     BrushOrientation,
     BrushAnimation,
+    BrushPath,
+    BrushWalk,
+    BrushEnvironment,
+    BrushEvent,
+    BrushTag,
+    BrushUntag,
     Count
 };
 
@@ -37,7 +43,7 @@ struct ToolInfo
 [[nodiscard]] std::optional<model::BrushKind> brushKindOf(ToolId id);
 [[nodiscard]] ToolId toolOf(model::BrushKind kind);
 
-inline constexpr std::size_t kBrushCount = 5;
+inline constexpr std::size_t kBrushCount = 11;
 /// How a brush is set when the editor starts.
 [[nodiscard]] model::BrushSettings initialBrush(model::BrushKind kind);
 

@@ -45,12 +45,13 @@ void Transport::setSpeed(double speed)
     Q_EMIT stateChanged(m_state);
 }
 
-void Transport::advance(double realSeconds)
+void Transport::advance(double realSeconds, double notBeyond)
 {
     if (!m_state.isPlaying || realSeconds <= 0.0) {
         return;
     }
-    m_state.seconds += std::min(realSeconds, kLongestStep) * m_state.speed;
+    const double wanted = m_state.seconds + std::min(realSeconds, kLongestStep) * m_state.speed;
+    m_state.seconds = std::max(m_state.seconds, std::min(wanted, notBeyond));
     Q_EMIT timeChanged(m_state.seconds);
 }
 

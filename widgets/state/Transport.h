@@ -34,8 +34,9 @@ public:
     void setSpeed(double speed);
 
     /// Real time that has passed since the last frame, in seconds. Steps longer than a quarter of a
-    /// second (the window was hidden, a dialog stood in the way) count as that much.
-    void advance(double realSeconds);
+    /// second (the window was hidden, a dialog stood in the way) count as that much. Time waits at
+    /// the limit.
+    void advance(double realSeconds, double notBeyond = 1e300);
 
 Q_SIGNALS:
     /// Playing, speed, or a jump in time: not sent for the steady flow of advance().

@@ -31,6 +31,17 @@ QString affectedText(BrushKind kind, int count)
         return Text::tr("%n people turned", nullptr, count);
     case BrushKind::Animation:
         return Text::tr("%n people do something else", nullptr, count);
+    case BrushKind::Walk:
+        return Text::tr("%n people walk differently", nullptr, count);
+    case BrushKind::Tag:
+        return Text::tr("%n people tagged", nullptr, count);
+    case BrushKind::Untag:
+        return Text::tr("%n people without the tag", nullptr, count);
+    case BrushKind::Event:
+        return Text::tr("%n people heard it", nullptr, count);
+    case BrushKind::Path:
+    case BrushKind::Environment:
+        break;
     }
     return {};
 }
@@ -84,8 +95,9 @@ void StrokeDrag::release(const ToolInput& input)
     if (outcome.isCommitted) {
         m_context.state.noteStroke(kind);
     }
-    m_context.state.showStatus(outcome.isCommitted ? affectedText(kind, outcome.affected)
-                                                   : outcome.message);
+    m_context.state.showStatus(outcome.isCommitted || outcome.isSent
+                                   ? affectedText(kind, outcome.affected)
+                                   : outcome.message);
 }
 
 void StrokeDrag::cancel()

@@ -36,6 +36,17 @@ QString whatItDoes(BrushKind kind)
         return Text::tr("Drag: turn people · + −: direction · Ctrl+click: the point to face");
     case BrushKind::Animation:
         return Text::tr("Drag: change what people do · + −: speed · Ctrl+click: take the clip");
+    case BrushKind::Walk:
+        return Text::tr("Drag: let people walk along the path · + −: walking speed");
+    case BrushKind::Tag:
+        return Text::tr("Drag: tag people · + −: which tag");
+    case BrushKind::Untag:
+        return Text::tr("Drag: take the tag off people · + −: which tag");
+    case BrushKind::Event:
+        return Text::tr("Drag: let an event happen to people · + −: its number");
+    case BrushKind::Path:
+    case BrushKind::Environment:
+        break;
     }
     return {};
 }
@@ -157,6 +168,9 @@ BrushSettings settingsForButton(const BrushSettings& settings, Qt::MouseButton b
 BrushSettings resizedBySteps(const BrushSettings& settings, double steps, bool isFine)
 {
     const double share = isFine ? 0.03 : 0.12;
+    if (settings.addsPlaces()) {
+        return settings.withMainNumber(settings.place.radiusMetres * (1.0 + share * steps));
+    }
     const double pixels = std::max(1.0, std::round(settings.radiusPixels * share));
     return settings.resized(static_cast<float>(pixels * steps));
 }

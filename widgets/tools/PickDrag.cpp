@@ -70,6 +70,12 @@ std::optional<PickKind> pickOfBrush(BrushKind kind)
     case BrushKind::Animation:
         return PickKind::Clip;
     case BrushKind::Delete:
+    case BrushKind::Walk:
+    case BrushKind::Tag:
+    case BrushKind::Untag:
+    case BrushKind::Event:
+    case BrushKind::Path:
+    case BrushKind::Environment:
         break;
     }
     return std::nullopt;

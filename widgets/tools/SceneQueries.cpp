@@ -40,13 +40,22 @@ const model::StageRays& SceneQueries::stage()
 const model::ScenePicker& SceneQueries::picker(double shownSeconds)
 {
     (void)stage();
-    m_picker.update(m_state.document().frame(shownSeconds), seats(), view());
+    m_picker.update(m_state.session().frame(shownSeconds), seats(), view());
     return m_picker;
 }
 
 model::BrushContext SceneQueries::brushContext()
 {
-    return {view(), m_state.keyframes(), stage()};
+    model::BrushContext context{view(), m_state.keyframes(), stage()};
+    SessionControl& session = m_state.session();
+    if (session.isRunning()) {
+        context.pose = [&session](model::CrowdFrame& frame) { session.pose(frame); };
+        context.sendEvent = [&session](const model::EventSettings& event,
+                                       std::span<const model::IndividualId> ids) {
+            session.send(event, ids);
+        };
+    }
+    return context;
 }
 
 glm::vec3 SceneQueries::pointUnder(glm::dvec2 pixel, double shownSeconds)

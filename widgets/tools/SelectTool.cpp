@@ -9,6 +9,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/brush/MoveDrag.h"
+#include "widgets/tools/PlaceHandles.h"
 
 namespace crowd::widgets {
 
@@ -60,6 +61,7 @@ public:
             m_context.state.selection().apply(std::array{*m_hit}, mode);
         } else if (mode == SelectionMode::Replace) {
             m_context.state.selection().clear();
+            m_context.state.paths().select({});
         }
     }
 
@@ -185,6 +187,9 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     if (input.button != Qt::LeftButton) {
         return nullptr;
     }
+    if (const auto place = placeAt(m_context, input.position())) {
+        return placeDrag(m_context, input, *place);
+    }
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
     if (!hit) {
@@ -204,6 +209,11 @@ void SelectTool::hover(const ToolInput& /*input*/, ToolPicture& picture) const
 
 void SelectTool::preview(const ToolInput& input, ToolPicture& picture) const
 {
+    if (const auto place = placeAt(m_context, input.position())) {
+        picture.hovered = 0;
+        picture.cursor = place->isBorder ? Qt::SizeHorCursor : Qt::SizeAllCursor;
+        return;
+    }
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
     picture.hovered = hit ? hit->id : 0;

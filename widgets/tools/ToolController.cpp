@@ -7,6 +7,7 @@
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/tools/FlySession.h"
+#include "widgets/tools/PlaceTool.h"
 #include "widgets/tools/SelectTool.h"
 #include "widgets/tools/ToolKeys.h"
 
@@ -24,7 +25,9 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
     const ToolContext context{m_state, m_queries};
     for (const ToolInfo& info : toolTable()) {
         std::unique_ptr<Tool>& tool = m_tools[static_cast<std::size_t>(info.id)];
-        if (info.brush) {
+        if (info.brush == model::BrushKind::Path || info.brush == model::BrushKind::Environment) {
+            tool = std::make_unique<PlaceTool>(context, *info.brush);
+        } else if (info.brush) {
             tool = std::make_unique<BrushTool>(context, *info.brush);
         } else if (info.id == ToolId::Navigate) {
             tool = std::make_unique<NavigateTool>(context);
@@ -48,6 +51,7 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
         refreshPicture();
     });
     connect(&state, &EditorState::brushChanged, this, &ToolController::refreshPicture);
+    connect(&state.paths(), &PathFocus::changed, this, &ToolController::refreshPicture);
     connect(&state, &EditorState::viewCameraChanged, this, &ToolController::refreshPicture);
     refreshHint();
 }
@@ -192,7 +196,7 @@ void ToolController::wheel(const WheelInput& input)
     }
     const Qt::KeyboardModifiers modifiers = input.at.modifiers;
     const model::BrushSettings* brush = m_state.activeBrush();
-    if (brush != nullptr && brush->hasCircle() &&
+    if (brush != nullptr && (brush->hasCircle() || brush->addsPlaces()) &&
         (modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier))) {
         changeBrush(resizedBySteps(*brush, input.notches, modifiers.testFlag(Qt::ShiftModifier)),
                     false);
@@ -282,6 +286,8 @@ bool ToolController::escape()
         m_state.setTool(m_state.previousTool());
         return true;
     }
+    m_state.paths().end();
+    m_state.paths().select({});
     m_state.selection().clear();
     return true;
 }
@@ -310,8 +316,7 @@ bool ToolController::runShortcut(const KeyInput& input)
 void ToolController::changeBrush(const model::BrushSettings& settings, bool saysNumber)
 {
     m_state.setBrush(settings);
-    m_state.showStatus(saysNumber ? mainNumberText(settings)
-                                  : tr("Brush size: %1 px").arg(qRound(settings.radiusPixels)));
+    m_state.showStatus(saysNumber ? mainNumberText(settings) : brushSizeText(settings));
 }
 
 void ToolController::tick(const ToolInput& resting, double elapsedSeconds)

@@ -20,7 +20,7 @@ struct StateKey
     void (*run)(EditorState& state);
 };
 
-const std::array<StateKey, 9> kStateKeys{{
+const std::array<StateKey, 11> kStateKeys{{
     {Qt::Key_F, Qt::NoModifier, frameSelection},
     {Qt::Key_Home, Qt::NoModifier, frameAll},
     {Qt::Key_Delete, Qt::NoModifier, deleteSelection},
@@ -31,6 +31,8 @@ const std::array<StateKey, 9> kStateKeys{{
      [](EditorState& state) { state.document().undoStack().undo(); }},
     {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier,
      [](EditorState& state) { state.document().undoStack().redo(); }},
+    {Qt::Key_Return, Qt::NoModifier, [](EditorState& state) { state.paths().end(); }},
+    {Qt::Key_Enter, Qt::NoModifier, [](EditorState& state) { state.paths().end(); }},
     {Qt::Key_G, Qt::NoModifier,
      [](EditorState& state) { state.setSeatGridOn(!state.isSeatGridOn()); }},
 }};

@@ -9,6 +9,7 @@
 #include <QtCore/QRectF>
 #include <QtCore/QString>
 #include <QtCore/Qt>
+#include <QtGui/QPolygonF>
 
 #include "render/RenderInput.h"
 #include "widgets/state/ToolId.h"
@@ -33,7 +34,9 @@ struct ToolPicture
     std::optional<QPointF> crosshair; ///< a brush that takes a single point
     std::optional<QRectF> rectangle;
     std::optional<QLineF> gradient;
-    std::optional<QPointF> target; ///< the point that people are to face
+    std::vector<QPolygonF> outlines; ///< places to come, closed
+    std::optional<QLineF> arrow;     ///< the way to the place to come
+    std::optional<QPointF> target;   ///< the point that people are to face
     /// The spray can with the brush's symbol beside the cursor.
     std::optional<ToolId> symbol;
     QPointF symbolAt;

@@ -26,6 +26,16 @@ void deleteSelection(EditorState& state)
     // A copy: the selection drops the ids while they go.
     const std::vector<model::IndividualId> ids(state.selection().ids().begin(),
                                                state.selection().ids().end());
+    const std::vector<model::PlaceId> places = state.paths().places();
+    if (!places.empty()) {
+        auto edit = state.document().beginEdit();
+        for (const model::PlaceId place : places) {
+            edit->removePlace(place);
+        }
+        edit->removeIndividuals(ids);
+        edit->commit(Text::tr("Delete %n place(s)", nullptr, static_cast<int>(places.size())));
+        return;
+    }
     if (ids.empty()) {
         state.showStatus(Text::tr("Nobody is selected: there is nobody to delete."));
         return;

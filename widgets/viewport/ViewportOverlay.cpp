@@ -79,15 +79,48 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintPlaces(painter);
     paintAreas(painter);
     paintSymbol(painter);
     paintLabel(painter);
     paintTexts(painter);
 }
 
+void ViewportOverlay::setPlaces(const std::vector<PlaceLabel>& places)
+{
+    if (m_places != places) {
+        m_places = places;
+        update();
+    }
+}
+
+void ViewportOverlay::paintPlaces(QPainter& painter) const
+{
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.9);
+    painter.setFont(small);
+    for (const PlaceLabel& place : m_places) {
+        const double radius = place.isSelected ? 5.5 : 4.0;
+        painter.setPen(QPen(place.isSelected ? kLight : kDark, place.isSelected ? 2.0 : 1.0));
+        painter.setBrush(place.color);
+        painter.drawEllipse(place.at, radius, radius);
+        if (!place.text.isEmpty()) {
+            drawPlate(painter, rect(), place.at - QPointF(0.0, 22.0), place.text);
+        }
+    }
+    painter.setFont(font());
+}
+
 void ViewportOverlay::paintAreas(QPainter& painter) const
 {
     painter.setBrush(Qt::NoBrush);
+    for (const QPolygonF& outline : m_picture.outlines) {
+        drawTwice(painter, 1.5, [&] { painter.drawPolyline(outline); });
+    }
+    if (m_picture.arrow) {
+        painter.setPen(QPen(kLight, 1.5, Qt::DashLine));
+        painter.drawLine(*m_picture.arrow);
+    }
     if (m_picture.circle) {
         const double radius = m_picture.circle->radius;
         drawTwice(painter, 1.0,

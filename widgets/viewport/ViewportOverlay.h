@@ -6,6 +6,7 @@
 #include <QtWidgets/QWidget>
 
 #include "widgets/tools/ToolPicture.h"
+#include "widgets/viewport/PathDrawing.h"
 
 namespace crowd::widgets {
 
@@ -28,11 +29,13 @@ public:
 
     void setPicture(const ToolPicture& picture);
     void setText(const OverlayText& text);
+    void setPlaces(const std::vector<PlaceLabel>& places);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintPlaces(QPainter& painter) const;
     void paintAreas(QPainter& painter) const;
     void paintSymbol(QPainter& painter) const;
     void paintLabel(QPainter& painter) const;
@@ -40,6 +43,7 @@ private:
 
     ToolPicture m_picture;
     OverlayText m_text;
+    std::vector<PlaceLabel> m_places;
     QPixmap m_symbol;
     std::optional<ToolId> m_symbolOf;
 };

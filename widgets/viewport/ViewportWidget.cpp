@@ -2,6 +2,7 @@
 #include "widgets/viewport/ViewportWidget.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <QtCore/QEvent>
@@ -22,6 +23,19 @@ constexpr qint64 kPublishMs = 250;
 constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
+
+/// As the artist set it, else one of a circle of hues.
+glm::vec4 tagColor(const model::Scene& scene, int bit)
+{
+    const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
+    if (named != scene.tags.end()) {
+        return {static_cast<float>(named->color[0]) / 255.0F,
+                static_cast<float>(named->color[1]) / 255.0F,
+                static_cast<float>(named->color[2]) / 255.0F, 0.8F};
+    }
+    const QColor color = QColor::fromHsv(bit * 67 % 360, 200, 230);
+    return {color.redF(), color.greenF(), color.blueF(), 0.8F};
+}
 
 QSurfaceFormat surfaceFormat()
 {
@@ -72,6 +86,30 @@ void ViewportWidget::connectState()
     });
     connect(&m_state.selection(), &Selection::changed, this, redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, redraw);
+    const auto redrawPaths = [this, redraw] {
+        m_paths.forget();
+        refreshPlaces();
+        redraw();
+    };
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [redrawPaths](const model::SceneChange& change) {
+                if (std::holds_alternative<model::PathsChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    redrawPaths();
+                }
+            });
+    connect(&m_state.paths(), &PathFocus::changed, this, redrawPaths);
+    connect(&m_state, &EditorState::viewOptionsChanged, this, redrawPaths);
+    connect(&m_state, &EditorState::toolChanged, this, &ViewportWidget::refreshPlaces);
+    connect(&m_state, &EditorState::viewCameraChanged, this, &ViewportWidget::refreshPlaces);
+    connect(&m_state.session(), &SessionControl::stateChanged, this, redraw);
+    connect(&m_state.session(), &SessionControl::surfaceChanged, this,
+            &ViewportWidget::refreshText);
+    connect(&m_state.session(), &SessionControl::stepped, this, [this] {
+        if (!m_clock.isRunning()) {
+            update(); // a single step
+        }
+    });
     m_viewMotion.setSingleShot(true);
     m_viewMotion.setInterval(kViewStillMs);
     connect(&m_viewMotion, &QTimer::timeout, this, qOverload<>(&ViewportWidget::update));
@@ -151,8 +189,42 @@ render::RenderInput ViewportWidget::renderInput()
     const bool isCreating = m_state.tool() == ToolId::BrushCreate;
     if (options.showSeats && isCreating && m_state.isSeatGridOn()) {
         input.markers = queries.freeSeats();
+    } else {
+        markPeople(*input.frame);
+        input.markers = m_marks;
+    }
+    if (options.showPaths) {
+        input.areas = m_paths.areas(m_state);
     }
     return input;
+}
+
+void ViewportWidget::refreshPlaces()
+{
+    m_overlay->setPlaces(PathDrawing::labels(m_state, m_tools.queries().view()));
+}
+
+/// Discs under the feet: the first tag that somebody has, and for whom a rule has just fired.
+void ViewportWidget::markPeople(const model::CrowdFrame& frame)
+{
+    m_marks.clear();
+    const model::Population& people = frame.population;
+    const auto positions = people.column(model::columns::position);
+    if (m_state.viewOptions().showTags) {
+        const auto tags = people.column(model::columns::tags);
+        for (std::size_t row = 0; row < people.size(); ++row) {
+            if (tags[row] != 0) {
+                const int bit = std::countr_zero(tags[row]);
+                m_marks.push_back({positions[row], 0.4F, tagColor(m_state.scene(), bit)});
+            }
+        }
+    }
+    for (const model::IndividualId id : m_state.session().lit()) {
+        const std::size_t row = people.rowOf(id);
+        if (row != model::Population::npos) {
+            m_marks.push_back({positions[row], 0.32F, {1.0F, 0.86F, 0.2F, 0.9F}});
+        }
+    }
 }
 
 void ViewportWidget::paintGL()
@@ -268,6 +340,10 @@ QString ViewportWidget::helpText() const
 
 WorkStatus ViewportWidget::workStatus()
 {
+    const double surface = m_state.session().surfaceProgress();
+    if (surface >= 0.0) {
+        return {tr("Finding out where people can walk"), surface, {}, {}};
+    }
     const auto baking = m_state.keyframes().progress();
     if (baking.pendingClips == 0) {
         m_bakedBefore = baking.finishedClips;
@@ -325,6 +401,7 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
     m_overlay->setGeometry(rect());
     m_work->place();
     m_state.setViewSize(glm::vec2(std::max(1, width()), std::max(1, height())));
+    refreshPlaces();
 }
 
 void ViewportWidget::changeEvent(QEvent* event)

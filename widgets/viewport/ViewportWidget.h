@@ -12,6 +12,7 @@
 #include "widgets/tools/ToolController.h"
 #include "widgets/viewport/FrameClock.h"
 #include "widgets/viewport/FrameStatistics.h"
+#include "widgets/viewport/PathDrawing.h"
 
 class QSinglePointEvent;
 
@@ -90,6 +91,8 @@ private:
     [[nodiscard]] WorkStatus workStatus();
     void publishStatistics(bool isAtRest);
     void chooseQuality();
+    void refreshPlaces();
+    void markPeople(const model::CrowdFrame& frame);
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const QString& problem);
     void keepPointerInside(const ToolInput& input);
@@ -120,6 +123,8 @@ private:
     int m_drawnFrames = 0;
     int m_bakedBefore = 0; ///< clips finished when the present baking began
     QString m_problem;
+    PathDrawing m_paths;
+    std::vector<render::Marker> m_marks; ///< under people: tags, and for whom a rule fired
 };
 
 } // namespace crowd::widgets

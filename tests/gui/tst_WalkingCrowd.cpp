@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <QtTest/QTest>
+
+#include "model/project/ProjectWriter.h"
+#include "model/scene/RuleSets.h"
+#include "tests/gui/Studio.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::Studio;
+
+namespace {
+
+/// Empty ground seen from above, with somebody to paint with.
+model::Scene ground()
+{
+    model::Scene scene = testing::smallTheatre();
+    scene.stages.clear();
+    scene.cameras = {{"above", model::Camera::lookingAt({0.0F, 22.0F, 12.0F}, {0.0F, 0.0F, 0.0F})}};
+    return scene;
+}
+
+std::string bytesOf(const Studio& studio)
+{
+    const auto text = model::projectToText(studio.document.scene());
+    return text ? text.value() : text.error().message;
+}
+
+void click(Studio& studio, QPoint at)
+{
+    studio.send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+    studio.drag(at, at);
+}
+
+void key(Studio& studio, Qt::Key which)
+{
+    QTest::keyClick(studio.view, which);
+}
+
+/// A triangle of places, painted with the mouse and ended with Enter.
+void paintPath(Studio& studio)
+{
+    key(studio, Qt::Key_P);
+    for (const QPoint at : {QPoint(80, 80), QPoint(240, 80), QPoint(240, 180)}) {
+        click(studio, at);
+    }
+    key(studio, Qt::Key_Return);
+}
+
+void paintPeople(Studio& studio)
+{
+    key(studio, Qt::Key_C);
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Create);
+    brush.selection = model::BrushSelection::AllInCircle;
+    brush.radiusPixels = 30.0F;
+    brush.create.density = 0.5F;
+    studio.state.setBrush(brush);
+    studio.drag({80, 150}, {120, 160});
+}
+
+void paintWalk(Studio& studio)
+{
+    key(studio, Qt::Key_W);
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Walk);
+    brush.selection = model::BrushSelection::Rectangle;
+    studio.state.setBrush(brush);
+    studio.drag({5, 5}, {314, 234});
+}
+
+/// How far people are from where the scene has them, at most.
+float farthest(Studio& studio)
+{
+    const auto frame = studio.state.frame();
+    const auto shown = frame->population.column(model::columns::position);
+    const auto scene = studio.document.scene().population.column(model::columns::position);
+    float most = 0.0F;
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        most = std::max(most, glm::distance(shown[row], scene[row]));
+    }
+    return most;
+}
+
+} // namespace
+
+class TestWalkingCrowd : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aPathIsPaintedPlaceByPlace();
+    void placesAreMovedResizedAndDeleted();
+    void paintWalkPlayStopAndKeep();
+    void brushesReachPeopleWhoWalk();
+    void anEventMakesPeopleRun();
+};
+
+void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    const std::string empty = bytesOf(studio);
+    key(studio, Qt::Key_P);
+    QCOMPARE(studio.state.tool(), ToolId::BrushPath);
+    const float radius = studio.state.brush(model::BrushKind::Path).place.radiusMetres;
+    click(studio, {80, 80});
+    key(studio, Qt::Key_Plus);
+    click(studio, {240, 80});
+    const auto& scene = studio.document.scene();
+    QCOMPARE(scene.paths.size(), std::size_t{1});
+    QCOMPARE(scene.places.size(), std::size_t{2});
+    QCOMPARE(scene.places[0].radius, radius);
+    QVERIFY(scene.places[1].radius > radius);
+    QVERIFY(scene.places[1].position.x > scene.places[0].position.x + 3.0F);
+    QCOMPARE(studio.document.undoStack().count(), 2);
+    click(studio, {240, 180});
+    key(studio, Qt::Key_Return);
+    click(studio, {160, 200}); // begins another path
+    QCOMPARE(scene.paths.size(), std::size_t{2});
+    QCOMPARE(scene.paths[0].places, (std::vector<model::PlaceId>{1, 2, 3}));
+    QCOMPARE(scene.paths[1].places, (std::vector<model::PlaceId>{4}));
+    const std::string full = bytesOf(studio);
+    const QImage painted = studio.picture();
+    while (studio.document.undoStack().canUndo()) {
+        studio.document.undoStack().undo();
+    }
+    QCOMPARE(bytesOf(studio), empty);
+    QVERIFY(studio.picture() != painted);
+    while (studio.document.undoStack().canRedo()) {
+        studio.document.undoStack().redo();
+    }
+    QCOMPARE(bytesOf(studio), full);
+}
+
+void TestWalkingCrowd::placesAreMovedResizedAndDeleted()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    key(studio, Qt::Key_V);
+    const model::Place before = studio.document.scene().places[0];
+    const auto pixel = studio.view->tools().queries().view().project(before.position);
+    const QPoint middle(qRound(pixel->x), qRound(pixel->y));
+    click(studio, middle);
+    QCOMPARE(studio.state.paths().places(), std::vector<model::PlaceId>{before.id});
+    QCOMPARE(studio.state.paths().path(), model::PathId{1});
+    studio.drag(middle, middle + QPoint(20, 30));
+    const model::Place moved = studio.document.scene().places[0];
+    QVERIFY(moved.position.x > before.position.x && moved.position.z > before.position.z);
+    QCOMPARE(moved.radius, before.radius);
+    const auto edge = studio.view->tools().queries().view().project(
+        moved.position + glm::vec3(moved.radius, 0.0F, 0.0F));
+    const QPoint border(qRound(edge->x), qRound(edge->y));
+    studio.drag(border, border + QPoint(25, 0));
+    QVERIFY(studio.document.scene().places[0].radius > moved.radius * 1.3F);
+    QCOMPARE(studio.document.scene().places[0].position, moved.position);
+    const int steps = studio.document.undoStack().count();
+    key(studio, Qt::Key_Delete);
+    QCOMPARE(studio.document.scene().places.size(), std::size_t{2});
+    QCOMPARE(studio.document.undoStack().count(), steps + 1);
+    studio.document.undoStack().undo();
+    studio.document.undoStack().undo();
+    studio.document.undoStack().undo();
+    QCOMPARE(studio.document.scene().places[0], before);
+}
+
+void TestWalkingCrowd::paintWalkPlayStopAndKeep()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    paintPeople(studio);
+    QVERIFY(studio.people() > 3);
+    paintWalk(studio);
+    const auto followed = studio.document.scene().population.column(model::columns::path);
+    QVERIFY(std::all_of(followed.begin(), followed.end(), [](auto path) { return path == 1; }));
+    const std::string before = bytesOf(studio);
+    QVERIFY(!studio.state.session().isRunning());
+    studio.state.transport().setPlaying(true);
+    QTRY_VERIFY(studio.state.session().isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(farthest(studio) > 1.5F, 20000);
+    QCOMPARE(bytesOf(studio), before); // the scene stays as it is
+    studio.state.transport().setPlaying(false);
+    const double paused = studio.state.transport().seconds();
+    const glm::vec3 there = studio.state.frame()->population.column(model::columns::position)[0];
+    studio.state.session().stepOnce();
+    QVERIFY(studio.state.transport().seconds() > paused);
+    QTRY_VERIFY(studio.state.frame()->population.column(model::columns::position)[0] != there);
+    QVERIFY(studio.state.session().keepPose());
+    QVERIFY(bytesOf(studio) != before);
+    QVERIFY(farthest(studio) < 0.2F);
+    studio.state.session().stop();
+    QVERIFY(!studio.state.session().isRunning());
+    QCOMPARE(studio.state.transport().seconds(), 0.0);
+    QCOMPARE(farthest(studio), 0.0F);
+    studio.document.undoStack().undo();
+    QCOMPARE(bytesOf(studio), before);
+}
+
+void TestWalkingCrowd::brushesReachPeopleWhoWalk()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    paintPeople(studio);
+    paintWalk(studio);
+    studio.state.transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(farthest(studio) > 2.0F, 20000);
+    studio.state.transport().setPlaying(false);
+    // One of them is coloured where he is shown, not where the scene has him.
+    const auto frame = studio.state.frame();
+    const glm::vec3 shown = frame->population.column(model::columns::position)[0];
+    const auto pixel =
+        studio.view->tools().queries().view().project(shown + glm::vec3(0.0F, 0.8F, 0.0F));
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Colour);
+    brush.selection = model::BrushSelection::Point;
+    brush.colour.colors = {{9, 200, 10}};
+    studio.state.setBrush(brush);
+    key(studio, Qt::Key_B);
+    click(studio, {qRound(pixel->x), qRound(pixel->y)});
+    const auto tint = studio.document.scene().population.column(model::columns::tint(0))[0];
+    QCOMPARE(int{tint.green}, 200);
+    QVERIFY(studio.state.session().isRunning());
+    QCOMPARE(int{studio.state.frame()->population.column(model::columns::tint(0))[0].green}, 200);
+    // Whoever is deleted while it runs is gone; who is created walks too.
+    const std::size_t people = studio.people();
+    key(studio, Qt::Key_X);
+    model::BrushSettings removal = studio.state.brush(model::BrushKind::Delete);
+    removal.selection = model::BrushSelection::Point;
+    studio.state.setBrush(removal);
+    click(studio, {qRound(pixel->x), qRound(pixel->y)});
+    QCOMPARE(studio.people(), people - 1);
+    QCOMPARE(studio.state.frame()->population.size(), people - 1);
+    studio.document.undoStack().undo();
+    QCOMPARE(studio.people(), people);
+}
+
+void TestWalkingCrowd::anEventMakesPeopleRun()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    paintPeople(studio);
+    paintWalk(studio);
+    auto edit = studio.document.beginEdit();
+    std::vector<model::Rule> rules =
+        model::rulesOf(model::RuleSet::Pedestrians, studio.document.scene());
+    model::giveIds(rules, studio.document.scene());
+    const model::RuleId run = rules.front().id;
+    edit->setRules(rules);
+    edit->commit(QStringLiteral("Rules"));
+    key(studio, Qt::Key_E);
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Event);
+    brush.selection = model::BrushSelection::Rectangle;
+    brush.event = {"run", 2.0F};
+    studio.state.setBrush(brush);
+    const int steps = studio.document.undoStack().count();
+    studio.drag({5, 5}, {314, 234});
+    QCOMPARE(studio.state.session().firedCount(run), std::uint64_t{0}); // nothing runs yet
+    studio.state.transport().setPlaying(true);
+    QTRY_VERIFY(studio.state.session().isRunning());
+    key(studio, Qt::Key_Plus);
+    studio.drag({5, 5}, {314, 234});
+    QTRY_COMPARE(studio.state.session().firedCount(run),
+                 static_cast<std::uint64_t>(studio.people()));
+    QCOMPARE(studio.document.undoStack().count(), steps);
+}
+
+int main(int argc, char** argv)
+{
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    TestWalkingCrowd test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_WalkingCrowd.moc"

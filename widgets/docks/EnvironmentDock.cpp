@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/EnvironmentDock.h"
+
+#include <algorithm>
+
+#include <QtCore/QLocale>
+#include <QtGui/QPainter>
+#include <QtWidgets/QColorDialog>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QTreeWidget>
+#include <QtWidgets/QVBoxLayout>
+
+#include "model/document/PathEdits.h"
+#include "model/document/SceneEdit.h"
+#include "widgets/docks/NumberField.h"
+#include "widgets/theme/Icons.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+enum ItemType { Heading = 1001, PathItem, PlaceItem };
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kIndexRole = Qt::UserRole + 1;
+constexpr int kRebuildMs = 30;
+
+QIcon swatch(const std::array<std::uint8_t, 3>& color)
+{
+    QPixmap pixmap(14, 14);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(QColor(color[0], color[1], color[2]));
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(1, 1, 12, 12);
+    return pixmap;
+}
+
+int peopleOn(const model::Scene& scene, model::PathId path)
+{
+    const auto followed = scene.population.column(model::columns::path);
+    return static_cast<int>(std::count(followed.begin(), followed.end(), path));
+}
+
+} // namespace
+
+EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Environment"), "environment", parent), m_state(state),
+      m_tree(new QTreeWidget(this))
+{
+    m_tree->setObjectName(QStringLiteral("environmentTree"));
+    m_tree->setColumnCount(2);
+    m_tree->header()->hide();
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_tree->setFrameShape(QFrame::NoFrame);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    auto* content = new QWidget(this);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addWidget(m_tree, 1);
+    m_note = new QLabel(tr("No paths yet. Take the path brush (P) and click where people are to "
+                           "walk; then let people walk along it with the walk brush (W)."),
+                        content);
+    m_note->setWordWrap(true);
+    m_note->setEnabled(false);
+    layout->addWidget(m_note);
+    m_form = new QFormLayout;
+    m_form->setContentsMargins(4, 0, 4, 0);
+    layout->addLayout(m_form);
+    buildForm(m_form);
+    setWidget(content);
+
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(kRebuildMs);
+    connect(&m_rebuild, &QTimer::timeout, this, &EnvironmentDock::rebuild);
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                const auto* columns = std::get_if<model::ColumnsChanged>(&change);
+                const bool isWalk =
+                    columns != nullptr &&
+                    (columns->columns & (1U << static_cast<unsigned>(model::ColumnId::Path))) != 0;
+                const bool isOther = columns == nullptr &&
+                                     !std::holds_alternative<model::LightingChanged>(change) &&
+                                     !std::holds_alternative<model::CamerasChanged>(change);
+                if ((isWalk || isOther) && !m_rebuild.isActive()) {
+                    m_rebuild.start();
+                }
+            });
+    connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentDock::showSelection);
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &EnvironmentDock::takeSelection);
+    connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        if (!m_isFilling) {
+            rename(item);
+        }
+    });
+    connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &EnvironmentDock::showMenu);
+    rebuild();
+}
+
+void EnvironmentDock::buildForm(QFormLayout* form)
+{
+    m_name = new QLineEdit(this);
+    m_name->setObjectName(QStringLiteral("placeName"));
+    form->addRow(tr("Name"), m_name);
+    connect(m_name, &QLineEdit::editingFinished, this, [this] {
+        const std::string name = m_name->text().toStdString();
+        if (place() != nullptr) {
+            changePlace(tr("Rename a place"), [&](model::Place& each) { each.name = name; });
+        } else {
+            changePath(tr("Rename a path"), [&](model::Path& each) { each.name = name; });
+        }
+    });
+    auto* row = new QHBoxLayout;
+    for (int axis = 0; axis < 3; ++axis) {
+        m_position[axis] = new NumberField(-1e5, 1e5, 2, this);
+        row->addWidget(m_position[axis]);
+        connect(m_position[axis], &NumberField::valueEdited, this, [this, axis](double value) {
+            changePlace(tr("Move a place"), [&](model::Place& each) {
+                each.position[axis] = static_cast<float>(value);
+            });
+        });
+    }
+    form->addRow(tr("X, Y, Z, m"), row);
+    m_radius = new NumberField(model::kMinPlaceRadius, model::kMaxPlaceRadius, 2, this);
+    m_radius->setObjectName(QStringLiteral("placeRadius"));
+    form->addRow(tr("Radius, m"), m_radius);
+    connect(m_radius, &NumberField::valueEdited, this, [this](double value) {
+        changePlace(tr("Resize a place"),
+                    [&](model::Place& each) { each.radius = static_cast<float>(value); });
+    });
+    m_role = new QComboBox(this);
+    m_role->addItems({tr("A place to go to"), tr("Obstacle"), tr("Attracts people"),
+                      tr("Repels people"), tr("Exit: people leave"), tr("Slow ground")});
+    form->addRow(tr("Is"), m_role);
+    connect(m_role, &QComboBox::activated, this, [this](int index) {
+        changePlace(tr("Change what a place is"),
+                    [&](model::Place& each) { each.role = static_cast<model::PlaceRole>(index); });
+    });
+    m_kind = new QComboBox(this);
+    m_kind->setObjectName(QStringLiteral("pathKind"));
+    m_kind->addItems({tr("People stop"), tr("On to the first place"), tr("Jump to the first")});
+    form->addRow(tr("At the end"), m_kind);
+    connect(m_kind, &QComboBox::activated, this, [this](int index) {
+        changePath(tr("Change the end of a path"),
+                   [&](model::Path& each) { each.kind = static_cast<model::PathKind>(index); });
+    });
+    m_color = new QToolButton(this);
+    m_color->setToolTip(tr("Colour in the picture"));
+    form->addRow(tr("Colour"), m_color);
+    connect(m_color, &QToolButton::clicked, this, &EnvironmentDock::chooseColor);
+    m_people = new QLabel(this);
+    form->addRow(tr("People"), m_people);
+}
+
+const model::Place* EnvironmentDock::place() const
+{
+    const auto& places = m_state.paths().places();
+    return places.empty() ? nullptr : m_state.scene().findPlace(places.front());
+}
+
+const model::Path* EnvironmentDock::path() const
+{
+    return m_state.scene().findPath(m_state.paths().path());
+}
+
+/// Of all selected places at once.
+void EnvironmentDock::changePlace(const QString& undoText,
+                                  const std::function<void(model::Place&)>& change)
+{
+    if (m_isFilling || m_state.document().isEditOpen()) {
+        return;
+    }
+    const std::vector<model::PlaceId> places = m_state.paths().places();
+    auto edit = m_state.document().beginEdit();
+    for (const model::PlaceId id : places) {
+        model::Place changed = *m_state.scene().findPlace(id);
+        change(changed);
+        edit->changePlace(changed);
+    }
+    edit->commit(undoText);
+}
+
+void EnvironmentDock::changePath(const QString& undoText,
+                                 const std::function<void(model::Path&)>& change)
+{
+    if (m_isFilling || path() == nullptr || m_state.document().isEditOpen()) {
+        return;
+    }
+    model::Path changed = *path();
+    change(changed);
+    auto edit = m_state.document().beginEdit();
+    edit->changePath(changed);
+    edit->commit(undoText);
+}
+
+void EnvironmentDock::rebuild()
+{
+    if (m_tree->viewport()->findChild<QLineEdit*>() != nullptr) {
+        m_rebuild.start(); // not under the hands of who renames
+        return;
+    }
+    m_isFilling = true;
+    m_tree->clear();
+    addPaths();
+    addPlaces();
+    m_isFilling = false;
+    m_note->setVisible(m_state.scene().places.empty() && m_state.scene().paths.empty());
+    showSelection();
+}
+
+void EnvironmentDock::addPaths()
+{
+    const model::Scene& scene = m_state.scene();
+    for (const model::Path& each : scene.paths) {
+        auto* item = new QTreeWidgetItem(m_tree, {QString::fromStdString(each.name)}, PathItem);
+        item->setData(0, kIdRole, each.id);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setIcon(0, swatch(each.color));
+        item->setText(1, tr("%n people", nullptr, peopleOn(scene, each.id)));
+        int index = 0;
+        for (const model::PlaceId id : each.places) {
+            const model::Place* stop = scene.findPlace(id);
+            if (stop != nullptr) {
+                auto* child =
+                    new QTreeWidgetItem(item, {QString::fromStdString(stop->name)}, PlaceItem);
+                child->setData(0, kIdRole, id);
+                child->setData(0, kIndexRole, index);
+                child->setFlags(child->flags() | Qt::ItemIsEditable);
+                child->setText(1, tr("%1 m").arg(QLocale().toString(
+                                      static_cast<double>(stop->radius), 'f', 2)));
+            }
+            ++index;
+        }
+        item->setExpanded(each.places.size() <= 8);
+    }
+}
+
+/// Those that no path leads over.
+void EnvironmentDock::addPlaces()
+{
+    const model::Scene& scene = m_state.scene();
+    QTreeWidgetItem* heading = nullptr;
+    for (const model::Place& each : scene.places) {
+        const bool isUsed = std::ranges::any_of(scene.paths, [&each](const model::Path& path) {
+            return std::ranges::find(path.places, each.id) != path.places.end();
+        });
+        if (isUsed) {
+            continue;
+        }
+        if (heading == nullptr) {
+            heading = new QTreeWidgetItem(m_tree, {tr("Places")}, Heading);
+            heading->setExpanded(true);
+        }
+        auto* item = new QTreeWidgetItem(heading, {QString::fromStdString(each.name)}, PlaceItem);
+        item->setData(0, kIdRole, each.id);
+        item->setIcon(0, swatch(each.color));
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setText(1,
+                      tr("%1 m").arg(QLocale().toString(static_cast<double>(each.radius), 'f', 2)));
+    }
+}
+
+void EnvironmentDock::showSelection()
+{
+    m_isFilling = true;
+    for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
+        const auto id = (*it)->data(0, kIdRole).toUInt();
+        const bool isPlace = (*it)->type() == PlaceItem;
+        const bool isPath = (*it)->type() == PathItem && m_state.paths().places().empty();
+        (*it)->setSelected((isPlace && m_state.paths().isSelected(id)) ||
+                           (isPath && id != 0 && id == m_state.paths().path()));
+    }
+    m_isFilling = false;
+    refreshForm();
+}
+
+void EnvironmentDock::takeSelection()
+{
+    if (m_isFilling) {
+        return;
+    }
+    std::vector<model::PlaceId> places;
+    model::PathId chosen = m_state.paths().path();
+    for (QTreeWidgetItem* item : m_tree->selectedItems()) {
+        const auto id = item->data(0, kIdRole).toUInt();
+        if (item->type() == PathItem) {
+            chosen = id;
+        } else if (item->type() == PlaceItem && std::ranges::find(places, id) == places.end()) {
+            places.push_back(id);
+            chosen = item->parent()->type() == PathItem ? item->parent()->data(0, kIdRole).toUInt()
+                                                        : chosen;
+        }
+    }
+    m_state.paths().select(places);
+    m_state.paths().look(chosen);
+    showSelection();
+}
+
+void EnvironmentDock::refreshForm()
+{
+    const model::Place* shownPlace = place();
+    const model::Path* shownPath = shownPlace == nullptr ? path() : nullptr;
+    const bool hasAny = shownPlace != nullptr || shownPath != nullptr;
+    const auto show = [this](QWidget* field, bool isShown) {
+        field->setVisible(isShown);
+        if (QWidget* label = m_form->labelForField(field)) {
+            label->setVisible(isShown);
+        }
+    };
+    m_isFilling = true;
+    show(m_name, hasAny);
+    show(m_color, hasAny);
+    show(m_radius, shownPlace != nullptr);
+    show(m_role, shownPlace != nullptr);
+    show(m_kind, shownPath != nullptr);
+    show(m_people, shownPath != nullptr);
+    for (int axis = 0; axis < 3; ++axis) {
+        m_position[axis]->setVisible(shownPlace != nullptr);
+    }
+    m_form->itemAt(1, QFormLayout::LabelRole)->widget()->setVisible(shownPlace != nullptr);
+    if (shownPlace != nullptr) {
+        m_name->setText(QString::fromStdString(shownPlace->name));
+        m_color->setIcon(swatch(shownPlace->color));
+        for (int axis = 0; axis < 3; ++axis) {
+            m_position[axis]->setValue(static_cast<double>(shownPlace->position[axis]));
+        }
+        m_radius->setValue(static_cast<double>(shownPlace->radius));
+        m_role->setCurrentIndex(static_cast<int>(shownPlace->role));
+    } else if (shownPath != nullptr) {
+        m_name->setText(QString::fromStdString(shownPath->name));
+        m_color->setIcon(swatch(shownPath->color));
+        m_kind->setCurrentIndex(static_cast<int>(shownPath->kind));
+        m_people->setText(QLocale().toString(peopleOn(m_state.scene(), shownPath->id)));
+    }
+    m_isFilling = false;
+}
+
+void EnvironmentDock::rename(QTreeWidgetItem* item)
+{
+    if (m_state.document().isEditOpen()) {
+        return;
+    }
+    const std::string name = item->text(0).toStdString();
+    const auto id = item->data(0, kIdRole).toUInt();
+    auto edit = m_state.document().beginEdit();
+    if (item->type() == PathItem) {
+        model::Path renamed = *m_state.scene().findPath(id);
+        renamed.name = name;
+        edit->changePath(renamed);
+        edit->commit(tr("Rename a path"));
+    } else if (item->type() == PlaceItem) {
+        model::Place renamed = *m_state.scene().findPlace(id);
+        renamed.name = name;
+        edit->changePlace(renamed);
+        edit->commit(tr("Rename a place"));
+    }
+}
+
+void EnvironmentDock::chooseColor()
+{
+    const model::Place* shown = place();
+    const auto now = shown != nullptr    ? shown->color
+                     : path() != nullptr ? path()->color
+                                         : std::array<std::uint8_t, 3>{};
+    const QColor chosen = QColorDialog::getColor(QColor(now[0], now[1], now[2]), this);
+    if (!chosen.isValid()) {
+        return;
+    }
+    const std::array<std::uint8_t, 3> color{static_cast<std::uint8_t>(chosen.red()),
+                                            static_cast<std::uint8_t>(chosen.green()),
+                                            static_cast<std::uint8_t>(chosen.blue())};
+    if (shown != nullptr) {
+        changePlace(tr("Colour a place"), [&](model::Place& each) { each.color = color; });
+    } else {
+        changePath(tr("Colour a path"), [&](model::Path& each) { each.color = color; });
+    }
+}
+
+void EnvironmentDock::assignSelected(model::PathId id)
+{
+    const std::vector<model::IndividualId> ids(m_state.selection().ids().begin(),
+                                               m_state.selection().ids().end());
+    if (ids.empty()) {
+        m_state.showStatus(tr("Nobody is selected: select people first (V), or paint them with "
+                              "the walk brush (W)."));
+        return;
+    }
+    auto edit = m_state.document().beginEdit();
+    edit->setColumn(model::columns::path, ids, std::span<const model::PathId>(&id, 1));
+    edit->commit(tr("Let %n individual(s) walk", nullptr, static_cast<int>(ids.size())));
+}
+
+void EnvironmentDock::selectPeopleOf(model::PathId id)
+{
+    std::vector<model::IndividualId> ids;
+    const model::Population& people = m_state.scene().population;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (people.column(model::columns::path)[row] == id) {
+            ids.push_back(people.ids()[row]);
+        }
+    }
+    m_state.selection().set(ids);
+}
+
+void EnvironmentDock::showMenu(const QPoint& position)
+{
+    QTreeWidgetItem* item = m_tree->itemAt(position);
+    if (item == nullptr || m_state.document().isEditOpen()) {
+        return;
+    }
+    QMenu menu(this);
+    if (item->type() == PathItem) {
+        fillPathMenu(menu, item->data(0, kIdRole).toUInt());
+    } else if (item->type() == PlaceItem) {
+        fillPlaceMenu(menu, item);
+    }
+    menu.exec(m_tree->viewport()->mapToGlobal(position));
+}
+
+void EnvironmentDock::fillPathMenu(QMenu& menu, model::PathId id)
+{
+    const auto act = [this, &menu](const QString& text, const QString& undoText,
+                                   const std::function<void(model::SceneEdit&)>& change) {
+        connect(menu.addAction(text), &QAction::triggered, this, [this, undoText, change] {
+            auto edit = m_state.document().beginEdit();
+            change(*edit);
+            edit->commit(undoText);
+        });
+    };
+    connect(menu.addAction(tr("Go On Painting It")), &QAction::triggered, this, [this, id] {
+        m_state.setTool(ToolId::BrushPath);
+        m_state.paths().paint(id);
+    });
+    act(tr("Reverse"), tr("Reverse a path"),
+        [id](model::SceneEdit& edit) { model::reversePath(edit, id); });
+    QMenu* join = menu.addMenu(tr("Join with"));
+    for (const model::Path& other : m_state.scene().paths) {
+        if (other.id != id) {
+            connect(join->addAction(QString::fromStdString(other.name)), &QAction::triggered, this,
+                    [this, id, second = other.id] {
+                        auto edit = m_state.document().beginEdit();
+                        model::joinPaths(*edit, id, second);
+                        edit->commit(tr("Join two paths"));
+                    });
+        }
+    }
+    join->setEnabled(!join->isEmpty());
+    menu.addSeparator();
+    connect(menu.addAction(tr("Let the Selected People Walk It")), &QAction::triggered, this,
+            [this, id] { assignSelected(id); });
+    connect(menu.addAction(tr("Select Its People")), &QAction::triggered, this,
+            [this, id] { selectPeopleOf(id); });
+    menu.addSeparator();
+    act(tr("Delete the Path"), tr("Delete a path"),
+        [id](model::SceneEdit& edit) { edit.removePath(id); });
+    act(tr("Delete It with Its Places"), tr("Delete a path"), [id](model::SceneEdit& edit) {
+        const std::vector<model::PlaceId> places = edit.scene().findPath(id)->places;
+        edit.removePath(id);
+        for (const model::PlaceId each : places) {
+            if (edit.scene().findPlace(each) != nullptr) {
+                edit.removePlace(each);
+            }
+        }
+    });
+}
+
+void EnvironmentDock::fillPlaceMenu(QMenu& menu, QTreeWidgetItem* item)
+{
+    const auto id = item->data(0, kIdRole).toUInt();
+    if (item->parent()->type() == PathItem) {
+        const auto pathId = item->parent()->data(0, kIdRole).toUInt();
+        const int index = item->data(0, kIndexRole).toInt();
+        connect(menu.addAction(tr("Insert a Place After It")), &QAction::triggered, this,
+                [this, pathId, index] {
+                    const model::Path& inPath = *m_state.scene().findPath(pathId);
+                    const auto at = static_cast<std::size_t>(index);
+                    const std::size_t next = (at + 1) % inPath.places.size();
+                    model::Place added = *m_state.scene().findPlace(inPath.places[at]);
+                    const model::Place& other = *m_state.scene().findPlace(inPath.places[next]);
+                    added.position = (added.position + other.position) * 0.5F;
+                    added.name.clear();
+                    auto edit = m_state.document().beginEdit();
+                    const model::PlaceId made = model::insertPlace(*edit, pathId, at + 1, added);
+                    edit->commit(tr("Insert a place"));
+                    m_state.paths().select({made});
+                });
+        connect(menu.addAction(tr("Take It Out of the Path")), &QAction::triggered, this,
+                [this, pathId, index] {
+                    model::Path shorter = *m_state.scene().findPath(pathId);
+                    shorter.places.erase(shorter.places.begin() + index);
+                    auto edit = m_state.document().beginEdit();
+                    edit->changePath(shorter);
+                    edit->commit(tr("Take a place out of a path"));
+                });
+    }
+    connect(menu.addAction(tr("Delete the Place")), &QAction::triggered, this, [this, id] {
+        auto edit = m_state.document().beginEdit();
+        edit->removePlace(id);
+        edit->commit(tr("Delete %n place(s)", nullptr, 1));
+    });
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/RuleFields.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/theme/Icons.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Rules)
+};
+
+/// A combo box over entries with ids.
+template<class Entry>
+void addEntryField(QHBoxLayout* row, const std::vector<Entry>& entries, std::uint32_t id,
+                   const QString& any, const std::function<void(std::uint32_t)>& changed)
+{
+    QStringList names;
+    std::vector<std::uint32_t> ids;
+    if (!any.isEmpty() || id == 0 || entries.empty()) {
+        names << (any.isEmpty() ? Text::tr("choose…") : any);
+        ids.push_back(0);
+    }
+    for (const Entry& entry : entries) {
+        names << QString::fromStdString(entry.name);
+        ids.push_back(entry.id);
+    }
+    auto found = std::ranges::find(ids, id);
+    if (found == ids.end()) {
+        names << Text::tr("(gone)");
+        ids.push_back(id);
+        found = ids.end() - 1;
+    }
+    addChoiceField(row, names, static_cast<int>(found - ids.begin()),
+                   [ids, changed](int index) { changed(ids[static_cast<std::size_t>(index)]); });
+}
+
+} // namespace
+
+void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
+                    const std::function<void(int)>& changed)
+{
+    auto* box = new QComboBox;
+    box->addItems(names);
+    box->setCurrentIndex(index);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(6);
+    row->addWidget(box, 1);
+    QObject::connect(box, &QComboBox::activated, box, changed);
+}
+
+void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
+                    const std::function<void(double)>& changed)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setRange(low, high);
+    box->setDecimals(2);
+    box->setSingleStep(high <= 1.0 ? 0.05 : 0.5);
+    box->setSuffix(suffix);
+    box->setValue(value);
+    box->setKeyboardTracking(false);
+    box->setMaximumWidth(96);
+    row->addWidget(box);
+    QObject::connect(box, &QDoubleSpinBox::valueChanged, box, changed);
+}
+
+void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
+                  const std::function<void(const QString&)>& changed)
+{
+    auto* line = new QLineEdit(text);
+    line->setPlaceholderText(placeholder);
+    row->addWidget(line, 1);
+    QObject::connect(line, &QLineEdit::editingFinished, line, [line, text, changed] {
+        if (line->text() != text) {
+            changed(line->text());
+        }
+    });
+}
+
+void addPlaceField(QHBoxLayout* row, const model::Scene& scene, model::PlaceId place,
+                   const QString& any, const std::function<void(model::PlaceId)>& changed)
+{
+    addEntryField(row, scene.places, place, any, changed);
+}
+
+void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId path,
+                  const QString& any, const std::function<void(model::PathId)>& changed)
+{
+    addEntryField(row, scene.paths, path, any, changed);
+}
+
+void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
+                 const std::function<void(std::uint8_t)>& changed)
+{
+    QStringList names;
+    for (int bit = 0; bit < model::kTagCount; ++bit) {
+        names << Text::tr("tag %1").arg(tagText(scene, static_cast<std::uint8_t>(bit)));
+    }
+    addChoiceField(row, names, tag,
+                   [changed](int index) { changed(static_cast<std::uint8_t>(index)); });
+}
+
+void addClipField(QHBoxLayout* row, const model::Scene& scene,
+                  const std::vector<model::ClipWeight>& clips,
+                  const std::function<void(const std::vector<model::ClipWeight>&)>& changed)
+{
+    auto* button = new QToolButton;
+    QStringList chosen;
+    auto* menu = new QMenu(button);
+    std::vector<std::string> known;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (const std::string& name : entry.clipNames) {
+            if (std::ranges::find(known, name) == known.end()) {
+                known.push_back(name);
+            }
+        }
+    }
+    for (const model::ClipWeight& clip : clips) {
+        chosen << QString::fromStdString(clip.clip);
+        if (std::ranges::find(known, clip.clip) == known.end()) {
+            known.push_back(clip.clip);
+        }
+    }
+    for (const std::string& name : known) {
+        QAction* action = menu->addAction(QString::fromStdString(name));
+        action->setCheckable(true);
+        action->setChecked(std::ranges::find(clips, name, &model::ClipWeight::clip) != clips.end());
+        QObject::connect(action, &QAction::triggered, button, [clips, name, changed](bool on) {
+            std::vector<model::ClipWeight> all = clips;
+            if (on) {
+                all.push_back({name, 1.0F});
+            } else {
+                std::erase_if(all, [&](const auto& clip) { return clip.clip == name; });
+            }
+            changed(all);
+        });
+    }
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setText(chosen.isEmpty() ? Text::tr("choose clips…") : chosen.join(Text::tr(" or ")));
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button, 1);
+}
+
+void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed)
+{
+    auto* button = new QToolButton;
+    button->setIcon(iconNamed("remove"));
+    button->setAutoRaise(true);
+    button->setToolTip(tip);
+    row->addWidget(button);
+    QObject::connect(button, &QToolButton::clicked, button, pressed);
+}
+
+} // namespace crowd::widgets

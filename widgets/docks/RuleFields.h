@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <QtWidgets/QWidget>
+
+#include "model/scene/Scene.h"
+
+class QHBoxLayout;
+
+/// Small fields that a sentence is built from; each calls back when the artist changed it.
+namespace crowd::widgets {
+
+void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
+                    const std::function<void(int)>& changed);
+void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
+                    const std::function<void(double)>& changed);
+void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
+                  const std::function<void(const QString&)>& changed);
+/// Places of the scene, with "any" for 0 where that is allowed.
+void addPlaceField(QHBoxLayout* row, const model::Scene& scene, model::PlaceId place,
+                   const QString& any, const std::function<void(model::PlaceId)>& changed);
+void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId path,
+                  const QString& any, const std::function<void(model::PathId)>& changed);
+void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
+                 const std::function<void(std::uint8_t)>& changed);
+/// Clips of the scene's templates, ticked in a menu.
+void addClipField(QHBoxLayout* row, const model::Scene& scene,
+                  const std::vector<model::ClipWeight>& clips,
+                  const std::function<void(const std::vector<model::ClipWeight>&)>& changed);
+void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed);
+
+} // namespace crowd::widgets

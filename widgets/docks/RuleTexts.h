@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QStringList>
+
+#include "model/scene/RuleSets.h"
+#include "model/scene/Scene.h"
+
+/// Rules as sentences in the artist's language.
+namespace crowd::widgets {
+
+[[nodiscard]] QStringList triggerNames();   ///< by TriggerKind
+[[nodiscard]] QStringList conditionNames(); ///< by ConditionKind
+[[nodiscard]] QStringList actionNames();    ///< by ActionKind
+[[nodiscard]] QStringList reachNames();     ///< by EventReach
+[[nodiscard]] QStringList meetingNames();   ///< by RuleMeeting
+[[nodiscard]] QString ruleSetName(model::RuleSet set);
+[[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
+
+/// "When wave reaches someone seated: tell those near, play sit_cheer".
+[[nodiscard]] QString ruleSentence(const model::Scene& scene, const model::Rule& rule);
+/// What is wrong with a rule, and the way out; empty when it is sound.
+[[nodiscard]] QString ruleProblem(const model::Scene& scene, const model::Rule& rule);
+
+} // namespace crowd::widgets

@@ -1,0 +1,642 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/RulesDock.h"
+
+#include <algorithm>
+
+#include <QtCore/QLocale>
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
+
+#include "behavior/rules/RuleEngine.h"
+#include "model/document/SceneEdit.h"
+#include "widgets/docks/RuleFields.h"
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/theme/Icons.h"
+
+namespace crowd::widgets {
+
+using model::Action;
+using model::ActionKind;
+using model::Condition;
+using model::ConditionKind;
+using model::Rule;
+using model::TriggerKind;
+
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kCountMs = 250;
+constexpr std::size_t kMaxLines = 400;
+
+QHBoxLayout* rowIn(QVBoxLayout* layout)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    layout->addLayout(row);
+    return row;
+}
+
+QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
+{
+    auto* made = new QToolButton(parent);
+    made->setIcon(iconNamed(icon));
+    made->setToolTip(tip);
+    made->setAutoRaise(true);
+    return made;
+}
+
+} // namespace
+
+RulesDock::RulesDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Rules"), "rules", parent), m_state(state), m_list(new QListWidget(this))
+{
+    auto* content = new QWidget(this);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addWidget(makeButtons(content));
+    m_list->setObjectName(QStringLiteral("ruleList"));
+    m_list->setWordWrap(true);
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setMinimumHeight(80);
+    layout->addWidget(m_list, 2);
+    m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
+                           "brush (E) sets them off while it plays."),
+                        content);
+    m_note->setWordWrap(true);
+    m_note->setEnabled(false);
+    layout->addWidget(m_note);
+    m_problem = new QLabel(content);
+    m_problem->setObjectName(QStringLiteral("ruleProblem"));
+    m_problem->setWordWrap(true);
+    m_problem->setStyleSheet(QStringLiteral("color: #d05040"));
+    layout->addWidget(m_problem);
+    m_editorArea = new QWidget(content);
+    auto* area = new QVBoxLayout(m_editorArea);
+    area->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_editorArea);
+    m_onlySelected = new QCheckBox(tr("Log only the selected people"), content);
+    layout->addWidget(m_onlySelected);
+    m_log = new QPlainTextEdit(content);
+    m_log->setObjectName(QStringLiteral("ruleLog"));
+    m_log->setReadOnly(true);
+    m_log->setPlaceholderText(tr("What fired, while it plays"));
+    m_log->setMinimumHeight(50);
+    layout->addWidget(m_log, 1);
+    setScrolledContent(content);
+
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(0);
+    connect(&m_rebuild, &QTimer::timeout, this, [this] {
+        rebuildList();
+        rebuildEditor();
+    });
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::RulesChanged>(change) ||
+                    std::holds_alternative<model::PathsChanged>(change) ||
+                    std::holds_alternative<model::TemplatesChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    m_rebuild.start();
+                }
+            });
+    m_counting.setInterval(kCountMs);
+    connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
+    connect(&m_state.session(), &SessionControl::stateChanged, this, [this] {
+        if (m_state.session().isRunning()) {
+            m_lines.clear();
+            m_counting.start();
+        } else {
+            m_counting.stop();
+        }
+        refreshCounts();
+    });
+    connect(m_onlySelected, &QCheckBox::clicked, this, &RulesDock::showLog);
+    connect(&m_state.selection(), &Selection::changed, this, &RulesDock::showLog);
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_isFilling) {
+            m_current = item == nullptr ? 0 : item->data(kIdRole).toUInt();
+            rebuildEditor();
+        }
+    });
+    connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_isFilling) {
+            m_current = item->data(kIdRole).toUInt();
+            const bool isOn = item->checkState() == Qt::Checked;
+            change([isOn](Rule& rule) { rule.isEnabled = isOn; });
+        }
+    });
+    connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &RulesDock::takeOrder);
+    rebuildList();
+    rebuildEditor();
+}
+
+QWidget* RulesDock::makeButtons(QWidget* parent)
+{
+    auto* box = new QWidget(parent);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    auto* add = button(box, "add", tr("Add a rule, or a ready-made set of rules"));
+    add->setObjectName(QStringLiteral("addRule"));
+    add->setText(tr("Add"));
+    add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    add->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(add);
+    connect(menu->addAction(tr("A New Rule")), &QAction::triggered, this, &RulesDock::addRule);
+    menu->addSeparator();
+    for (int i = 0; i < static_cast<int>(model::RuleSet::Count); ++i) {
+        const auto set = static_cast<model::RuleSet>(i);
+        connect(menu->addAction(ruleSetName(set)), &QAction::triggered, this,
+                [this, set] { addSet(set); });
+    }
+    add->setMenu(menu);
+    row->addWidget(add);
+    auto* copy = button(box, "group", tr("Duplicate the rule"));
+    connect(copy, &QToolButton::clicked, this, &RulesDock::duplicateRule);
+    row->addWidget(copy);
+    auto* remove = button(box, "remove", tr("Delete the rule"));
+    remove->setObjectName(QStringLiteral("removeRule"));
+    connect(remove, &QToolButton::clicked, this, &RulesDock::removeRule);
+    row->addWidget(remove);
+    auto* test = button(box, "brush-event", tr("Try it on the selected people, or on all"));
+    test->setObjectName(QStringLiteral("tryRule"));
+    connect(test, &QToolButton::clicked, this, &RulesDock::tryRule);
+    row->addWidget(test);
+    row->addStretch(1);
+    return box;
+}
+
+const Rule* RulesDock::current() const
+{
+    const auto& rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    return found == rules.end() ? nullptr : &*found;
+}
+
+void RulesDock::setRules(std::vector<Rule> rules, const QString& undoText)
+{
+    if (m_state.document().isEditOpen()) {
+        return;
+    }
+    auto edit = m_state.document().beginEdit();
+    edit->setRules(std::move(rules));
+    edit->commit(undoText);
+}
+
+void RulesDock::change(const Change& apply)
+{
+    std::vector<Rule> rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    if (m_isFilling || found == rules.end()) {
+        return;
+    }
+    apply(*found);
+    setRules(std::move(rules), tr("Change a rule"));
+}
+
+void RulesDock::addRule()
+{
+    std::vector<Rule> made(1);
+    made.front().name = tr("New rule").toStdString();
+    made.front().trigger.event = "cheer";
+    made.front().actions.emplace_back();
+    model::giveIds(made, m_state.scene());
+    m_current = made.front().id;
+    std::vector<Rule> rules = m_state.scene().rules;
+    rules.push_back(made.front());
+    setRules(std::move(rules), tr("Add a rule"));
+}
+
+void RulesDock::addSet(model::RuleSet set)
+{
+    std::vector<Rule> made = model::rulesOf(set, m_state.scene());
+    model::giveIds(made, m_state.scene());
+    m_current = made.front().id;
+    // The event brush is ready for it.
+    if (made.front().trigger.kind == TriggerKind::Event) {
+        model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
+        brush.event.name = made.front().trigger.event;
+        m_state.setBrush(brush);
+    }
+    std::vector<Rule> rules = m_state.scene().rules;
+    rules.insert(rules.end(), made.begin(), made.end());
+    setRules(std::move(rules), tr("Add rules: %1").arg(ruleSetName(set)));
+}
+
+void RulesDock::duplicateRule()
+{
+    if (const Rule* rule = current()) {
+        std::vector<Rule> made{*rule};
+        model::giveIds(made, m_state.scene());
+        std::vector<Rule> rules = m_state.scene().rules;
+        const auto at = std::ranges::find(rules, m_current, &Rule::id);
+        m_current = made.front().id;
+        rules.insert(at + 1, made.front());
+        setRules(std::move(rules), tr("Duplicate a rule"));
+    }
+}
+
+void RulesDock::removeRule()
+{
+    std::vector<Rule> rules = m_state.scene().rules;
+    std::erase_if(rules, [this](const Rule& rule) { return rule.id == m_current; });
+    setRules(std::move(rules), tr("Delete a rule"));
+}
+
+/// Lets what a rule waits for happen now.
+void RulesDock::tryRule()
+{
+    const Rule* rule = current();
+    if (rule == nullptr || rule->trigger.kind != TriggerKind::Event) {
+        m_state.showStatus(tr("Choose a rule that begins with an event to try it."));
+        return;
+    }
+    if (!m_state.session().isRunning()) {
+        m_state.showStatus(tr("Press Play first: rules act while it plays."));
+        return;
+    }
+    const auto all = m_state.scene().population.ids();
+    const auto ids = m_state.selection().isEmpty() ? all : m_state.selection().ids();
+    model::EventSettings event = m_state.brush(model::BrushKind::Event).event;
+    event.name = rule->trigger.event;
+    m_state.session().send(event, ids);
+}
+
+void RulesDock::takeOrder()
+{
+    std::vector<Rule> rules;
+    for (int i = 0; i < m_list->count(); ++i) {
+        const auto id = m_list->item(i)->data(kIdRole).toUInt();
+        const auto& all = m_state.scene().rules;
+        const auto found = std::ranges::find(all, id, &Rule::id);
+        if (found != all.end()) {
+            rules.push_back(*found);
+        }
+    }
+    if (rules.size() == m_state.scene().rules.size()) {
+        setRules(std::move(rules), tr("Reorder the rules"));
+    }
+}
+
+void RulesDock::rebuildList()
+{
+    m_isFilling = true;
+    m_list->clear();
+    const model::Scene& scene = m_state.scene();
+    for (const Rule& rule : scene.rules) {
+        auto* item = new QListWidgetItem(ruleSentence(scene, rule), m_list);
+        item->setData(kIdRole, rule.id);
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(rule.isEnabled ? Qt::Checked : Qt::Unchecked);
+        const QString problem = ruleProblem(scene, rule);
+        if (!problem.isEmpty()) {
+            item->setForeground(QColor(208, 80, 64));
+            item->setToolTip(problem);
+        }
+        if (rule.id == m_current) {
+            m_list->setCurrentItem(item);
+        }
+    }
+    m_note->setVisible(scene.rules.empty());
+    m_isFilling = false;
+    refreshCounts();
+}
+
+void RulesDock::refreshCounts()
+{
+    const model::Scene& scene = m_state.scene();
+    const bool isRunning = m_state.session().isRunning();
+    m_isFilling = true;
+    for (int i = 0; i < m_list->count(); ++i) {
+        QListWidgetItem* item = m_list->item(i);
+        const auto id = item->data(kIdRole).toUInt();
+        const auto found = std::ranges::find(scene.rules, id, &Rule::id);
+        if (found == scene.rules.end()) {
+            continue;
+        }
+        const QString sentence = ruleSentence(scene, *found);
+        const std::uint64_t count = isRunning ? m_state.session().firedCount(id) : 0;
+        const QString text =
+            count > 0
+                ? tr("%1 (%2 ×)").arg(sentence, QLocale().toString(static_cast<qulonglong>(count)))
+                : sentence;
+        if (item->text() != text) {
+            item->setText(text);
+        }
+    }
+    m_isFilling = false;
+    const std::vector<behavior::RuleFired> fired = m_state.session().takeLog();
+    for (const behavior::RuleFired& each : fired) {
+        m_lines.push_back({static_cast<double>(each.step) / 30.0, each.rule, each.who});
+        if (m_lines.size() > kMaxLines) {
+            m_lines.pop_front();
+        }
+    }
+    if (!fired.empty()) {
+        showLog();
+    }
+    const std::vector<std::string> problems = m_state.session().problems();
+    if (!problems.empty()) {
+        m_problem->setText(QString::fromStdString(problems.front()));
+        m_problem->show();
+    }
+}
+
+void RulesDock::showLog()
+{
+    QStringList lines;
+    for (const LogLine& line : m_lines) {
+        if (m_onlySelected->isChecked() && !m_state.selection().contains(line.who)) {
+            continue;
+        }
+        const auto& rules = m_state.scene().rules;
+        const auto rule = std::ranges::find(rules, line.rule, &Rule::id);
+        lines << tr("%1 s · person %2 · %3")
+                     .arg(QLocale().toString(line.seconds, 'f', 2))
+                     .arg(line.who)
+                     .arg(rule == rules.end() ? tr("a rule") : QString::fromStdString(rule->name));
+    }
+    m_log->setPlainText(lines.join(QLatin1Char('\n')));
+    m_log->moveCursor(QTextCursor::End);
+}
+
+void RulesDock::rebuildEditor()
+{
+    delete m_editor;
+    m_editor = nullptr;
+    const Rule* rule = current();
+    m_problem->setVisible(false);
+    if (rule == nullptr) {
+        return;
+    }
+    const Rule shown = *rule;
+    m_isFilling = true;
+    m_editor = new QWidget(m_editorArea);
+    auto* layout = new QVBoxLayout(m_editor);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(3);
+    QHBoxLayout* name = rowIn(layout);
+    addTextField(name, QString::fromStdString(shown.name), tr("Name"), [this](const QString& text) {
+        change([&](Rule& each) { each.name = text.toStdString(); });
+    });
+    addTrigger(layout, shown);
+    for (std::size_t i = 0; i < shown.conditions.size(); ++i) {
+        addCondition(layout, shown, i);
+    }
+    for (std::size_t i = 0; i < shown.actions.size(); ++i) {
+        addAction(layout, shown, i);
+    }
+    QHBoxLayout* more = rowIn(layout);
+    auto* condition = new QToolButton(m_editor);
+    condition->setText(tr("+ only if…"));
+    condition->setAutoRaise(true);
+    more->addWidget(condition);
+    connect(condition, &QToolButton::clicked, this,
+            [this] { change([](Rule& each) { each.conditions.emplace_back(); }); });
+    auto* action = new QToolButton(m_editor);
+    action->setObjectName(QStringLiteral("addAction"));
+    action->setText(tr("+ then…"));
+    action->setAutoRaise(true);
+    more->addWidget(action);
+    more->addStretch(1);
+    connect(action, &QToolButton::clicked, this, [this] {
+        change([](Rule& each) { each.actions.emplace_back().kind = ActionKind::Wait; });
+    });
+    addMeeting(layout, shown);
+    m_editorArea->layout()->addWidget(m_editor);
+    const QString problem = ruleProblem(m_state.scene(), shown);
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    m_isFilling = false;
+}
+
+void RulesDock::addTrigger(QVBoxLayout* layout, const Rule& rule)
+{
+    QHBoxLayout* row = rowIn(layout);
+    row->addWidget(new QLabel(tr("When")));
+    const model::Trigger& trigger = rule.trigger;
+    addChoiceField(row, triggerNames(), static_cast<int>(trigger.kind), [this](int index) {
+        change([&](Rule& each) { each.trigger.kind = static_cast<TriggerKind>(index); });
+    });
+    const model::Scene& scene = m_state.scene();
+    switch (trigger.kind) {
+    case TriggerKind::Event:
+        addTextField(row, QString::fromStdString(trigger.event), tr("event"),
+                     [this](const QString& text) {
+                         change([&](Rule& each) { each.trigger.event = text.toStdString(); });
+                     });
+        break;
+    case TriggerKind::Arrived:
+    case TriggerKind::Entered:
+    case TriggerKind::Left:
+        addPlaceField(row, scene, trigger.place, tr("any place"), [this](model::PlaceId place) {
+            change([&](Rule& each) { each.trigger.place = place; });
+        });
+        break;
+    case TriggerKind::PathEnded:
+        addPathField(row, scene, trigger.path, tr("any path"), [this](model::PathId path) {
+            change([&](Rule& each) { each.trigger.path = path; });
+        });
+        break;
+    case TriggerKind::Every:
+        addNumberField(
+            row, static_cast<double>(trigger.seconds), 0.1, 3600.0, tr(" s"), [this](double value) {
+                change([&](Rule& each) { each.trigger.seconds = static_cast<float>(value); });
+            });
+        break;
+    case TriggerKind::TagNear:
+        addTagField(row, scene, trigger.tag, [this](std::uint8_t tag) {
+            change([&](Rule& each) { each.trigger.tag = tag; });
+        });
+        addNumberField(
+            row, static_cast<double>(trigger.metres), 0.1, 100.0, tr(" m"), [this](double value) {
+                change([&](Rule& each) { each.trigger.metres = static_cast<float>(value); });
+            });
+        break;
+    case TriggerKind::Start:
+    case TriggerKind::ClipEnded:
+        break;
+    }
+}
+
+void RulesDock::addCondition(QVBoxLayout* layout, const Rule& rule, std::size_t index)
+{
+    QHBoxLayout* row = rowIn(layout);
+    const Condition& condition = rule.conditions[index];
+    const auto set = [this, index](const std::function<void(Condition&)>& apply) {
+        change([&](Rule& each) { apply(each.conditions[index]); });
+    };
+    if (index == 0) {
+        row->addWidget(new QLabel(tr("if")));
+    } else {
+        addChoiceField(row, {tr("and"), tr("or")}, rule.isAnyEnough ? 1 : 0, [this](int choice) {
+            change([&](Rule& each) { each.isAnyEnough = choice == 1; });
+        });
+    }
+    addChoiceField(row, {tr("is"), tr("is not")}, condition.isNot ? 1 : 0,
+                   [set](int choice) { set([&](Condition& each) { each.isNot = choice == 1; }); });
+    addChoiceField(row, conditionNames(), static_cast<int>(condition.kind), [set](int kind) {
+        set([&](Condition& each) { each.kind = static_cast<ConditionKind>(kind); });
+    });
+    const model::Scene& scene = m_state.scene();
+    switch (condition.kind) {
+    case ConditionKind::HasTag:
+        addTagField(row, scene, condition.tag,
+                    [set](std::uint8_t tag) { set([&](Condition& each) { each.tag = tag; }); });
+        break;
+    case ConditionKind::OfTemplate: {
+        QStringList names;
+        int chosen = -1;
+        for (const model::TemplateEntry& entry : scene.templates) {
+            chosen = entry.id == condition.templateId ? static_cast<int>(names.size()) : chosen;
+            names << QString::fromStdString(entry.name);
+        }
+        addChoiceField(row, names, chosen, [this, set](int choice) {
+            const model::TemplateId id =
+                m_state.scene().templates[static_cast<std::size_t>(choice)].id;
+            set([&](Condition& each) { each.templateId = id; });
+        });
+        break;
+    }
+    case ConditionKind::InPlace:
+        addPlaceField(row, scene, condition.place, {}, [set](model::PlaceId place) {
+            set([&](Condition& each) { each.place = place; });
+        });
+        break;
+    case ConditionKind::FollowsPath:
+        addPathField(row, scene, condition.path, tr("any path"), [set](model::PathId path) {
+            set([&](Condition& each) { each.path = path; });
+        });
+        break;
+    case ConditionKind::Chance:
+        addNumberField(
+            row, static_cast<double>(condition.chance) * 100.0, 0.0, 100.0, tr(" %"),
+            [set](double value) {
+                set([&](Condition& each) { each.chance = static_cast<float>(value / 100.0); });
+            });
+        break;
+    case ConditionKind::IsSeated:
+        break;
+    }
+    addRemoveButton(row, tr("Remove this condition"), [this, index] {
+        change([&](Rule& each) {
+            each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
+}
+
+void RulesDock::addAction(QVBoxLayout* layout, const Rule& rule, std::size_t index)
+{
+    QHBoxLayout* row = rowIn(layout);
+    const Action& action = rule.actions[index];
+    const auto set = [this, index](const std::function<void(Action&)>& apply) {
+        change([&](Rule& each) { apply(each.actions[index]); });
+    };
+    const auto addNumber = [&](float value, double low, double high, const QString& suffix,
+                               float Action::*member) {
+        addNumberField(row, static_cast<double>(value), low, high, suffix,
+                       [set, member](double edited) {
+                           set([&](Action& each) { each.*member = static_cast<float>(edited); });
+                       });
+    };
+    row->addWidget(new QLabel(index == 0 ? tr("do") : tr("then")));
+    addChoiceField(row, actionNames(), static_cast<int>(action.kind), [set](int kind) {
+        set([&](Action& each) { each.kind = static_cast<ActionKind>(kind); });
+    });
+    const model::Scene& scene = m_state.scene();
+    switch (action.kind) {
+    case ActionKind::PlayClip:
+        addClipField(row, scene, action.clips,
+                     [set](const auto& clips) { set([&](Action& each) { each.clips = clips; }); });
+        addChoiceField(row, {tr("once"), tr("for")}, action.isLooped ? 1 : 0, [set](int choice) {
+            set([&](Action& each) { each.isLooped = choice == 1; });
+        });
+        if (action.isLooped) {
+            addNumber(action.seconds, 0.0, 3600.0, tr(" s"), &Action::seconds);
+        }
+        break;
+    case ActionKind::FollowPath:
+        addPathField(row, scene, action.path, {},
+                     [set](model::PathId path) { set([&](Action& each) { each.path = path; }); });
+        break;
+    case ActionKind::GoToPlace:
+        addPlaceField(row, scene, action.place, {}, [set](model::PlaceId place) {
+            set([&](Action& each) { each.place = place; });
+        });
+        break;
+    case ActionKind::TurnTo:
+        addPlaceField(
+            row, scene, action.place, tr("where it came from"),
+            [set](model::PlaceId place) { set([&](Action& each) { each.place = place; }); });
+        break;
+    case ActionKind::Flee:
+        addNumber(action.metres, 0.0, 1000.0, tr(" m"), &Action::metres);
+        break;
+    case ActionKind::Wait:
+        addNumber(action.seconds, 0.0, 3600.0, tr(" s"), &Action::seconds);
+        break;
+    case ActionKind::SetSpeed:
+        addNumber(action.value, 0.0, 10.0, tr(" m/s"), &Action::value);
+        break;
+    case ActionKind::AddTag:
+    case ActionKind::RemoveTag:
+        addTagField(row, scene, action.tag,
+                    [set](std::uint8_t tag) { set([&](Action& each) { each.tag = tag; }); });
+        break;
+    case ActionKind::SendEvent:
+        addTextField(row, QString::fromStdString(action.event), tr("event"),
+                     [set](const QString& text) {
+                         set([&](Action& each) { each.event = text.toStdString(); });
+                     });
+        addChoiceField(row, reachNames(), static_cast<int>(action.reach), [set](int reach) {
+            set([&](Action& each) { each.reach = static_cast<model::EventReach>(reach); });
+        });
+        if (action.reach == model::EventReach::Near) {
+            addNumber(action.metres, 0.0, 1000.0, tr(" m"), &Action::metres);
+        } else if (action.reach == model::EventReach::Tagged) {
+            addTagField(row, scene, action.tag,
+                        [set](std::uint8_t tag) { set([&](Action& each) { each.tag = tag; }); });
+        }
+        addNumber(action.secondsPerMetre, 0.0, 60.0, tr(" s/m"), &Action::secondsPerMetre);
+        break;
+    case ActionKind::Stop:
+    case ActionKind::GoOn:
+    case ActionKind::LeaveScene:
+    case ActionKind::Again:
+        break;
+    }
+    addRemoveButton(row, tr("Remove this"), [this, index] {
+        change([&](Rule& each) {
+            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
+}
+
+void RulesDock::addMeeting(QVBoxLayout* layout, const Rule& rule)
+{
+    QHBoxLayout* row = rowIn(layout);
+    addChoiceField(row, meetingNames(), static_cast<int>(rule.meeting), [this](int index) {
+        change([&](Rule& each) { each.meeting = static_cast<model::RuleMeeting>(index); });
+    });
+    row->addWidget(new QLabel(tr("pause")));
+    addNumberField(row, static_cast<double>(rule.cooldownSeconds), 0.0, 3600.0, tr(" s"),
+                   [this](double value) {
+                       change(
+                           [&](Rule& each) { each.cooldownSeconds = static_cast<float>(value); });
+                   });
+    row->addWidget(new QLabel(tr("at most")));
+    addNumberField(row, static_cast<double>(rule.limit), 0.0, 1000.0, tr(" ×"),
+                   [this](double value) {
+                       change([&](Rule& each) { each.limit = static_cast<std::uint32_t>(value); });
+                   });
+}
+
+} // namespace crowd::widgets

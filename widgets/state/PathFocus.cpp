@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/PathFocus.h"
+
+#include <algorithm>
+
+namespace crowd::widgets {
+
+PathFocus::PathFocus(model::SceneDocument& document, QObject* parent)
+    : QObject(parent), m_document(document)
+{
+    connect(&document, &model::SceneDocument::changed, this, &PathFocus::follow);
+}
+
+void PathFocus::paint(model::PathId path)
+{
+    m_path = path;
+    m_isPainting = path != 0;
+    Q_EMIT changed();
+}
+
+void PathFocus::look(model::PathId path)
+{
+    if (m_path == path) {
+        return;
+    }
+    m_path = path;
+    m_isPainting = false;
+    Q_EMIT changed();
+}
+
+void PathFocus::end()
+{
+    if (m_isPainting) {
+        m_isPainting = false;
+        Q_EMIT changed();
+    }
+}
+
+bool PathFocus::isSelected(model::PlaceId place) const
+{
+    return std::find(m_places.begin(), m_places.end(), place) != m_places.end();
+}
+
+void PathFocus::select(std::vector<model::PlaceId> places)
+{
+    if (m_places != places) {
+        m_places = std::move(places);
+        Q_EMIT changed();
+    }
+}
+
+void PathFocus::toggle(model::PlaceId place)
+{
+    std::vector<model::PlaceId> places = m_places;
+    if (isSelected(place)) {
+        std::erase(places, place);
+    } else {
+        places.push_back(place);
+    }
+    select(std::move(places));
+}
+
+void PathFocus::follow(const model::SceneChange& change)
+{
+    if (!std::holds_alternative<model::PathsChanged>(change) &&
+        !std::holds_alternative<model::SceneReplaced>(change)) {
+        return;
+    }
+    std::vector<model::PlaceId> places = m_places;
+    std::erase_if(places, [this](model::PlaceId place) {
+        return m_document.scene().findPlace(place) == nullptr;
+    });
+    const bool isPathGone = m_path != 0 && m_document.scene().findPath(m_path) == nullptr;
+    if (isPathGone) {
+        m_path = 0;
+        m_isPainting = false;
+    }
+    if (isPathGone || places != m_places) {
+        m_places = std::move(places);
+        Q_EMIT changed();
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <QtCore/QObject>
+
+#include "model/document/SceneDocument.h"
+
+namespace crowd::widgets {
+
+/// Which path is being painted or looked at, and which places are selected, in the order in which
+/// they were chosen. Follows the document: what vanishes is dropped. Not an edit; cannot be undone.
+/// Main thread; the document outlives it.
+class PathFocus : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit PathFocus(model::SceneDocument& document, QObject* parent = nullptr);
+
+    /// 0: none.
+    [[nodiscard]] model::PathId path() const { return m_path; }
+    /// Whether the next place goes to the end of that path.
+    [[nodiscard]] bool isPainting() const { return m_isPainting; }
+    void paint(model::PathId path); ///< extend it from now on
+    void look(model::PathId path);  ///< highlight it
+    /// The next place begins another path.
+    void end();
+
+    [[nodiscard]] const std::vector<model::PlaceId>& places() const { return m_places; }
+    [[nodiscard]] bool isSelected(model::PlaceId place) const;
+    void select(std::vector<model::PlaceId> places);
+    void toggle(model::PlaceId place);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void follow(const model::SceneChange& change);
+
+    model::SceneDocument& m_document;
+    model::PathId m_path = 0;
+    bool m_isPainting = false;
+    std::vector<model::PlaceId> m_places;
+};
+
+} // namespace crowd::widgets

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/SessionControl.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <QtCore/QMetaObject>
+
+#include "behavior/session/SessionPlayer.h"
+#include "behavior/surface/WalkSurface.h"
+#include "model/document/SceneEdit.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr double kStepSeconds = 1.0 / 30.0;
+constexpr double kAheadSeconds = 0.1; ///< at speed 1
+constexpr int kProgressMs = 150;
+
+using SurfacePtr = std::shared_ptr<const behavior::WalkSurface>;
+
+bool touchesPeople(const model::SceneChange& change)
+{
+    return std::holds_alternative<model::IndividualsAdded>(change) ||
+           std::holds_alternative<model::IndividualsRemoved>(change) ||
+           std::holds_alternative<model::ColumnsChanged>(change);
+}
+
+} // namespace
+
+/// The surface in use and the one that is being built.
+struct SessionControl::Surface
+{
+    SurfacePtr current;
+    std::shared_ptr<behavior::WalkSurface::Progress> progress;
+    std::optional<model::Result<SurfacePtr>> result; ///< of the thread, once it is done
+    std::atomic<bool> isDone{false};
+    std::jthread thread;
+
+    ~Surface() { cancel(); }
+    void cancel()
+    {
+        if (thread.joinable()) {
+            progress->isCancelled = true;
+            thread.join();
+        }
+        thread = {};
+        result.reset();
+    }
+    [[nodiscard]] bool isBuilding() const { return thread.joinable(); }
+};
+
+SessionControl::SessionControl(model::SceneDocument& document, Transport& transport,
+                               QObject* parent)
+    : QObject(parent), m_document(document), m_transport(transport),
+      m_player(std::make_unique<behavior::SessionPlayer>([this] {
+          QMetaObject::invokeMethod(
+              this, [this] { Q_EMIT stepped(); }, Qt::QueuedConnection);
+      })),
+      m_surface(std::make_unique<Surface>())
+{
+    m_hand.setSingleShot(true);
+    m_hand.setInterval(0);
+    connect(&m_hand, &QTimer::timeout, this, &SessionControl::hand);
+    m_progress.setInterval(kProgressMs);
+    connect(&m_progress, &QTimer::timeout, this, &SessionControl::surfaceChanged);
+    connect(&document, &model::SceneDocument::changed, this, &SessionControl::followScene);
+}
+
+SessionControl::~SessionControl()
+{
+    m_player->stop();
+}
+
+bool SessionControl::isRunning() const
+{
+    return m_player->isRunning();
+}
+
+void SessionControl::followScene(const model::SceneChange& change)
+{
+    if (std::holds_alternative<model::SceneReplaced>(change) ||
+        std::holds_alternative<model::StagesChanged>(change)) {
+        m_surface->cancel();
+        m_surface->current.reset();
+        m_isSurfaceStale = true;
+        m_progress.stop();
+        Q_EMIT surfaceChanged();
+    }
+    if (std::holds_alternative<model::SceneReplaced>(change)) {
+        drop();
+    }
+    m_isBehaviourStale = true;
+    const bool isOfInterest = touchesPeople(change) ||
+                              std::holds_alternative<model::PathsChanged>(change) ||
+                              std::holds_alternative<model::RulesChanged>(change) ||
+                              std::holds_alternative<model::TemplatesChanged>(change) ||
+                              std::holds_alternative<model::StagesChanged>(change);
+    if (isRunning() && isOfInterest && !m_isKeepingPose) {
+        m_hand.start();
+    }
+    if (std::holds_alternative<model::PathsChanged>(change) && !isRunning()) {
+        (void)isReady(); // it will be wanted soon
+    }
+}
+
+void SessionControl::hand()
+{
+    if (isRunning()) {
+        if (m_isSurfaceStale) {
+            buildSurface();
+        }
+        m_player->adopt(m_document.scene());
+    }
+}
+
+bool SessionControl::isReady()
+{
+    const bool hasStage = std::ranges::any_of(
+        m_document.scene().stages, [](const auto& stage) { return stage.asset != nullptr; });
+    if (m_isSurfaceStale && hasStage) {
+        buildSurface();
+    }
+    return !m_surface->isBuilding();
+}
+
+void SessionControl::buildSurface()
+{
+    m_surface->cancel();
+    m_isSurfaceStale = false;
+    m_surfaceProblem.clear();
+    m_surface->isDone = false;
+    m_surface->progress = std::make_shared<behavior::WalkSurface::Progress>();
+    std::vector<glm::vec3> points;
+    for (const glm::vec3& point : m_document.scene().population.column(model::columns::position)) {
+        points.push_back(point);
+    }
+    for (const model::Place& place : m_document.scene().places) {
+        points.push_back(place.position);
+    }
+    m_surface->thread = std::jthread([this, stages = m_document.scene().stages,
+                                      points = std::move(points), progress = m_surface->progress] {
+        auto built = behavior::WalkSurface::build(stages, points, {}, *progress);
+        if (progress->isCancelled) {
+            return;
+        }
+        // Read after the join only.
+        m_surface->result.emplace(std::move(built));
+        m_surface->isDone = true;
+        QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
+    });
+    m_progress.start();
+    Q_EMIT surfaceChanged();
+}
+
+void SessionControl::takeSurface()
+{
+    if (!m_surface->isBuilding() || !m_surface->isDone) {
+        return;
+    }
+    m_surface->thread.join();
+    m_surface->thread = {};
+    if (m_surface->result) {
+        if (*m_surface->result) {
+            m_surface->current = m_surface->result->value();
+        } else {
+            m_surfaceProblem = QString::fromStdString(m_surface->result->error().message);
+        }
+        m_surface->result.reset();
+    }
+    m_progress.stop();
+    if (isRunning()) {
+        m_player->setSurface(m_surface->current);
+    }
+    Q_EMIT surfaceChanged();
+}
+
+double SessionControl::surfaceProgress() const
+{
+    return m_surface->isBuilding() ? static_cast<double>(m_surface->progress->done) : -1.0;
+}
+
+std::size_t SessionControl::surfacePolygons() const
+{
+    return m_surface->current ? m_surface->current->polygons() : 0;
+}
+
+void SessionControl::start()
+{
+    m_startSeconds = m_transport.seconds();
+    m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
+    m_frame.reset();
+    Q_EMIT stateChanged();
+}
+
+void SessionControl::drop()
+{
+    if (isRunning()) {
+        m_player->stop();
+        m_frame.reset();
+        Q_EMIT stateChanged();
+    }
+}
+
+void SessionControl::advance(double realSeconds)
+{
+    if (m_isBehaviourStale) {
+        m_isBehaviourStale = false;
+        m_hasBehaviour = m_document.scene().hasBehaviour();
+    }
+    if (!isRunning() && m_transport.isPlaying() && m_hasBehaviour && isReady()) {
+        start();
+    }
+    if (!isRunning()) {
+        m_transport.advance(realSeconds);
+        return;
+    }
+    m_transport.advance(realSeconds, m_player->available());
+    if (m_transport.isPlaying()) {
+        m_player->request(m_transport.seconds() +
+                          kAheadSeconds * std::max(1.0, m_transport.state().speed));
+    }
+}
+
+void SessionControl::stepOnce()
+{
+    m_transport.setPlaying(false);
+    if (!isRunning() && m_document.scene().hasBehaviour() && isReady()) {
+        start();
+    }
+    const double steps = std::floor((m_transport.seconds() - m_startSeconds) * 30.0 + 1e-6) + 1.0;
+    const double next = m_startSeconds + steps * kStepSeconds;
+    if (isRunning()) {
+        m_player->request(next);
+    }
+    m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + kStepSeconds);
+}
+
+void SessionControl::stop()
+{
+    drop();
+    m_transport.setPlaying(false);
+    m_transport.rewind();
+    Q_EMIT stateChanged();
+}
+
+void SessionControl::send(const model::EventSettings& event,
+                          std::span<const model::IndividualId> ids)
+{
+    m_player->send(event.name, event.payload, {ids.begin(), ids.end()});
+}
+
+void SessionControl::pose(model::CrowdFrame& frame) const
+{
+    if (isRunning()) {
+        m_player->pose(frame);
+    }
+}
+
+model::CrowdFramePtr SessionControl::frame(double seconds) const
+{
+    if (!isRunning()) {
+        return m_document.frame(seconds);
+    }
+    const double available = m_player->available();
+    if (!m_frame || m_frame->seconds != seconds || m_frameAvailable != available ||
+        m_frameRevision != m_document.revision()) {
+        model::CrowdFrame frame = *m_document.frame(seconds);
+        m_player->pose(frame);
+        m_frame = std::make_shared<const model::CrowdFrame>(std::move(frame));
+        m_frameAvailable = available;
+        m_frameRevision = m_document.revision();
+    }
+    return m_frame;
+}
+
+std::vector<model::IndividualId> SessionControl::lit() const
+{
+    return m_player->lit();
+}
+
+std::vector<std::string> SessionControl::problems() const
+{
+    return m_player->report().problems;
+}
+
+std::uint64_t SessionControl::firedCount(model::RuleId rule) const
+{
+    const auto report = m_player->report();
+    const auto found = report.fired.find(rule);
+    return found == report.fired.end() ? 0 : found->second;
+}
+
+std::vector<behavior::RuleFired> SessionControl::takeLog()
+{
+    return m_player->takeLog();
+}
+
+double SessionControl::stepMs() const
+{
+    return m_player->report().stepMs;
+}
+
+bool SessionControl::keepPose()
+{
+    if (!isRunning() || m_document.isEditOpen()) {
+        return false;
+    }
+    namespace keys = model::columns;
+    const model::CrowdFramePtr shown = frame(m_transport.seconds());
+    const model::Population& now = shown->population;
+    const model::Population before = m_document.scene().population;
+    std::vector<model::IndividualId> ids;
+    std::vector<glm::vec3> positions;
+    std::vector<float> headings;
+    for (std::size_t row = 0; row < now.size(); ++row) {
+        const glm::vec3 position = now.column(keys::position)[row];
+        const float heading = now.column(keys::heading)[row];
+        const bool isThere = position.y > -1e4F; // who has left stays where he began
+        if (isThere && (position != before.column(keys::position)[row] ||
+                        heading != before.column(keys::heading)[row])) {
+            ids.push_back(now.ids()[row]);
+            positions.push_back(position);
+            headings.push_back(heading);
+        }
+    }
+    m_isKeepingPose = true;
+    auto edit = m_document.beginEdit();
+    edit->setColumn(keys::position, ids, std::span<const glm::vec3>(positions));
+    edit->setColumn(keys::heading, ids, std::span<const float>(headings));
+    const bool isKept = edit->commit(
+        tr("Keep the pose of %n individual(s)", nullptr, static_cast<int>(ids.size())));
+    m_isKeepingPose = false;
+    m_player->adopt(m_document.scene(), true);
+    Q_EMIT posesKept(static_cast<int>(ids.size()));
+    return isKept;
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+#include <QtCore/QTimer>
+
+#include "model/brush/BrushSettings.h"
+#include "model/document/SceneDocument.h"
+#include "model/scene/CrowdFrame.h"
+#include "widgets/state/Transport.h"
+
+namespace crowd::behavior {
+class SessionPlayer;
+struct RuleFired;
+} // namespace crowd::behavior
+
+namespace crowd::widgets {
+
+/// Play, as the artist knows it: while the scene has behaviour, playing runs a session that starts
+/// from the scene and never writes to it; without, only the clips' clock. Edits reach a running
+/// session at once. What can be walked on is found in the background first. Main thread; document
+/// and transport outlive it.
+class SessionControl : public QObject
+{
+    Q_OBJECT
+
+public:
+    SessionControl(model::SceneDocument& document, Transport& transport, QObject* parent = nullptr);
+    ~SessionControl() override;
+
+    [[nodiscard]] bool isRunning() const;
+    /// Real time that has passed since the last frame.
+    void advance(double realSeconds);
+    /// One step, then pause.
+    void stepOnce();
+    /// Back to the scene, at the start of time, paused.
+    void stop();
+    /// Where everybody is now becomes where the scene has them: one undo step.
+    bool keepPose();
+    /// To a running session only.
+    void send(const model::EventSettings& event, std::span<const model::IndividualId> ids);
+
+    /// What is shown at a time of the transport.
+    [[nodiscard]] model::CrowdFramePtr frame(double seconds) const;
+    void pose(model::CrowdFrame& frame) const;
+    /// For whom a rule has just fired; ascending.
+    [[nodiscard]] std::vector<model::IndividualId> lit() const;
+    /// What the session has to say: sentences for the artist.
+    [[nodiscard]] std::vector<std::string> problems() const;
+    [[nodiscard]] std::uint64_t firedCount(model::RuleId rule) const;
+    [[nodiscard]] std::vector<behavior::RuleFired> takeLog();
+    /// Milliseconds that the last step took.
+    [[nodiscard]] double stepMs() const;
+
+    /// Share of the walkable surface that is built; below 0: nothing is being built.
+    [[nodiscard]] double surfaceProgress() const;
+    /// Polygons of the surface in use; 0: open ground.
+    [[nodiscard]] std::size_t surfacePolygons() const;
+    [[nodiscard]] const QString& surfaceProblem() const { return m_surfaceProblem; }
+
+Q_SIGNALS:
+    /// Runs, or does not any more.
+    void stateChanged();
+    /// A step is done.
+    void stepped();
+    /// The surface is being built, or is done.
+    void surfaceChanged();
+    void posesKept(int people);
+
+private:
+    struct Surface;
+
+    void followScene(const model::SceneChange& change);
+    void hand();
+    void start();
+    void drop();
+    [[nodiscard]] bool isReady();
+    void buildSurface();
+    void takeSurface();
+
+    model::SceneDocument& m_document;
+    Transport& m_transport;
+    std::unique_ptr<behavior::SessionPlayer> m_player;
+    std::unique_ptr<Surface> m_surface;
+    QString m_surfaceProblem;
+    QTimer m_hand;               ///< the edits of one stroke's moment go together
+    QTimer m_progress;           ///< while the surface is built
+    double m_startSeconds = 0.0; ///< of the transport, when the session began
+    bool m_isKeepingPose = false;
+    bool m_isSurfaceStale = true;
+    bool m_hasBehaviour = false;
+    bool m_isBehaviourStale = true;
+    // The frame made last, for the next who asks.
+    mutable model::CrowdFramePtr m_frame;
+    mutable double m_frameAvailable = -1.0;
+    mutable std::uint64_t m_frameRevision = 0;
+};
+
+} // namespace crowd::widgets

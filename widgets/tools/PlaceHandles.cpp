@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/PlaceHandles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QLineF>
+#include <QtCore/QLocale>
+
+#include "model/document/PathEdits.h"
+#include "model/document/SceneEdit.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr int kSides = 40;
+constexpr double kMiddlePixels = 9.0;
+constexpr double kBorderPixels = 5.0;
+constexpr double kClickSlack = 4.0;
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(PlaceHandles)
+};
+
+double distanceTo(const QPolygonF& outline, const QPointF& pixel)
+{
+    double nearest = 1e9;
+    for (int i = 0; i + 1 < outline.size(); ++i) {
+        const QPointF along = outline[i + 1] - outline[i];
+        const QPointF from = pixel - outline[i];
+        const double square = QPointF::dotProduct(along, along);
+        const double share =
+            square > 0.0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, QLineF(pixel, outline[i] + along * share).length());
+    }
+    return nearest;
+}
+
+class PlaceDrag : public DragSession
+{
+public:
+    PlaceDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)
+        : m_context(context), m_press(press), m_hit(hit)
+    {
+    }
+
+    void update(const ToolInput& input) override
+    {
+        if (!m_edit && (input.position() - m_press.position()).manhattanLength() <= kClickSlack) {
+            return;
+        }
+        if (!m_edit) {
+            begin();
+        }
+        const auto ground = groundUnder(m_context, input);
+        if (m_edit && ground) {
+            m_hit.isBorder ? resize(*ground) : move(*ground);
+        }
+    }
+
+    void release(const ToolInput& input) override
+    {
+        update(input);
+        if (!m_edit) {
+            click(input);
+            return;
+        }
+        const auto edit = std::move(m_edit);
+        edit->commit(m_hit.isBorder ? Text::tr("Resize a place")
+                                    : Text::tr("Move %n place(s)", nullptr,
+                                               static_cast<int>(m_before.size())));
+    }
+
+    void cancel() override { m_edit.reset(); }
+
+    void show(ToolPicture& picture) const override
+    {
+        picture.cursor = m_hit.isBorder ? Qt::SizeHorCursor : Qt::SizeAllCursor;
+        const model::Place* place = m_context.state.scene().findPlace(m_hit.place);
+        if (m_edit && m_hit.isBorder && place != nullptr) {
+            picture.symbolAt = m_press.position();
+            picture.label = Text::tr("%1 m").arg(
+                QLocale().toString(static_cast<double>(place->radius), 'f', 2));
+        }
+    }
+
+private:
+    void click(const ToolInput& input)
+    {
+        PathFocus& focus = m_context.state.paths();
+        if (input.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) {
+            focus.toggle(m_hit.place);
+            return;
+        }
+        focus.select({m_hit.place});
+        for (const model::Path& path : m_context.state.scene().paths) {
+            if (std::ranges::find(path.places, m_hit.place) != path.places.end()) {
+                focus.look(path.id);
+                return;
+            }
+        }
+    }
+
+    void begin()
+    {
+        if (m_context.state.document().isEditOpen()) {
+            return;
+        }
+        PathFocus& focus = m_context.state.paths();
+        if (!focus.isSelected(m_hit.place)) {
+            focus.select({m_hit.place});
+        }
+        const auto start = groundUnder(m_context, m_press);
+        m_start = start.value_or(glm::vec3(0.0F));
+        for (const model::PlaceId id : focus.places()) {
+            m_before.push_back(*m_context.state.scene().findPlace(id));
+        }
+        m_edit = m_context.state.document().beginEdit();
+    }
+
+    void move(const glm::vec3& ground)
+    {
+        for (model::Place place : m_before) {
+            place.position += ground - m_start;
+            if (m_before.size() == 1) {
+                place.position.y = ground.y;
+            }
+            m_edit->changePlace(place);
+        }
+    }
+
+    void resize(const glm::vec3& ground)
+    {
+        for (model::Place place : m_before) {
+            if (place.id == m_hit.place) {
+                const glm::vec2 away(ground.x - place.position.x, ground.z - place.position.z);
+                place.radius = std::clamp(std::sqrt(away.x * away.x + away.y * away.y),
+                                          model::kMinPlaceRadius, model::kMaxPlaceRadius);
+                m_edit->changePlace(place);
+            }
+        }
+    }
+
+    ToolContext m_context;
+    ToolInput m_press;
+    PlaceHit m_hit;
+    glm::vec3 m_start{0.0F};
+    std::vector<model::Place> m_before;
+    std::unique_ptr<model::SceneEdit> m_edit;
+};
+
+} // namespace
+
+QPolygonF placeOutline(const model::View& view, const glm::vec3& position, float radius)
+{
+    QPolygonF outline;
+    for (int i = 0; i <= kSides; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(kSides);
+        const auto pixel =
+            view.project(position + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
+        if (!pixel) {
+            return {};
+        }
+        outline << QPointF(pixel->x, pixel->y);
+    }
+    return outline;
+}
+
+std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel)
+{
+    if (!context.state.viewOptions().showPaths) {
+        return std::nullopt;
+    }
+    const model::View view = context.queries.view();
+    std::optional<PlaceHit> border;
+    double nearest = kMiddlePixels;
+    std::optional<PlaceHit> middle;
+    for (const model::Place& place : context.state.scene().places) {
+        const auto center = view.project(place.position);
+        if (!center) {
+            continue;
+        }
+        const double away = QLineF(pixel, QPointF(center->x, center->y)).length();
+        if (away < nearest) {
+            nearest = away;
+            middle = PlaceHit{place.id, false};
+        }
+        if (!border && !middle &&
+            distanceTo(placeOutline(view, place.position, place.radius), pixel) < kBorderPixels) {
+            border = PlaceHit{place.id, true};
+        }
+    }
+    return middle ? middle : border;
+}
+
+DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)
+{
+    return std::make_unique<PlaceDrag>(context, press, hit);
+}
+
+std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput& input)
+{
+    const auto hit =
+        context.queries.picker(input.pointer.shownSeconds).surfaceAt(input.pointer.pixels());
+    return hit ? std::optional<glm::vec3>(hit->point) : std::nullopt;
+}
+
+void makePathOfPlaces(EditorState& state)
+{
+    const std::vector<model::PlaceId> places = state.paths().places();
+    if (places.size() < 2 || state.document().isEditOpen()) {
+        state.showStatus(Text::tr("Select two places or more first, in the order to walk them."));
+        return;
+    }
+    auto edit = state.document().beginEdit();
+    const model::PathId path =
+        addPathOver(*edit, places, state.brush(model::BrushKind::Path).place.kind);
+    edit->commit(Text::tr("Make a path"));
+    state.paths().look(path);
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <QtCore/QPointF>
+#include <QtGui/QPolygonF>
+
+#include "widgets/tools/Tool.h"
+
+/// Places as something to take hold of in the picture.
+namespace crowd::widgets {
+
+/// What of a place is under the pointer.
+struct PlaceHit
+{
+    model::PlaceId place = 0;
+    bool isBorder = false; ///< its circle: dragging it changes the size
+};
+
+/// The circle of a place on screen, closed; empty where it is behind the camera.
+[[nodiscard]] QPolygonF placeOutline(const model::View& view, const glm::vec3& position,
+                                     float radius);
+/// The place whose middle or circle is under a pixel; middles first.
+[[nodiscard]] std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel);
+/// Press on a place: a click selects (Shift adds), a drag moves it with the others selected, or
+/// changes its size.
+[[nodiscard]] DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press,
+                                       const PlaceHit& hit);
+/// Stage or ground under the pointer.
+[[nodiscard]] std::optional<glm::vec3> groundUnder(const ToolContext& context,
+                                                   const ToolInput& input);
+
+/// A path over the selected places, which is the current one from then on.
+void makePathOfPlaces(EditorState& state);
+
+} // namespace crowd::widgets

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tools/PlaceTool.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
+
+#include "model/document/PathEdits.h"
+#include "model/document/SceneEdit.h"
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(PlaceTool)
+};
+
+/// Places of one drag lie this many radii apart, and at least a step.
+constexpr float kSpacingRadii = 2.5F;
+constexpr float kLeastSpacing = 1.0F;
+
+QString roleName(model::PlaceRole role)
+{
+    switch (role) {
+    case model::PlaceRole::Spot:
+        return Text::tr("Place");
+    case model::PlaceRole::Obstacle:
+        return Text::tr("Obstacle");
+    case model::PlaceRole::Attractor:
+        return Text::tr("Attractor");
+    case model::PlaceRole::Repeller:
+        return Text::tr("Repeller");
+    case model::PlaceRole::Exit:
+        return Text::tr("Exit");
+    case model::PlaceRole::Slow:
+        return Text::tr("Slow ground");
+    }
+    return {};
+}
+
+std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
+{
+    switch (role) {
+    case model::PlaceRole::Spot:
+        break;
+    case model::PlaceRole::Obstacle:
+        return {190, 60, 50};
+    case model::PlaceRole::Attractor:
+        return {70, 180, 90};
+    case model::PlaceRole::Repeller:
+        return {200, 90, 160};
+    case model::PlaceRole::Exit:
+        return {60, 140, 230};
+    case model::PlaceRole::Slow:
+        return {150, 120, 80};
+    }
+    return {240, 150, 40};
+}
+
+/// Adds places while the button is held, each at once.
+class PaintPlaces : public DragSession
+{
+public:
+    PaintPlaces(const ToolContext& context, BrushKind kind, const ToolInput& press)
+        : m_context(context), m_kind(kind), m_current(press)
+    {
+        add(press);
+    }
+
+    void update(const ToolInput& input) override
+    {
+        m_current = input;
+        const auto ground = groundUnder(m_context, input);
+        if (!ground || !m_last) {
+            return;
+        }
+        const glm::vec3 way = *ground - *m_last;
+        const float spacing = std::max(kLeastSpacing, settings().radiusMetres * kSpacingRadii);
+        if (way.x * way.x + way.z * way.z > spacing * spacing) {
+            add(input);
+        }
+    }
+    void release(const ToolInput& input) override { m_current = input; }
+    void cancel() override {}
+    void show(ToolPicture& picture) const override
+    {
+        picture.cursor = Qt::CrossCursor;
+        picture.symbol = toolOf(m_kind);
+        picture.symbolAt = m_current.position();
+    }
+
+private:
+    [[nodiscard]] const model::PlaceSettings& settings() const
+    {
+        return m_context.state.brush(m_kind).place;
+    }
+
+    void add(const ToolInput& input)
+    {
+        const auto ground = groundUnder(m_context, input);
+        if (!ground) {
+            m_context.state.showStatus(Text::tr("Nothing to walk on there: that is the sky."));
+            return;
+        }
+        m_last = ground;
+        m_kind == BrushKind::Path ? extendPath(input, *ground) : addRole(*ground);
+    }
+
+    /// A place that is there already is taken into the path.
+    void extendPath(const ToolInput& input, const glm::vec3& ground)
+    {
+        EditorState& state = m_context.state;
+        PathFocus& focus = state.paths();
+        const model::PathId current = focus.isPainting() ? focus.path() : 0;
+        const auto hit = placeAt(m_context, input.position());
+        const model::Path* path = state.scene().findPath(current);
+        if (hit && !hit->isBorder) {
+            const bool isLast =
+                path != nullptr && !path->places.empty() && path->places.back() == hit->place;
+            if (isLast) {
+                return;
+            }
+            if (path != nullptr && path->places.size() > 2 && path->places.front() == hit->place) {
+                close(*path);
+                return;
+            }
+            auto edit = state.document().beginEdit();
+            const model::PathId extended =
+                appendKnownPlace(*edit, current, hit->place, settings().kind);
+            edit->commit(Text::tr("Lead a path over a place"));
+            focus.paint(extended);
+            return;
+        }
+        model::Place place;
+        place.position = ground;
+        place.radius = settings().radiusMetres;
+        auto edit = state.document().beginEdit();
+        const model::PathId extended = appendPlace(*edit, current, place, settings().kind);
+        edit->commit(current == 0 ? Text::tr("Begin a path") : Text::tr("Add a place to a path"));
+        focus.paint(extended);
+        followFromNowOn(extended);
+    }
+
+    void close(model::Path path)
+    {
+        EditorState& state = m_context.state;
+        path.kind = model::PathKind::Cyclic;
+        auto edit = state.document().beginEdit();
+        edit->changePath(path);
+        edit->commit(Text::tr("Close a path"));
+        state.paths().end();
+        state.showStatus(Text::tr("The path is closed: people go round."));
+    }
+
+    /// The walk brush offers what was painted last.
+    void followFromNowOn(model::PathId path)
+    {
+        model::BrushSettings walk = m_context.state.brush(BrushKind::Walk);
+        walk.walk.path = path;
+        m_context.state.setBrush(walk);
+    }
+
+    void addRole(const glm::vec3& ground)
+    {
+        model::Place place;
+        place.position = ground;
+        place.radius = settings().radiusMetres;
+        place.role = settings().role;
+        place.color = roleColor(place.role);
+        auto edit = m_context.state.document().beginEdit();
+        place.id = edit->addPlace(place);
+        place.name = Text::tr("%1 %2").arg(roleName(place.role)).arg(place.id).toStdString();
+        edit->changePlace(place);
+        edit->commit(Text::tr("Add: %1").arg(roleName(place.role)));
+    }
+
+    ToolContext m_context;
+    BrushKind m_kind;
+    ToolInput m_current;
+    std::optional<glm::vec3> m_last;
+};
+
+} // namespace
+
+PlaceTool::PlaceTool(const ToolContext& context, BrushKind kind) : m_context(context), m_kind(kind)
+{
+}
+
+QString PlaceTool::hint() const
+{
+    return m_kind == BrushKind::Path
+               ? Text::tr("Click: add a place to the path · + −: its size · on the first place: "
+                          "close the path · Enter: end it · V: move and resize places")
+               : Text::tr("Click: put it on the ground · + −: its size · V: move and resize");
+}
+
+DragSessionPtr PlaceTool::press(const ToolInput& input)
+{
+    if (input.button != Qt::LeftButton || m_context.state.document().isEditOpen()) {
+        return nullptr;
+    }
+    return std::make_unique<PaintPlaces>(m_context, m_kind, input);
+}
+
+void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
+{
+    picture.cursor = Qt::CrossCursor;
+    picture.symbol = toolOf(m_kind);
+    picture.symbolAt = input.position();
+    const auto ground = groundUnder(m_context, input);
+    if (!ground) {
+        return;
+    }
+    const model::PlaceSettings& settings = m_context.state.brush(m_kind).place;
+    const model::View view = m_context.queries.view();
+    picture.outlines = {placeOutline(view, *ground, settings.radiusMetres)};
+    picture.label = Text::tr("%1 m").arg(
+        QLocale().toString(static_cast<double>(settings.radiusMetres), 'f', 2));
+    const PathFocus& focus = m_context.state.paths();
+    const model::Path* path = m_kind == BrushKind::Path && focus.isPainting()
+                                  ? m_context.state.scene().findPath(focus.path())
+                                  : nullptr;
+    if (path != nullptr && !path->places.empty()) {
+        const model::Place* last = m_context.state.scene().findPlace(path->places.back());
+        const auto from = last == nullptr ? std::nullopt : view.project(last->position);
+        if (from) {
+            picture.arrow = QLineF(QPointF(from->x, from->y), input.position());
+        }
+    }
+}
+
+} // namespace crowd::widgets
