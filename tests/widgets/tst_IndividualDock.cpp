@@ -4,6 +4,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QToolButton>
 
 #include "model/brush/IndividualEdits.h"
@@ -240,6 +241,10 @@ void IndividualDockTest::aFreeSeatIsTakenByItsNumber()
     type(*seat, QStringLiteral("3"));
     const model::SeatId third = (model::SeatId{1} << 24U) + 2;
     QCOMPARE(valuesOf(desk, model::columns::seat).front(), third);
+    QTRY_VERIFY(seat->text() == QStringLiteral("3"));
+    const auto* area = desk.dock->findChild<QScrollArea*>();
+    QVERIFY2(area->widget()->minimumSizeHint().width() <= area->minimumWidth(),
+             "what is shown of a seat fits the narrowest panel");
     QCOMPARE(valuesOf(desk, model::columns::position).front().x,
              desk.document.scene().stages.front().asset->seats[2].position.x);
     // Taken, and not there at all: both are refused without an undo step.

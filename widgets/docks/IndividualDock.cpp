@@ -183,9 +183,11 @@ void IndividualDock::addSeat(QFormLayout* form)
     m_standUp->setIcon(iconNamed("person"));
     m_standUp->setToolTip(tr("Stand up: the seat is free again"));
     row->addWidget(m_seat);
-    row->addWidget(m_seatPlace, 1);
     row->addWidget(m_standUp);
+    row->addStretch(1);
     form->addRow(tr("Seat"), row);
+    m_seatPlace->setWordWrap(true); // a panel as narrow as the others
+    form->addRow(QString(), m_seatPlace);
 }
 
 void IndividualDock::refresh()
@@ -259,13 +261,12 @@ void IndividualDock::refreshSeat(const SelectedPeople& selected)
     m_standUp->setEnabled(seated > 0);
     m_seat->setPlaceholderText(seated > 0 ? tr("mixed") : tr("none"));
     m_seat->setValue(std::nullopt);
-    m_seatPlace->clear();
-    if (!isOne && seated > 0) {
-        m_seatPlace->setText(tr("%n seated", nullptr, static_cast<int>(seated)));
-    }
+    m_seatPlace->setVisible(seated > 0);
     if (!isOne || seated == 0) {
+        m_seatPlace->setText(tr("%n seated", nullptr, static_cast<int>(seated)));
         return;
     }
+    m_seatPlace->clear();
     const model::SeatId id = column[selected.rows().front()];
     m_seat->setValue(static_cast<double>(id & 0xFFFFFFU) + 1.0);
     const model::StageEntry* stage =
