@@ -14,7 +14,7 @@ namespace {
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kLayoutKey = QStringLiteral("window/layout");
 /// Grows when docks change so much that an old layout makes no sense.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 /// A screen smaller than this is filled, logical pixels.
 constexpr QSize kRoomyScreen(1600, 1000);
 constexpr QSize kSize(1280, 800);

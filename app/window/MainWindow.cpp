@@ -110,10 +110,12 @@ void MainWindow::addDocks()
     m_layout.add(history, Qt::RightDockWidgetArea);
     m_console = new ConsoleDock(m_interpreter, this);
     m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(individual, scene);
-    tabifyDockWidget(scene, environment);
+    // Two groups, so that their names fit the tabs of a small screen.
+    tabifyDockWidget(templates, scene);
+    tabifyDockWidget(scene, history);
+    templates->raise();
+    tabifyDockWidget(individual, environment);
     tabifyDockWidget(environment, rules);
-    tabifyDockWidget(rules, history);
     individual->raise();
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,
             &AssetController::importTemplate);

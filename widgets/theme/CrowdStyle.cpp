@@ -10,6 +10,8 @@ namespace crowd::widgets {
 
 namespace {
 
+constexpr int kTabSpace = 12; ///< beside a tab's text; half of Fusion's
+
 QColor between(const QColor& a, const QColor& b, double t)
 {
     const auto part = [t](int from, int to) { return from + qRound((to - from) * t); };
@@ -56,6 +58,13 @@ void paintDash(QPainter& painter, const QRectF& box, const QColor& color)
 } // namespace
 
 CrowdStyle::CrowdStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+int CrowdStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                            const QWidget* widget) const
+{
+    return metric == PM_TabBarTabHSpace ? kTabSpace
+                                        : QProxyStyle::pixelMetric(metric, option, widget);
+}
 
 void CrowdStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                QPainter* painter, const QWidget* widget) const
