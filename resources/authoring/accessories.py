@@ -120,7 +120,7 @@ def _veil(body, is_coarse):
     columns = 6 if is_coarse else 9
     shape = Shape([], [])
     for z in heights:
-        centre, rx, ry = _head_oval(body, z, .030)
+        centre, rx, ry = _head_oval(body, z, .012 if body.hair == "bald" else .030)
         centre = centre + vec(0, .10 * body.head.size * max(0, .3 - z), 0)
         for i in range(columns):
             t = math.radians(-38 + 256 * i / (columns - 1))

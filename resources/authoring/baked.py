@@ -67,8 +67,14 @@ class BakedTemplate:
     def is_skinned(self):
         return self.inverse is not None
 
-    def slots(self):
-        return {m["extras"]["slot"] for m in self.document["materials"] if "slot" in m["extras"]}
+    def tintable(self):
+        """slot -> whether a tint colours it."""
+        return {m["extras"]["slot"]: m["extras"]["tintable"] for m in self.document["materials"]}
+
+    def looks(self):
+        """slot -> how many materials there are to choose from."""
+        slots = [m["extras"]["slot"] for m in self.document["materials"]]
+        return {slot: slots.count(slot) for slot in slots}
 
     def triangles_per_level(self):
         """Skinned meshes alone for people, all meshes for machines."""
@@ -117,12 +123,12 @@ class BakedTemplate:
         if primitive.joints is None:
             return np.einsum("fij,vj->fvi", world[primitive.node][frames], points)[..., :3]
         palette = np.stack([world[joint][frames] @ self.inverse[i]
-                            for i, joint in enumerate(self.joints)], 1)
-        moved = np.einsum("fjab,jvb->fjva", palette,
-                          np.broadcast_to(points, (len(self.joints), *points.shape)))
-        share = np.zeros((len(self.joints), len(points)))
+                            for i, joint in enumerate(self.joints)], 1)[:, :, :3]
+        share = np.zeros((len(points), len(self.joints)))
         for k in range(4):
-            np.add.at(share, (primitive.joints[:, k], np.arange(len(points))),
+            np.add.at(share, (np.arange(len(points)), primitive.joints[:, k]),
                       primitive.weights[:, k])
-        share /= share.sum(0)
-        return np.einsum("jv,fjva->fva", share, moved)[..., :3]
+        share /= share.sum(1, keepdims=True)
+        blended = share @ palette.reshape(len(palette), len(self.joints), 12)
+        blended = blended.reshape(len(palette), len(points), 3, 4)
+        return sum(blended[..., k] * points[:, k, None] for k in range(4))

@@ -56,6 +56,9 @@ class Body:
     legs: str = "trousers"
     accessories: tuple = ()
     energy: float = 1.0    # of the movements
+    arms_off: float = 0.0  # degrees that hanging arms stand further off than others'
+    stance: float = 1.0    # how far apart the feet stand, of what others do
+    wide_sleeve: float = 0.0  # metres that the end of the sleeve is wider than the arm
     wardrobe: str = ""
 
 

@@ -66,7 +66,8 @@ class Arm:
 
     def ring(self, t, forward, up, sides, drop=0.0):
         centre = self.centre(t) - self.up * drop
-        flatten = lerp(.45, 1, smoothstep(t, .03 * self.s, .16 * self.s))  # the armpit side of the first rings
+        # The armpit side of the first rings.
+        flatten = lerp(.45, 1, smoothstep(t, .03 * self.s, .16 * self.s))
         ids = []
         for i in range(sides):
             turn = 2 * math.pi * i / sides + math.radians(self._turn(sides))
@@ -101,13 +102,19 @@ class Arm:
         places.append(end)
         rings = [self.rim]
         for t in places:
-            ease = EASE * s * (1.4 if t == end else 1)
+            ease = EASE * s * (1.4 if t == end else 1) + self._flare(t)
             rings.append(self.ring(t, *(r + ease for r in self.radii(t)), sides))
         self._loft(rings, [places[0] - .06 * s] + places, "top", "sleeve")
         if level == 0:
-            lining = self.ring(end - .012 * s, *(r * .9 for r in self.radii(end)), sides)
+            # The inner side of a wide sleeve reaches as far as one can look into it.
+            deep = .13 if self.body.wide_sleeve else .012
+            lining = self.ring(end - deep * s, *(r * .9 for r in self.radii(end)), sides)
             u = [chart_u("sleeve", i / sides) for i in range(sides + 1)]
             self.surface.band(rings[-1], lining, "top", u, (0, 0), closed=True, inside_out=True)
+
+    def _flare(self, t):
+        """Of a wide sleeve, growing towards its end."""
+        return self.body.wide_sleeve * smoothstep(t / self.body.sleeve, .25, 1.05)
 
     def _bare_places(self):
         s = self.s
@@ -120,8 +127,7 @@ class Arm:
 
     def _hand_rings(self):
         """(distance, forward, up, drop) from the wrist on."""
-        shapes = (((.030, .036, .017, .002), (.080, .041, .0165, .006),
-                   (.125, .036, .0135, .018), (.158, .018, .009, .034)),
+        shapes = (((.035, .037, .017, .002), (.100, .040, .0155, .010), (.158, .020, .010, .032)),
                   ((.065, .041, .018, .005), (.150, .026, .011, .026)),
                   ((.070, .038, .018, .008), (.150, .020, .010, .024)))
         size = self.body.hand
@@ -169,8 +175,10 @@ class Arm:
     def _add_prism(self):
         """Coarsest level: a three-sided arm from shoulder to hand."""
         girth = self.body.arm_girth
+        wide = self._flare(self.body.sleeve) if self.body.sleeve > self.elbow else 0
         rings = [self.ring(t, f * girth, u * girth, 3, drop) for t, f, u, drop in (
-            (0, .050, .034, 0), (self.elbow, .042, .042, 0), (self.wrist + .13 * self.body.hand, .030, .02, .02))]
+            (0, .050, .034, 0), (self.elbow, .042 + .3 * wide, .042 + .3 * wide, 0),
+            (self.wrist + .13 * self.body.hand, .030 + .3 * wide, .02 + .3 * wide, .02))]
         long = self.body.sleeve > self.elbow
         for k, (slot, chart) in enumerate((("top", "sleeve"),
                                            ("top", "sleeve") if long else ("skin", "arm"))):

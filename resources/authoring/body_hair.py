@@ -48,7 +48,7 @@ SEGMENTS = (4, 3, 2, 1)
 HANGING_ROWS = ((3.4, 5.3), (3.6,), (3.6,), ())
 SHELL_END = 7.0
 END_OF_WREATH = (0, 0, 5.45, 5.60, 5.80, 5.95, 6.0)
-TAIL_SIDES = (6, 5, 4, 3)
+TAIL_SIDES = (4, 4, 4, 3)
 
 
 class HairShell:

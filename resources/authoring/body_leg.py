@@ -45,8 +45,13 @@ class Leg:
                        "shoe": ankle + .012}
         if detail.level == 3:
             self.places.update({"above knee": knee, "under shorts": knee})
-        self.bends = ((hip - .150 * s, knee + .060 * s, knee - .005 * s,
-                       knee - .06 * s, knee - .17 * s),
+            if body.skirt:  # legs would show through so few triangles of cloth
+                self.places["under skirt"] = min(self.places["under skirt"],
+                                                 body.skirt.bottom_z + .06 * s)
+        bare = (knee + .050 * s, knee - .025 * s, knee - .13 * s)
+        self.bends = (bare if body.legs in ("bare", "leggings", "shorts", "under coat") else
+                      (hip - .150 * s, knee + .060 * s, knee - .005 * s, knee - .06 * s,
+                       knee - .17 * s),
                       (hip - .13 * s, hip - .25 * s, knee + .045 * s, knee - .045 * s,
                        knee - .17 * s), (hip - .15 * s, knee), (knee,))[detail.level]
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from body_detail import trunk_angles
 from geometry import lerp, smoothstep, vec
 
-SHARES = ((0, .20, .45, .72, 1), (0, .30, .65, 1), (0, .45, 1), (0, 1))
+SHARES = ((0, .28, .62, 1), (0, .30, .65, 1), (0, .45, 1), (0, 1))
+LINING, LONG_LINING = .28, .72  # where the cloth's inner side ends
 LONG_SHARES = ((0, .15, .33, .52, .72, 1), (0, .25, .52, .76, 1), (0, .30, .60, 1), (0, .5, 1))
 
 
@@ -28,7 +29,7 @@ class Skirt:
 
     def add(self):
         cut, upper_z = self.cut, self.hem.z
-        is_long = cut.bottom_z < self.body.knee[2] - .05
+        is_long = cut.bottom_z < self.body.knee[2] - .20
         shares = (LONG_SHARES if is_long else SHARES)[self.detail.level]
         rings = [self._first_ring()]
         for t in shares[1:]:
@@ -37,7 +38,8 @@ class Skirt:
             v = .40 - .38 * shares[k + 1], .40 - .38 * shares[k]
             self.surface.band(rings[k + 1], rings[k], cut.slot, self.trunk.u, v, mirrors_uv=True)
         if self.detail.is_finest:
-            lining = self._ring(1, -.012, .016)
+            # Deep enough that nobody who sits looks hollow from the front.
+            lining = self._ring(LONG_LINING if is_long else LINING, -.012)
             self.surface.band(lining, rings[-1], cut.slot, self.trunk.u, (0, .02),
                               mirrors_uv=True)
         if upper_z <= cut.bottom_z:
@@ -71,7 +73,8 @@ class Skirt:
         if count % 2:
             return angles
         leg = math.asin(min(.95, self._leg_x() / width))
-        moved = [leg + (math.pi / 2 - leg) * (i - 1) / (count / 2 - 1) for i in range(1, count // 2)]
+        step = (math.pi / 2 - leg) / max(1, count / 2 - 1)
+        moved = [leg + step * (i - 1) for i in range(1, count // 2)]
         moved = [0] + moved + [math.pi / 2] + [math.pi - a for a in moved[::-1]] + [math.pi]
         return [lerp(a, b, smoothstep(t, 0, .35)) for a, b in zip(angles, moved)]
 

@@ -84,8 +84,6 @@ class Trunk:
     def _add_hem(self):
         """Under a skirt there is no pelvis to see."""
         self.rings["hem"] = self._ring("hem", thicker=.004)
-        if self.detail.is_finest and self.body.skirt.slot == "bottom":
-            self._add_hem_lining()
 
     def _add_pelvis(self):
         rings = self.rings

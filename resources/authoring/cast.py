@@ -16,17 +16,17 @@ def _man():
 
 
 def _woman():
-    return replace(woman(), accessories=("scarf",), wardrobe="woman")
+    return replace(woman(), accessories=("scarf",), wardrobe="woman", stance=.85)
 
 
 def _man_in_coat():
     body = reshaped(man(), "man_2", Proportions(leg=1.035, trunk=1.01, width=1.04, depth=1.04,
                                                arm=1.03, arm_girth=1.10, leg_girth=1.02,
                                                hip_width=1.02),
-                    Head(.002, .246, 1.0, .99, 1.04), hair="curly", legs="under coat", wardrobe="man_2",
-                    accessories=("scarf",))
+                    Head(.002, .246, 1.0, .99, 1.04), hair="curly", legs="under coat",
+                    wardrobe="man_2", accessories=("scarf",), arms_off=8.0, stance=1.35)
     return replace(body, sleeve=.50,
-                   skirt=SkirtCut("top", body.knee[2] + .16, .042, .030, .050))
+                   skirt=SkirtCut("top", body.knee[2] + .16, .046, .030, .050))
 
 
 def _woman_in_dress():

@@ -16,11 +16,11 @@ def _dressed(body, bottom_z, side, front, back, sleeve):
 
 def _patrician():
     """A heavy man in a toga down to the calves."""
-    body = reshaped(man(), "patrician", Proportions(width=1.05, depth=1.08, arm_girth=1.05,
-                                                   leg=.99, hip_width=1.04),
+    body = reshaped(man(), "patrician", Proportions(width=1.10, depth=1.12, arm_girth=1.12,
+                                                   leg=.97, hip_width=1.10),
                     Head(0, .242, 1.04, 1.0, 1.04), hair="crop", legs="bare",
-                    wardrobe="patrician", belly=.045, accessories=("toga_fold",))
-    return _dressed(body, body.ankle[2] + .11, .085, .055, .085, .30)
+                    wardrobe="patrician", belly=.045,  accessories=("toga_fold",))
+    return _dressed(body, body.ankle[2] + .11, .100, .080, .130, .30)
 
 
 def _matron():
@@ -28,13 +28,14 @@ def _matron():
                                                   hip_width=1.05),
                     Head(0, .228, 1.0, .99, .90), hair="gathered", legs="bare", wardrobe="matron",
                     accessories=("shawl", "veil"))
-    body = _dressed(body, body.ankle[2] + .07, .120, .060, .100, .20)
-    return replace(body, skirt=replace(body.skirt, follow=1.0))
+    body = _dressed(body, body.ankle[2] + .07, .120, .060, .150, .20)
+    return replace(body, skirt=replace(body.skirt, follow=.8))
 
 
 def _citizen():
     body = reshaped(man(), "citizen", Proportions(leg=.98, trunk=.99, arm=.99),
                     Head(0, .240, 1.0, 1.0, .98), hair="curly", legs="bare", wardrobe="citizen",
+                    stance=.92,
                     accessories=("toga_fold",))
     return _dressed(body, body.knee[2] + .03, .075, .045, .070, .22)
 
@@ -53,5 +54,6 @@ def _priest():
     body = reshaped(man(), "priest", Proportions(leg=1.02, trunk=1.0, width=.95, depth=.96,
                                                 arm_girth=.92, leg_girth=.94, hip_width=.97),
                     Head(0, .242, .98, 1.0, .94), hair="bald", legs="bare", wardrobe="priest",
-                    accessories=("veil",), stoop=7.0, energy=.78)
+                    accessories=("veil",), stoop=7.0, energy=.78, wide_sleeve=.080,
+                    arms_off=5.0)
     return _dressed(body, body.ankle[2] + .05, .100, .055, .090, .44)

@@ -53,9 +53,11 @@ def stroll_gait(body):
 
 
 def run_gait(body):
-    woman = body.is_woman
-    return _scaled(body, 2.9, 21 if woman else 22, .030 if woman else .045, .10, .024, .045,
-                   (.36, .14, RUN_PITCH))
+    """A long robe keeps the heels lower."""
+    woman, is_long = body.is_woman, body.skirt and body.skirt.bottom_z < body.knee[2] - .2
+    pitch = [(phase, p * .66) for phase, p in RUN_PITCH] if is_long else RUN_PITCH
+    return _scaled(body, 2.5 if is_long else 2.9, 21 if woman else 22, .030 if woman else .045,
+                   .05 if is_long else .10, .024, .045, (.36, .14, pitch))
 
 
 class FootPath:
@@ -149,7 +151,7 @@ def _walking_arm(pose, side, sign, phase):
     swing = math.cos(FULL_TURN * (phase - .02)) * (.35 + .65 * pose.body.energy)
     bend = 8 + 15 * (.5 - .5 * math.cos(FULL_TURN * (phase - .06)))
     pose.local["shoulder_" + side] = rot_z(sign * 2.0 * swing)
-    off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0)
+    off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0) + pose.body.arms_off
     pose.local["upperarm_" + side] = hanging_arm(sign, 38 - off, 20 * swing + 5)
     pose.local["forearm_" + side] = rot_z(sign * -6) @ rot_x(-bend)
     pose.local["hand_" + side] = rot_x(-4 - 5 * math.cos(FULL_TURN * (phase - .15)))

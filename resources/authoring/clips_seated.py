@@ -136,8 +136,8 @@ def sit_bored_pose(body, bones, phase):
     pose.local["head"] = pose.local["head"] @ rot_y(7 + 1.5 * sine(phase, 0, 2))
     pose.solve()
     size, head = body.head.size, pose.position["head"]
-    chin = head + pose.rotation["head"] @ vec(-.20, -.48 if body.size < .8 else -.45, -.47) * size
-    pose.arms["R"] = ArmTarget(chin, vec(.10, .25, 1), vec(.85, .45, 0), vec(-.35, -.45, -1))
+    chin = head + pose.rotation["head"] @ vec(-.22, -.51 if body.size < .8 else -.48, -.52) * size
+    pose.arms["R"] = ArmTarget(chin, vec(-.05, .05, 1), vec(.8, .5, 0), vec(-.35, -.45, -1))
     pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1)
     return pose
 
@@ -158,7 +158,8 @@ def sitting_down_pose(body, bones, phase):
     pose.local["head"] = rot_x(-bend * .6) @ pose.local["head"]
     _walk_feet(pose, seat, down)
     for side, sign in SIDES:
-        hang(pose, side, sign, 40, 2 - bend * .35, 14 + bend * .5)
+        around_skirt = body.skirt.side * 110 * math.sin(math.pi * phase) if body.skirt else 0
+        hang(pose, side, sign, 40 - around_skirt, 2 - bend * .35, 14 + bend * .5)
     pose.solve()
     for side, sign in SIDES:
         own, target = smoothstep(phase, .45, .95), hand_on_thigh(pose, 0.0, side, sign)

@@ -45,8 +45,8 @@ def standing(body, bones, phase, weight=1.0, breath=1.0, width=1.05, turn=11):
         "neck": rot_x(1 + .5 * breathing),
         "head": rot_x(1.5) @ rot_y(roll * .3)})
     for side, sign in SIDES:
-        plant_foot(pose, side, sign, body.ankle[0] * (.95 if body.is_woman else width),
-                   -.010 * s * sign, turn)
+        apart = body.stance * (.95 if body.is_woman else width)
+        plant_foot(pose, side, sign, body.ankle[0] * apart, -.010 * s * sign, turn)
         hang(pose, side, sign, 40 - 1.2 * breathing, 2 + 1.5 * sine(phase, sign),
              13 + 2.5 * sine(phase, sign * 1.2))
         pose.local["shoulder_" + side] = rot_y(sign * (1.0 - 1.4 * breathing))
@@ -55,7 +55,7 @@ def standing(body, bones, phase, weight=1.0, breath=1.0, width=1.05, turn=11):
 
 def hang(pose, side, sign, lower, swing, bend):
     """An arm at the side; a wide trunk holds it off."""
-    off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0)
+    off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0) + pose.body.arms_off
     pose.local["upperarm_" + side] = hanging_arm(sign, lower - off, swing)
     pose.local["forearm_" + side] = rot_z(sign * -8) @ rot_x(-bend)
     pose.local["hand_" + side] = rot_x(-5) @ rot_y(sign * 3)
@@ -124,7 +124,7 @@ def bored_pose(body, bones, phase):
     up = smoothstep(sine(phase, -1.2), .1, .9)
     turned(pose, "head", rot_z(16 * sine(phase, 1.0)) @ rot_x(4 - 17 * up) @ rot_y(5 * sine(phase)))
     turned(pose, "chest", rot_x(-3 * up))
-    tapping = smoothstep(sine(phase, 1.4), -.1, .4) * max(0.0, sine(phase, 0, 12))
+    tapping = smoothstep(sine(phase, 1.4), -.1, .4) * max(0.0, sine(phase, 0, 12)) ** 2
     plant_foot(pose, "R", -1, body.ankle[0] * 1.2, -.05 * body.size, 20, heel=13 * tapping)
     pose.solve()
     for side, sign in SIDES:
@@ -148,10 +148,12 @@ def talk_pose(body, bones, phase):
         wide, rise = sine(phase, shift, 2), sine(phase, shift + .8, 4)
         size = .6 + .4 * sine(phase, shift)
         front = .245 + body.belly * .6
-        wrist = in_chest(pose, sign * (.165 + .045 * wide * size), front + .03 * sine(phase, shift, 4),
+        wrist = in_chest(pose, sign * (.165 + .045 * wide * size),
+                         front + .03 * sine(phase, shift, 4),
                          -.045 + (.040 + .05 * size) * rise * size)
         pose.arms[side] = ArmTarget(wrist, vec(-sign * (.30 - .25 * wide), -1, .22 + .25 * rise),
-                                    vec(-sign * .75, .12, .60 + .2 * wide), vec(sign * .75, .6, -.7))
+                                    vec(-sign * .75, .12, .60 + .2 * wide),
+                                    vec(sign * .75, .6, -.7))
     return pose
 
 
@@ -277,6 +279,6 @@ def dance_2_pose(body, bones, phase):
     for side, sign in SIDES:
         plant_foot(pose, side, sign, body.ankle[0] * 1.4, 0, 12,
                    heel=16 * smoothstep(-sign * sine(phase, -.5), .1, .9) * e)
-        raise_arm(pose, side, sign, .86 * (1 if e == 1 else .85) + .06 * sine(phase, sign), 14 * sway * sign,
-                  outwards=10 * sway * sign)
+        up = .86 * (1 if e == 1 else .85) + .06 * sine(phase, sign)
+        raise_arm(pose, side, sign, up, 14 * sway * sign, outwards=10 * sway * sign)
     return pose

@@ -12,12 +12,29 @@ from person_file import TO_GLTF, quaternions
 
 FRAMES_PER_SECOND = 32
 SHARP_DEGREES = 40
+LEVELS = 4
+SIDES = (1, .70, .46, .30)  # of a tube, what each level keeps
+FEWEST_SIDES = (5, 4, 3, 3)
+
+
+def thinned(rings, level):
+    """The ends and every ring between, two out of three of them, every second one, or one."""
+    if level == 0 or len(rings) < 4:
+        return rings
+    if level == 1:
+        return [rings[0], *(r for k, r in enumerate(rings[1:-1]) if k % 3 != 1), rings[-1]]
+    if level == 2:
+        return [rings[0], *rings[1:-1][::2], rings[-1]]
+    return [rings[0], rings[len(rings) // 2], rings[-1]]
 
 
 class Shape:
-    """Vertices with a bone share each, and faces with a slot."""
+    """Vertices with a bone share each, and faces with a slot, at one level of detail.
 
-    def __init__(self):
+    Tubes get coarser by themselves; what is small is left out past the level "until"."""
+
+    def __init__(self, level=0):
+        self.level = level
         self.positions, self.weights, self.faces = [], [], []
 
     def add(self, points, weights):
@@ -29,9 +46,13 @@ class Shape:
     def face(self, ids, slot):
         self.faces += [((ids[0], ids[i], ids[i + 1]), slot) for i in range(1, len(ids) - 1)]
 
-    def tube(self, rings, sides, slot, upright=False):
+    def tube(self, rings, sides, slot, upright=False, until=LEVELS):
         """rings: (centre, half width, half height, weights), closed at both ends. A tube runs
         along Y; upright ones along Z, where the second radius lies along Y."""
+        if self.level > until:
+            return
+        rings = thinned(rings, self.level)
+        sides = max(min(sides, FEWEST_SIDES[self.level]), round(sides * SIDES[self.level]))
         turns = [2 * math.pi * (i + .5) / sides for i in range(sides)]
         rows = []
         for (x, y, z), wide, high, weights in rings:
@@ -48,7 +69,9 @@ class Shape:
         self.face(order(rows[0][::-1]), slot)
         self.face(order(rows[-1]), slot)
 
-    def box(self, low, high, slot, weights=None):
+    def box(self, low, high, slot, weights=None, until=LEVELS):
+        if self.level > until:
+            return
         (x0, y0, z0), (x1, y1, z1) = low, high
         p = self.add([(x, y, z) for z in (z0, z1)
                       for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], weights)
@@ -156,25 +179,42 @@ class CreatureWriter:
         joints = np.zeros((len(weights), 4), np.uint8)
         shares = np.zeros((len(weights), 4), np.uint8)
         for row, own in enumerate(weights):
-            for i, (bone, share) in enumerate(own.items()):
+            for i, (bone, share) in enumerate((b, w) for b, w in own.items() if w > 0):
                 joints[row, i], shares[row, i] = order.index(bone), round(share * 255)
             shares[row, 0] += 255 - int(shares[row].sum())
         return joints, shares
 
-    def hang(self, bone, shape):
-        """A stiff mesh on a moving node."""
-        mesh = self.mesh(bone, shape, self.bones[bone][1])
-        self.glb.document["nodes"][self.node[bone]]["mesh"] = mesh
+    def hang(self, bone, shapes):
+        """A stiff mesh on a moving node; one shape per level of detail."""
+        nodes = []
+        for level, shape in enumerate(shapes):
+            name = f"{bone}_mesh" if level == 0 else f"{bone}_mesh_LOD{level}"
+            nodes.append(self.glb.add("nodes", {"name": name, "mesh": self.mesh(
+                name, shape, self.bones[bone][1])}))
+            self._child(bone, nodes[-1])
+        self._link_levels(nodes)
 
-    def skin(self, shape):
+    def _link_levels(self, nodes):
+        self.glb.document["nodes"][nodes[0]]["extensions"] = {"MSFT_lod": {"ids": nodes[1:]}}
+        used = self.glb.document.setdefault("extensionsUsed", [])
+        if "MSFT_lod" not in used:
+            used.append("MSFT_lod")
+
+    def skin(self, shapes):
+        """The node of the finest level; one shape per level of detail."""
         inverse = np.tile(np.eye(4, dtype=np.float32), (len(self.bones), 1, 1))
         for i, (_, place) in enumerate(self.bones.values()):
             inverse[i, 3, :3] = -to_gltf(np.array(place, float))
         skin = self.glb.add("skins", {
             "name": self.name, "skeleton": 0, "joints": list(self.node.values()),
             "inverseBindMatrices": self.glb.accessor(inverse.reshape(-1, 16), "MAT4")})
-        mesh = self.mesh(self.name, shape, is_skinned=True)
-        return self.glb.add("nodes", {"name": self.name, "mesh": mesh, "skin": skin})
+        nodes = []
+        for level, shape in enumerate(shapes):
+            name = self.name if level == 0 else f"{self.name}_LOD{level}"
+            mesh = self.mesh(name, shape, is_skinned=True)
+            nodes.append(self.glb.add("nodes", {"name": name, "mesh": mesh, "skin": skin}))
+        self._link_levels(nodes)
+        return nodes[0]
 
     def clip(self, name, frames, pose_at, speed=0.0):
         """pose_at(phase) -> bone -> (offset or None, 3x3 rotation or None); it must loop."""

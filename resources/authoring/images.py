@@ -120,7 +120,8 @@ def _paint_eyes(image, chart, face, eye_rgb):
     paint(image, white, (.93, .92, .90))
     grow = 1.2 if face.is_child else 1
     paint(image, chart.ellipse(x - .006, z + .002, .034 * grow, .040 * grow) * white, eye_rgb)
-    paint(image, chart.ellipse(x - .006, z + .002, .017 * grow, .021 * grow) * white, (.04, .04, .04))
+    paint(image, chart.ellipse(x - .006, z + .002, .017 * grow, .021 * grow) * white,
+          (.04, .04, .04))
     outer = chart.ellipse(x, z, rx + .012, rz + .016)
     lid = np.clip(outer - chart.ellipse(x, z - .012, rx + .004, rz + .008), 0, 1)
     paint(image, lid * (chart.z > z - .01) * (1 if is_woman else .8), (.12, .08, .07))

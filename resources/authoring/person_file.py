@@ -113,7 +113,8 @@ class PersonWriter:
                 continue
             light = openness[part.source]
             colors = np.stack([light, light, light, np.ones_like(light)], 1)
-            attributes = vertex_attributes(self.glb, part.positions, part.normals, colors, part.values)
+            attributes = vertex_attributes(self.glb, part.positions, part.normals, colors,
+                                           part.values)
             attributes["JOINTS_0"] = self.glb.accessor(joints[part.source], "VEC4", VERTICES)
             attributes["WEIGHTS_0"] = self.glb.accessor(shares[part.source], "VEC4", VERTICES,
                                                         True)

@@ -183,8 +183,10 @@ def add_hills(surface):
     for radius, start, height, material in ((150, 61, 16, "hill"), (270, 130, 46, "hill_far")):
         steps = 56
         waves = random.uniform(0, 2 * math.pi, 4)
-        heights = [height * (.55 + .22 * math.sin(3 * a + waves[0]) + .16 * math.sin(7 * a + waves[1])
-                             + .10 * math.sin(13 * a + waves[2]) + .06 * math.sin(23 * a + waves[3]))
+        heights = [height * (.55 + .22 * math.sin(3 * a + waves[0])
+                             + .16 * math.sin(7 * a + waves[1])
+                             + .10 * math.sin(13 * a + waves[2])
+                             + .06 * math.sin(23 * a + waves[3]))
                    for a in (2 * math.pi * i / steps for i in range(steps))]
         turns = [2 * math.pi * i / steps for i in range(steps)]
         foot, crest = ([polar(r, a, z) for a, z in zip(turns, levels)] for r, levels in (

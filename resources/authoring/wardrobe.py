@@ -27,7 +27,8 @@ WHITE = (255, 255, 255)
 HAIR = (Look("Hair black", "hair", (44, 38, 36)), Look("Hair blond", "hair", (206, 172, 116)),
         Look("Hair auburn", "hair", (140, 78, 48)), Look("Hair grey", "hair", (172, 168, 162)),
         Look("Hair pale", "hair", (240, 236, 228)))
-TROUSERS = (Look("Bottom jeans", "denim", (74, 92, 124)), Look("Bottom dark", "cloth", (62, 64, 70)))
+TROUSERS = (Look("Bottom jeans", "denim", (74, 92, 124)),
+            Look("Bottom dark", "cloth", (62, 64, 70)))
 SHOES = (Look("Shoes dark", "shoe", (64, 58, 54)),)
 BAG = (Look("", "cloth", (190, 176, 152)), Look("Bag leather", "cloth", (124, 84, 56)))
 SCARF = (Look("", "cloth", (222, 208, 196)), Look("Scarf striped", "stripes", (226, 214, 206)))
@@ -87,7 +88,8 @@ OUTFITS = {
 }
 
 
-PLAIN_TOP = {"citizen": "girdled", "labourer": "girdled", "matron": "girdled", "man_2": "coat", "woman_2": "belted", "old_man": "coat", "old_woman": "coat"}
+PLAIN_TOP = {"citizen": "girdled", "labourer": "girdled", "matron": "girdled", "man_2": "coat",
+             "woman_2": "belted", "old_man": "coat", "old_woman": "coat"}
 
 
 def slots(body):
@@ -124,7 +126,8 @@ def textures(body):
     painted.update(hair=images.hair(), cloth=images.plain_cloth(), stripes=images.striped_cloth(),
                    checks=images.checked_cloth(), coat=images.coat_cloth(),
                    girdled=images.girdled_cloth(), clavi=images.cloth_with_clavi(),
-                   bordered=images.bordered_cloth(), belted=images.belted_cloth(), dots=images.dotted_cloth(),
+                   bordered=images.bordered_cloth(), belted=images.belted_cloth(),
+                   dots=images.dotted_cloth(),
                    denim=images.denim(), shoe=images.shoe())
     used = {look.image for own in looks(body).values() for look in own}
     return {name: data for name, data in painted.items() if name in used}

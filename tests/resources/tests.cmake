@@ -3,6 +3,6 @@
 if(NOT CROWD_SANITIZER)
     add_test(NAME templates_are_right
         COMMAND ${Python3_EXECUTABLE} -B
-            "${CMAKE_SOURCE_DIR}/resources/authoring/check_templates.py" --step 16)
+            "${CMAKE_SOURCE_DIR}/resources/authoring/check_templates.py")
     set_tests_properties(templates_are_right PROPERTIES LABELS resources TIMEOUT 600)
 endif()
