@@ -33,7 +33,8 @@ def flat(surface, x0, y0, x1, y1, z, material, tone=1.0):
 def tree(surface, x, y, z, height, leaf="leaf"):
     surface.turned(x, y, [(.22, z), (.15, z + height * .5)], 6, "trunk")
     r = height * .30
-    surface.turned(x, y, [(.1, z + height * .36), (r * .85, z + height * .48), (r, z + height * .66),
+    surface.turned(x, y, [(.1, z + height * .36), (r * .85, z + height * .48),
+                          (r, z + height * .66),
                           (r * .7, z + height * .86), (.02, z + height)], 8, leaf)
 
 
@@ -43,10 +44,10 @@ TERRACE = 1.5
 
 
 def city():
-    surface, rng = StageSurface(11, CITY), random.Random(5)
+    surface, rng, details = StageSurface(11, CITY), random.Random(5), random.Random(6)
     flat(surface, -90, -90, 90, 90, 0, "street")
     _plaza(surface)
-    _blocks(surface, rng)
+    _blocks(surface, rng, details)
     _crossings(surface)
     _bridge(surface)
     write_stage(surface, "city", smooth=("leaf",))
@@ -83,13 +84,13 @@ def _plaza(surface):
             surface.turned(x, y, [(.12, 4.0), (.28, 4.3), (.22, 4.6), (.02, 4.7)], 8, "trim")
 
 
-def _blocks(surface, rng):
+def _blocks(surface, rng, details):
     """Three blocks of houses on each side of the square and one at each corner."""
     edge = PLAZA + 2 * STREET
     for turn in range(4):
         for low, high in ((-62, -edge + 2.6), (-18, -5), (5, 18), (edge - 2.6, 62)):
             is_arcade = turn == 0 and abs(low) < 20
-            _row(surface, rng, turn, low, high, edge, is_arcade)
+            _row(House(surface, turn, details), rng, low, high, edge, is_arcade)
 
 
 def _turned(turn, x, y):
@@ -101,8 +102,8 @@ def _turned(turn, x, y):
 class House:
     """Boxes and panes of one house; its front lies at y = edge, looking towards the square."""
 
-    def __init__(self, surface, turn):
-        self.surface, self.turn = surface, turn
+    def __init__(self, surface, turn, details):
+        self.surface, self.turn, self.details = surface, turn, details
 
     def box(self, low, high, material):
         a, b = _turned(self.turn, low[0], low[1]), _turned(self.turn, high[0], high[1])
@@ -115,8 +116,7 @@ class House:
                           material)
 
 
-def _row(surface, rng, turn, low, high, edge, is_arcade):
-    house = House(surface, turn)
+def _row(house, rng, low, high, edge, is_arcade):
     house.box((low, edge - 2.6, -.02), (high, edge + 16, CURB), "pavement")
     x = low + .4
     while x < high - 3:
@@ -142,19 +142,47 @@ def _house(house, rng, x0, x1, edge, is_arcade):
         base = CURB + floor * storey + .85
         for k in range(count):
             middle = x0 + (k + .5) * pitch
-            house.box((middle - .62, edge - .06, base - .12), (middle + .62, edge, base + 1.75), "trim")
+            house.box((middle - .62, edge - .06, base - .12), (middle + .62, edge, base + 1.75),
+                      "trim")
             house.pane(middle - .50, middle + .50, edge - .07, base, base + 1.62, "window")
+        if floor < 3 and house.details.random() < .25:
+            k = house.details.randrange(count)
+            _balcony(house, x0 + (k + .5) * pitch, edge, base)
+    _chimneys(house, x0, x1, edge + deep * .45, top)
     if is_arcade:
         _arcade(house, x0, x1, edge, storey, count, pitch, wall)
     else:
         _shop(house, rng, x0, x1, edge, storey)
 
 
+def _balcony(house, middle, edge, base):
+    """A slab with a rail on bars, and a box of plants."""
+    front, floor = edge - .95, base - .30
+    house.box((middle - .95, front, floor - .12), (middle + .95, edge, floor), "stone")
+    house.box((middle - .95, front, floor + .92), (middle + .95, front + .06, floor + .98), "metal")
+    for x in (-.92, -.31, .31, .92):
+        house.box((middle + x - .03, front, floor), (middle + x + .03, front + .06, floor + .92),
+                  "metal")
+    house.box((middle - .6, front - .22, floor + .62), (middle + .6, front, floor + .86), "trunk")
+    house.box((middle - .56, front - .20, floor + .84), (middle + .56, front - .02, floor + 1.02),
+              "leaf")
+
+
+def _chimneys(house, x0, x1, y, top):
+    for _ in range(house.details.choice((1, 2))):
+        x = house.details.uniform(x0 + 1.2, x1 - 1.2)
+        tall = top + house.details.uniform(1.7, 2.4)
+        house.box((x - .35, y - .3, top + .3), (x + .35, y + .3, tall), "stone")
+        house.box((x - .45, y - .4, tall), (x + .45, y + .4, tall + .12), "trim")
+        house.box((x - .14, y - .14, tall + .12), (x + .14, y + .14, tall + .5), "roof")
+
+
 def _arcade(house, x0, x1, edge, storey, count, pitch, wall):
     house.box((x0, edge + 3.2, CURB), (x1, edge + 5, CURB + storey), wall)
     for k in range(count + 1):
         x = x0 + k * pitch
-        house.box((max(x0, x - .28), edge, CURB), (min(x1, x + .28), edge + .55, CURB + storey), "stone")
+        house.box((max(x0, x - .28), edge, CURB), (min(x1, x + .28), edge + .55, CURB + storey),
+                  "stone")
     house.box((x0, edge - .08, CURB + storey - .45), (x1, edge + .6, CURB + storey), "trim")
     for k in range(count):
         middle = x0 + (k + .5) * pitch
@@ -227,11 +255,13 @@ def stadium():
         surface.box((-half, y - (.7 if rank == 0 else 0), 0), (half, y + DEPTH, z), "concrete")
         for block in range(BLOCKS):
             start = -half + AISLE + block * (PER_BLOCK * PITCH + AISLE)
-            surface.box((start - AISLE * .8, y, z), (start - AISLE * .2, y + DEPTH * .5, z + RISE / 2),
+            surface.box((start - AISLE * .8, y, z),
+                        (start - AISLE * .2, y + DEPTH * .5, z + RISE / 2),
                         "dark")
             for k in range(PER_BLOCK):
                 x = start + (k + .5) * PITCH
-                _seat(surface, x, y + .40, z, "seat_light" if (rank // 3 + block) % 4 == 0 else "seat")
+                slot = "seat_light" if (rank // 3 + block) % 4 == 0 else "seat"
+                _seat(surface, x, y + .40, z, slot)
                 seats.append({"position": [round(x, 4), round(z, 4), round(-(y + .20), 4)],
                               "headingRadians": 0.0, "height": SEAT, "rank": rank, "wedge": block})
     _roof(surface, half)
@@ -280,6 +310,7 @@ def _roof(surface, half):
 
 # -- the meadow ----------------------------------------------------------------------------------
 LEVEL = 4.2  # keeps the lowest spot above the endless ground plane
+PATH_LIFT = .03  # over the grass, whose squares lie a few millimetres off the ground's curve
 
 
 def ground(x, y):
@@ -288,6 +319,23 @@ def ground(x, y):
     pond = 2.0 * math.exp(-((x + 14) ** 2 + (y - 13) ** 2) / 60)
     pad = min(1.0, math.hypot(x - 20, y - 10) / 14)
     return LEVEL + gentle * pad ** 2 - pond + .0016 * max(0, math.hypot(x, y) - 30) ** 2
+
+
+def _meadow_path(surface):
+    """A ribbon that lies on the grass."""
+    rows = []
+    for k in range(129):
+        x = -80 + k * 1.25
+        y, slope = -6 + 7 * math.sin(x * .06), .42 * math.cos(x * .06)
+        long = math.hypot(1, slope)
+        across = (-slope / long, 1 / long)
+        rows.append([surface.point(x + across[0] * w, y + across[1] * w,
+                                   ground(x + across[0] * w, y + across[1] * w)
+                                   + (PATH_LIFT if abs(w) < 1.6 else -.04))
+                     for w in (-1.75, -1.6, -.55, .55, 1.6, 1.75)])
+    for near, far in zip(rows[:-1], rows[1:]):
+        for i in range(len(near) - 1):
+            surface.face((near[i], far[i], far[i + 1], near[i + 1]), "path")
 
 
 def meadow():
@@ -299,10 +347,8 @@ def meadow():
            for j in range(count + 1)]
     for j in range(count):
         for i in range(count):
-            x, y = -size + (i + .5) * step, -size + (j + .5) * step
-            on_path = abs(y + 6 - 7 * math.sin(x * .06)) < 1.6
-            surface.face((ids[j][i], ids[j][i + 1], ids[j + 1][i + 1], ids[j + 1][i]),
-                         "path" if on_path else "grass")
+            surface.face((ids[j][i], ids[j][i + 1], ids[j + 1][i + 1], ids[j + 1][i]), "grass")
+    _meadow_path(surface)
     surface.turned(-14, 13, [(8.0, LEVEL - .95), (.02, LEVEL - .95)], 24, "water")
     surface.turned(20, 10, [(6.0, LEVEL - .3), (6.0, LEVEL + .14), (.02, LEVEL + .14)], 24, "pad")
     for _ in range(110):
@@ -331,8 +377,10 @@ def _fence(surface, x):
     z, after = ground(x, y), ground(x + 2.4, y)
     surface.box((x - .07, y - .07, z - .3), (x + .07, y + .07, z + 1.15), "wood")
     for height in (.5, .95):
-        p = surface.points(((x, y - .03, z + height - .06), (x + 2.4, y - .03, after + height - .06),
-                            (x + 2.4, y - .03, after + height + .06), (x, y - .03, z + height + .06)))
+        p = surface.points(((x, y - .03, z + height - .06),
+                            (x + 2.4, y - .03, after + height - .06),
+                            (x + 2.4, y - .03, after + height + .06),
+                            (x, y - .03, z + height + .06)))
         surface.face(p, "wood")
         surface.face(p[::-1], "wood")
 

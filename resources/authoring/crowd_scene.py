@@ -95,7 +95,9 @@ class Actor:
                 if self.looks[slot] > 1 and rng.random() < .42 and not (top and slot == "top"):
                     choices[i] = rng.randrange(1, self.looks[slot])
                     rgb = WHITE if slot == "bottom" else tuple(c + (255 - c) * .55 for c in rgb)
-            elif slot not in ("skin", "hair", "") and self.looks[slot] > 1:
+            if slot == "cloak" and self.name == "priest":
+                rgb, choices[i] = rng.choice(UNDYED), 0  # it is drawn from his robe
+            elif slot not in ("skin", "hair", "", *palette) and self.looks[slot] > 1:
                 choices[i] = rng.randrange(self.looks[slot])
             if slot == "top" and top:
                 rgb = top

@@ -114,8 +114,8 @@ def stadium():
         camera("Stand", (0, 12.5, 22.0), (0, 8.6, -24), 42),
         camera("Close", (9.5, 5.4, -6.4), (4.0, 4.6, -17.0), 44),
         camera("From the side", (-33, 9, -4), (4, 6.0, -24), 48),
-        camera("From the top row", (-14, 17.2, -38.5), (10, 3, 10), 52),
-        camera("Pitch", (40, 24, 62), (0, 5, -12), 42)], dict(DAY, sunAzimuth=.35))
+        camera("From the top row", (-16, 16.3, -36.2), (8, 1.5, 2), 56),
+        camera("Pitch", (27, 14, 34), (1, 6.0, -22), 44)], dict(DAY, sunAzimuth=.35))
 
 
 def place(x, z):
@@ -137,18 +137,21 @@ def meadow():
             crowd.add("horse", place(x, z), rng.uniform(-3, 3), "idle")
     for x, z in ((-4.6, 4.2), (4.8, 6.7), (1.2, -3.6), (-9, 1), (10, 4.5), (6.2, -1), (-13, 9.4)):
         crowd.add("dog", place(x, z), rng.uniform(-3, 3), "idle")
+    taken = []
     for _ in range(40):
-        crowd.add("beetle", place(rng.uniform(-1.2, 1.2), 10.6 + rng.uniform(-.6, .6)),
-                  rng.uniform(-3, 3), "idle", size=rng.uniform(.8, 1.3))
+        spot = _free(rng, taken, .9, .07)
+        if spot:
+            crowd.add("beetle", place(1.3 * spot[0], 10.6 + .7 * spot[1]), rng.uniform(-3, 3),
+                      "idle", size=rng.uniform(.8, 1.3))
     crowd.add("helicopter", (20, LEVEL + .14, -10), -.7, "idle", speed=1.0)
     crowd.add("helicopter", (-8, LEVEL + 11.5, -26), .9, "hover", speed=1.0)
-    for x, z, turn in ((13.0, -4.5, .8), (15.5, -3.0, -1.9), (12.0, -9.0, 1.6)):
+    for x, z, turn in ((13.0, -4.5, .8), (17.6, -3.4, -1.2), (12.0, -9.0, 1.6)):
         crowd.add("forklift", place(x, z), turn, "lift")
     crowd.write("meadow.crowd", "Meadow", "meadow", [
         camera("Meadow", (3.5, LEVEL + 4.0, 18.5), (-.5, LEVEL + 1.2, -4.0), 44),
-        camera("Horses", (-3.0, LEVEL + 2.6, -5.0), (-13.0, LEVEL + .2, -18.0), 46),
+        camera("Horses", (-3.6, LEVEL + 3.0, -6.6), (-11.0, LEVEL + .5, -17.5), 48),
         camera("Beetles", (.5, here(.5, 11.9) + .42, 11.9), (0, here(0, 10.6), 10.6), 38),
-        camera("Machines", (8.0, LEVEL + 3.6, 2.5), (16.5, LEVEL + 1.2, -8.0), 46),
+        camera("Machines", (8.6, LEVEL + 3.2, -.6), (16.6, LEVEL + 1.1, -8.2), 48),
         camera("Above", (26, LEVEL + 26, 32), (0, LEVEL, -4), 42)],
         dict(DAY, ground=[.46, .56, .34], skyHorizon=[.88, .92, .92]))
 
