@@ -57,7 +57,7 @@ int runEditor(int& argc, char** argv, const QStringList& files)
     MainWindow window;
     window.show();
     QMetaObject::invokeMethod(
-        &window, [&window, files] { window.queue().openAtStart(files); }, Qt::QueuedConnection);
+        &window, [&window, files] { window.start(files); }, Qt::QueuedConnection);
     return QApplication::exec();
 }
 

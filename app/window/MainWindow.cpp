@@ -23,6 +23,7 @@
 #include "app/window/StatusPanel.h"
 #include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
+#include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/viewport/ViewCommands.h"
 
@@ -365,6 +366,43 @@ void MainWindow::showPreferences()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreferences);
     dialog->open();
+}
+
+void MainWindow::start(const QStringList& files)
+{
+    if (!files.isEmpty() || !Preferences::load().showsWelcome) {
+        m_queue.openAtStart(files);
+        return;
+    }
+    if (m_files.offerUntitledRecovery()) {
+        return;
+    }
+    constexpr auto kOnceAndLater =
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    connect(&m_files, &FileController::becameIdle, this, &MainWindow::showWelcome, kOnceAndLater);
+    m_files.newTheatre();
+}
+
+/// Nothing is chosen on it that could not be chosen in the menu; it only comes by itself.
+void MainWindow::showWelcome()
+{
+    if (auto* shown = findChild<widgets::WelcomePage*>()) {
+        shown->raise();
+        return;
+    }
+    auto* page = new widgets::WelcomePage(
+        {FileController::examples(), recentFiles(), Preferences::load().showsWelcome}, this);
+    page->setAttribute(Qt::WA_DeleteOnClose);
+    connect(page, &widgets::WelcomePage::newTheatreChosen, &m_files, &FileController::newTheatre);
+    connect(page, &widgets::WelcomePage::newGroundChosen, &m_files, &FileController::newGround);
+    connect(page, &widgets::WelcomePage::openChosen, &m_files, &FileController::open);
+    connect(page, &widgets::WelcomePage::sceneChosen, &m_files, &FileController::openPath);
+    connect(page, &widgets::WelcomePage::showAtStartChanged, this, [](bool isShown) {
+        Preferences changed = Preferences::load();
+        changed.showsWelcome = isShown;
+        changed.save();
+    });
+    page->open();
 }
 
 void MainWindow::showShortcuts()

@@ -43,9 +43,12 @@ public:
     [[nodiscard]] Interpreter& interpreter() { return m_interpreter; }
     [[nodiscard]] ConsoleDock& console() { return *m_console; }
     [[nodiscard]] DockLayout& dockLayout() { return m_layout; }
+    /// As the program starts: with these files, or with the welcome page over an empty theatre.
+    void start(const QStringList& files);
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_layout.docks(); }
 
     void showPreferences();
+    void showWelcome();
     void showShortcuts();
     void showAbout();
 

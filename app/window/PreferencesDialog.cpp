@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QSettings>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -24,6 +25,7 @@ const QString kButtons = QStringLiteral("preferences/paperMouse");
 const QString kAutosave = QStringLiteral("preferences/autosaveSeconds");
 const QString kMemory = QStringLiteral("preferences/keyframeMegabytes");
 const QString kLanguage = QStringLiteral("preferences/language");
+const QString kWelcome = QStringLiteral("preferences/showsWelcome");
 
 constexpr double kSecondsInAMinute = 60.0;
 
@@ -39,6 +41,7 @@ Preferences Preferences::load()
     preferences.autosaveSeconds = settings.value(kAutosave, preferences.autosaveSeconds).toInt();
     preferences.keyframeMegabytes = settings.value(kMemory, preferences.keyframeMegabytes).toInt();
     preferences.language = settings.value(kLanguage).toString();
+    preferences.showsWelcome = settings.value(kWelcome, true).toBool();
     return preferences;
 }
 
@@ -50,13 +53,14 @@ void Preferences::save() const
     settings.setValue(kAutosave, autosaveSeconds);
     settings.setValue(kMemory, keyframeMegabytes);
     settings.setValue(kLanguage, language);
+    settings.setValue(kWelcome, showsWelcome);
 }
 
 PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* parent)
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
       m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_language(new QComboBox(this)),
       m_autosave(new QDoubleSpinBox(this)), m_memory(new QSpinBox(this)),
-      m_languageNote(new QLabel(this))
+      m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
 {
     setWindowTitle(tr("Preferences"));
     fill();
@@ -75,6 +79,7 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     }
     connect(m_autosave, &QDoubleSpinBox::valueChanged, this, &PreferencesDialog::choose);
     connect(m_memory, &QSpinBox::valueChanged, this, &PreferencesDialog::choose);
+    connect(m_welcome, &QCheckBox::toggled, this, &PreferencesDialog::choose);
 }
 
 void PreferencesDialog::fill()
@@ -103,6 +108,8 @@ void PreferencesDialog::fill()
     m_memory->setValue(m_before.keyframeMegabytes);
     m_memory->setToolTip(tr("Whose animation finds no room stands still."));
     m_memory->setKeyboardTracking(false);
+    m_welcome->setText(tr("Show the welcome page"));
+    m_welcome->setChecked(m_before.showsWelcome);
 }
 
 QWidget* PreferencesDialog::generalPage()
@@ -117,6 +124,7 @@ QWidget* PreferencesDialog::generalPage()
     form->addRow(tr("Memory for baked animations"), m_memory);
     form->addRow(tr("Language"), m_language);
     form->addRow(QString(), m_languageNote);
+    form->addRow(tr("At start"), m_welcome);
     return page;
 }
 
@@ -129,6 +137,7 @@ Preferences PreferencesDialog::chosen() const
     preferences.autosaveSeconds = qRound(m_autosave->value() * kSecondsInAMinute);
     preferences.keyframeMegabytes = m_memory->value();
     preferences.language = m_language->currentData().toString();
+    preferences.showsWelcome = m_welcome->isChecked();
     return preferences;
 }
 

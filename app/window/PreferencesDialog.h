@@ -7,6 +7,7 @@
 #include "widgets/state/EditorState.h"
 #include "widgets/theme/Theme.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -23,7 +24,8 @@ struct Preferences
     widgets::ButtonMapping buttons = widgets::ButtonMapping::Standard;
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
-    QString language; ///< "de"; empty: the system's
+    QString language;         ///< "de"; empty: the system's
+    bool showsWelcome = true; ///< at a start without a file
     friend bool operator==(const Preferences&, const Preferences&) = default;
 
     [[nodiscard]] static Preferences load();
@@ -61,6 +63,7 @@ private:
     QDoubleSpinBox* m_autosave; ///< minutes
     QSpinBox* m_memory;
     QLabel* m_languageNote;
+    QCheckBox* m_welcome;
 };
 
 } // namespace crowd::app

@@ -231,6 +231,9 @@ const WindowAction kOtherActions[] = {
     {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
       QT_TRANSLATE_NOOP("Actions", "Put all panels back to their places")},
      [](MainWindow& w, bool) { w.dockLayout().reset(); }},
+    {{"welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome Page"), "crowdbrush", "Ctrl+F1",
+      QT_TRANSLATE_NOOP("Actions", "Ready-made scenes, new scenes, and what was open before")},
+     [](MainWindow& w, bool) { w.showWelcome(); }},
     {{"keys", QT_TRANSLATE_NOOP("Actions", "&Mouse and Keys"), "help", "F1",
       QT_TRANSLATE_NOOP("Actions", "What mouse buttons and keys do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
@@ -274,7 +277,7 @@ constexpr const char* kPlayMenu[] = {"play",   "step",   "stop", "",
                                      "faster", "slower", "",     "keep-pose"};
 constexpr const char* kScriptMenu[] = {"console", "", "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
-constexpr const char* kHelpMenu[] = {"keys", "about"};
+constexpr const char* kHelpMenu[] = {"welcome", "keys", "about"};
 
 constexpr MenuSpec kMenus[] = {
     {QT_TRANSLATE_NOOP("Menus", "&File"), kFileMenu},
