@@ -18,6 +18,7 @@ namespace {
 constexpr int kSides = 40;
 constexpr double kMiddlePixels = 9.0;
 constexpr double kBorderPixels = 5.0;
+constexpr float kLeastUpright = 0.5F; ///< of a surface's normal: steeper is a wall
 constexpr double kClickSlack = 4.0;
 
 struct Text
@@ -205,7 +206,8 @@ std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput
 {
     const auto hit =
         context.queries.picker(input.pointer.shownSeconds).surfaceAt(input.pointer.pixels());
-    return hit ? std::optional<glm::vec3>(hit->point) : std::nullopt;
+    const bool isGround = hit && hit->normal.y > kLeastUpright;
+    return isGround ? std::optional<glm::vec3>(hit->point) : std::nullopt;
 }
 
 void makePathOfPlaces(EditorState& state)

@@ -104,7 +104,8 @@ private:
     {
         const auto ground = groundUnder(m_context, input);
         if (!ground) {
-            m_context.state.showStatus(Text::tr("Nothing to walk on there: that is the sky."));
+            m_context.state.showStatus(
+                Text::tr("Nothing to walk on there: that is a wall, or the sky."));
             return;
         }
         m_last = ground;

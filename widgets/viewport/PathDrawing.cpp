@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSides = 48;
 constexpr float kLift = 0.06F; ///< metres above the ground, so that it does not flicker
-constexpr float kRingShare = 0.06F;
-constexpr float kArrowMetres = 0.9F;
+constexpr float kRingShare = 0.09F;
+constexpr float kArrowMetres = 1.3F;
 constexpr float kArrowSpacing = 7.0F;
 
 const glm::vec3 kUp(0.0F, kLift, 0.0F);
@@ -64,7 +64,7 @@ void PathDrawing::lane(const model::Place& from, const model::Place& to, glm::ve
     const glm::vec3 b = to.position + kUp;
     if (!isJump) {
         glm::vec4 faint = color;
-        faint.a *= 0.22F;
+        faint.a *= 0.36F;
         m_areas.push_back(
             {{a - aside * from.radius, a + aside * from.radius, b + aside * to.radius}, faint});
         m_areas.push_back(
@@ -89,7 +89,7 @@ void PathDrawing::draw(const EditorState& state)
     m_areas.clear();
     for (const model::Path& path : scene.paths) {
         const bool isCurrent = path.id == state.paths().path();
-        const glm::vec4 color = colorOf(path.color, isCurrent ? 0.95F : 0.6F);
+        const glm::vec4 color = colorOf(path.color, isCurrent ? 1.0F : 0.85F);
         const std::size_t count = path.places.size();
         const bool isOpen = path.kind == model::PathKind::Simple || count < 2 ||
                             (isCurrent && state.paths().isPainting() && count < 3);
@@ -104,7 +104,7 @@ void PathDrawing::draw(const EditorState& state)
         }
     }
     for (const model::Place& place : scene.places) {
-        ring(place, colorOf(place.color, state.paths().isSelected(place.id) ? 1.0F : 0.7F));
+        ring(place, colorOf(place.color, state.paths().isSelected(place.id) ? 1.0F : 0.9F));
     }
 }
 
