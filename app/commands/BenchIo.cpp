@@ -11,6 +11,7 @@
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
 
+#include "app/commands/BenchCast.h"
 #include "app/commands/BenchScene.h"
 #include "model/project/ProjectFile.h"
 
@@ -136,6 +137,11 @@ int runBenchIo(const BenchIoOptions& options)
         std::cerr << bytes.error().message << '\n';
         return 1;
     }
+    const model::Result<CastTimes> cast = timeCast(options.rounds);
+    if (!cast) {
+        std::cerr << cast.error().message << '\n';
+        return 1;
+    }
     nlohmann::ordered_json report;
     report["count"] = options.count;
     report["bytes"] = bytes.value();
@@ -143,6 +149,10 @@ int runBenchIo(const BenchIoOptions& options)
     report["load_ms"] = median(times.loadMs);
     report["parse_floor_ms"] = median(times.parseFloorMs);
     report["dump_floor_ms"] = median(times.dumpFloorMs);
+    report["cast_templates"] = cast.value().templates;
+    report["cast_bytes"] = cast.value().bytes;
+    report["cast_load_ms"] = cast.value().loadMs;
+    report["cast_floor_ms"] = cast.value().floorMs;
     if (options.json) {
         std::cout << report.dump() << '\n';
         return 0;

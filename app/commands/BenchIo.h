@@ -4,7 +4,8 @@
 namespace crowd::app {
 
 /// crowdbrush bench io: saving and opening a project file, against what the JSON library alone
-/// needs to write and to parse the same bytes, in turn in the same run.
+/// needs to write and to parse the same bytes, in turn in the same run; and reading the whole
+/// built-in cast (BenchCast.h).
 struct BenchIoOptions
 {
     int count = 100000;

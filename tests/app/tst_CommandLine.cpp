@@ -130,7 +130,9 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
                               "outside_walls");
     }
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
-                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms");
+                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
+                                             "cast_templates cast_bytes cast_load_ms "
+                                             "cast_floor_ms");
 }
 
 void CommandLineTest::jsonIsAloneOnStandardOutput()
