@@ -23,6 +23,7 @@ from glb import read_glb
 
 SHEETS = ("sides", "clips", "levels", "outfits", "crowd")
 PHASES, LEVELS, NO_TINT = 8, 4, "#ffffff00"
+UNEVEN = 9 / 8  # so that what repeats four times in a clip does not look still
 COLUMNS = ["id", "template", "position", "heading", "tint0", "tint1", "tint2", "tint3", "tint4",
            "tint5", "choices", "parts", "clip", "phase"]
 WIDTH, HEIGHTS = 1500, (500, 1900)  # pixels
@@ -109,7 +110,7 @@ class Studio:
 
     def clips(self, actors):
         for actor in actors:
-            rows = [[Figure(actor.name, clip, p / PHASES, TURNED) for p in range(PHASES)]
+            rows = [[Figure(actor.name, clip, p * UNEVEN / PHASES, TURNED) for p in range(PHASES)]
                     for clip in range(len(actor.clips))]
             for k in range(0, len(rows), 6):
                 suffix = f"_{k // 6 + 1}" if len(rows) > 6 else ""
