@@ -10,6 +10,7 @@ all keyframes. Prints a line of figures per template and a line per fault, says 
 validator was there to run, and exits with 1 when there is a fault."""
 import argparse
 import glob
+import json
 import os
 import subprocess
 import sys
@@ -29,6 +30,8 @@ PEOPLE_CLIPS = ("idle idle_2 walk walk_2 run sit sit_2 sit_clap sit_cheer clap c
 CLIPS = {"person": PEOPLE_CLIPS, "animal": ["idle", "walk", "run"], "machine": ["idle"],
          "helicopter": ["idle", "hover", "fly"], "forklift": ["idle", "drive", "lift"]}
 ONCE = ("sit_down", "stand_up")
+GAITS = ("walk", "walk_2", "run", "drive", "fly")
+FEWEST_CAMERAS = 3
 PEOPLE_SLOTS = {"skin", "hair", "top", "shoes"}  # a dress has no lower half of its own
 LEVELS = ((1000, 1200), (560, 690), (290, 350), (85, 130))
 MOST = {"seam": .0005, "jerk": .05, "slide": .002, "hand": .020, "hand in garment": .020,
@@ -96,7 +99,7 @@ def check_clips(template, report, step):
 def check_promises(report, clip, extras):
     """What a clip says of itself has to go with its name."""
     report.demand(extras["loop"] == (clip not in ONCE), f"{clip} loops: {extras['loop']}")
-    report.demand((extras["speed"] > 0) == (clip in ("walk", "walk_2", "run")),
+    report.demand((extras["speed"] > 0) == (clip in GAITS),
                   f"{clip} has the speed {extras['speed']}")
     report.demand(("seatHeight" in extras) == (clip.startswith("sit") or clip in ONCE),
                   f"{clip} has the wrong seat height")
@@ -157,6 +160,26 @@ def check_silhouettes(templates):
     return faults
 
 
+def check_scenes():
+    """Nobody moves on the spot; several cameras; a picture for the welcome page."""
+    faults = []
+    for path in sorted(glob.glob(os.path.join(RESOURCES, "scenes", "*.crowd"))):
+        with open(path, encoding="utf-8") as file:
+            scene = json.load(file)
+        name, table = os.path.basename(path), scene["individuals"]
+        template, clip = (table["columns"].index(column) for column in ("template", "clip"))
+        clips = {entry["id"]: entry["clips"] for entry in scene["templates"]}
+        played = [clips[row[template]][row[clip]] for row in table["rows"]]
+        faults += [f"{name}: {played.count(gait)} play {gait} on the spot"
+                   for gait in GAITS if gait in played]
+        if len(scene["cameras"]) < FEWEST_CAMERAS:
+            faults.append(f"{name}: has {len(scene['cameras'])} cameras")
+        if not os.path.exists(path[:-len(".crowd")] + ".png"):
+            faults.append(f"{name}: has no picture (make_thumbnails.py)")
+        print(f"{name}: {len(played)} individuals, {len(scene['cameras'])} cameras")
+    return faults
+
+
 def check_size():
     total = sum(os.path.getsize(os.path.join(folder, file))
                 for folder, _, files in os.walk(RESOURCES) for file in files)
@@ -196,7 +219,7 @@ def main():
     faults = []
     for name, template in templates.items():
         faults += check(template, name, options.step)
-    faults += check_silhouettes(templates) + check_size()
+    faults += check_silhouettes(templates) + check_scenes() + check_size()
     stages = [] if options.names else sorted(glob.glob(os.path.join(RESOURCES, "stages", "*.glb")))
     faults += validate(list(paths.values()) + stages)
     print("\n".join(faults))

@@ -5,7 +5,8 @@ import numpy as np
 from baked import FRAMES_PER_SECOND
 
 ON_GROUND = .0003  # metres above the lowest place of a foot
-BALLS = ("toe_L", "toe_R", "fore_foot_L", "fore_foot_R", "hind_foot_L", "hind_foot_R")
+BALLS = ("toe_L", "toe_R", "fore_foot_L", "fore_foot_R", "hind_foot_L", "hind_foot_R",
+         *(f"leg{k}_foot_{side}" for k in range(3) for side in "LR"))
 
 
 def joint(world, template, name):
