@@ -15,8 +15,8 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kFinestCell = 0.15F;
-constexpr double kMaxCells = 9e6;    ///< of the height field
+constexpr float kFinestCell = 0.2F;
+constexpr double kMaxCells = 1.5e6;  ///< of the height field
 constexpr float kAround = 15.0F;     ///< open ground about the stages, metres
 constexpr float kFarthest = 2000.0F; ///< of places to reach, from the middle of the world
 constexpr float kMostLevels = 8000.0F;
@@ -112,7 +112,7 @@ rcConfig configFor(const Soup& soup, const SurfaceSettings& settings)
     const glm::vec3 size = soup.bounds.high - soup.bounds.low;
     const double area = static_cast<double>(size.x) * static_cast<double>(size.z);
     config.cs = std::max(kFinestCell, static_cast<float>(std::sqrt(area / kMaxCells)));
-    config.ch = std::max({0.05F, config.cs * 0.5F, size.y / kMostLevels});
+    config.ch = std::max({0.05F, config.cs * 0.2F, size.y / kMostLevels});
     config.walkableSlopeAngle = settings.slopeDegrees;
     config.walkableHeight = static_cast<int>(std::ceil(settings.height / config.ch));
     config.walkableClimb = static_cast<int>(std::floor(settings.climb / config.ch));
@@ -139,6 +139,7 @@ struct WalkSurface::Private
     NavMesh mesh;
     std::vector<Wall> walls;
     std::size_t polygons = 0;
+    float cellHeight = 0.0F;
     dtQueryFilter filter;
 
     /// One for each thread that asks.
@@ -350,6 +351,7 @@ WalkSurface::build(std::span<const model::StageEntry> stages, std::span<const gl
     auto data = std::make_unique<Private>();
     data->walls = wallsOf(builder.mesh(), settings);
     data->polygons = static_cast<std::size_t>(builder.mesh().npolys);
+    data->cellHeight = builder.mesh().ch;
     data->mesh = builder.take();
     data->filter.setIncludeFlags(1);
     progress.done = 1.0F;
@@ -413,7 +415,8 @@ float WalkSurface::height(float x, float z, float near) const
     if (polygon != 0 && dtStatusFailed(query->getPolyHeight(polygon, nearest, &found))) {
         found = nearest[1];
     }
-    return found;
+    // Recast lays its surface a cell's height above what it was made from.
+    return polygon != 0 ? found - m_private->cellHeight : near;
 }
 
 bool WalkSurface::reaches(const glm::vec3& point, float metres) const

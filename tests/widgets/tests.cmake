@@ -1,3 +1,4 @@
+crowd_add_test(ROOM widgets NAME tst_BehaviourDocks LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_ColourDock LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_DockControls LINK crowd_widgets)
 crowd_add_test(ROOM widgets NAME tst_Docks LINK crowd_widgets)

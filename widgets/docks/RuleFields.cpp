@@ -57,7 +57,8 @@ void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
     box->addItems(names);
     box->setCurrentIndex(index);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(6);
+    box->setMinimumContentsLength(2);
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(box, 1);
     QObject::connect(box, &QComboBox::activated, box, changed);
 }
@@ -72,8 +73,9 @@ void addNumberField(QHBoxLayout* row, double value, double low, double high, con
     box->setSuffix(suffix);
     box->setValue(value);
     box->setKeyboardTracking(false);
-    box->setMaximumWidth(96);
-    row->addWidget(box);
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    box->setMinimumWidth(44);
+    row->addWidget(box, 1);
     QObject::connect(box, &QDoubleSpinBox::valueChanged, box, changed);
 }
 
@@ -82,6 +84,7 @@ void addTextField(QHBoxLayout* row, const QString& text, const QString& placehol
 {
     auto* line = new QLineEdit(text);
     line->setPlaceholderText(placeholder);
+    line->setMinimumWidth(40);
     row->addWidget(line, 1);
     QObject::connect(line, &QLineEdit::editingFinished, line, [line, text, changed] {
         if (line->text() != text) {
@@ -151,7 +154,7 @@ void addClipField(QHBoxLayout* row, const model::Scene& scene,
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setText(chosen.isEmpty() ? Text::tr("choose clips…") : chosen.join(Text::tr(" or ")));
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(button, 1);
 }
 

@@ -43,6 +43,14 @@ QHBoxLayout* rowIn(QVBoxLayout* layout)
     return row;
 }
 
+/// What belongs to the row above, a little further in.
+QHBoxLayout* indentedRowIn(QVBoxLayout* layout)
+{
+    QHBoxLayout* row = rowIn(layout);
+    row->addSpacing(20);
+    return row;
+}
+
 QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
 {
     auto* made = new QToolButton(parent);
@@ -65,7 +73,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_list->setWordWrap(true);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setMinimumHeight(80);
+    m_list->setMinimumHeight(150);
     layout->addWidget(m_list, 2);
     m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
                            "brush (E) sets them off while it plays."),
@@ -427,6 +435,9 @@ void RulesDock::addTrigger(QVBoxLayout* layout, const Rule& rule)
         change([&](Rule& each) { each.trigger.kind = static_cast<TriggerKind>(index); });
     });
     const model::Scene& scene = m_state.scene();
+    if (trigger.kind != TriggerKind::Start && trigger.kind != TriggerKind::ClipEnded) {
+        row = indentedRowIn(layout);
+    }
     switch (trigger.kind) {
     case TriggerKind::Event:
         addTextField(row, QString::fromStdString(trigger.event), tr("event"),
@@ -486,7 +497,15 @@ void RulesDock::addCondition(QVBoxLayout* layout, const Rule& rule, std::size_t 
     addChoiceField(row, conditionNames(), static_cast<int>(condition.kind), [set](int kind) {
         set([&](Condition& each) { each.kind = static_cast<ConditionKind>(kind); });
     });
+    addRemoveButton(row, tr("Remove this condition"), [this, index] {
+        change([&](Rule& each) {
+            each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
     const model::Scene& scene = m_state.scene();
+    if (condition.kind != ConditionKind::IsSeated) {
+        row = indentedRowIn(layout);
+    }
     switch (condition.kind) {
     case ConditionKind::HasTag:
         addTagField(row, scene, condition.tag,
@@ -526,11 +545,6 @@ void RulesDock::addCondition(QVBoxLayout* layout, const Rule& rule, std::size_t 
     case ConditionKind::IsSeated:
         break;
     }
-    addRemoveButton(row, tr("Remove this condition"), [this, index] {
-        change([&](Rule& each) {
-            each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
 }
 
 void RulesDock::addAction(QVBoxLayout* layout, const Rule& rule, std::size_t index)
@@ -551,7 +565,16 @@ void RulesDock::addAction(QVBoxLayout* layout, const Rule& rule, std::size_t ind
     addChoiceField(row, actionNames(), static_cast<int>(action.kind), [set](int kind) {
         set([&](Action& each) { each.kind = static_cast<ActionKind>(kind); });
     });
+    addRemoveButton(row, tr("Remove this"), [this, index] {
+        change([&](Rule& each) {
+            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
     const model::Scene& scene = m_state.scene();
+    if (action.kind != ActionKind::Stop && action.kind != ActionKind::GoOn &&
+        action.kind != ActionKind::LeaveScene && action.kind != ActionKind::Again) {
+        row = indentedRowIn(layout);
+    }
     switch (action.kind) {
     case ActionKind::PlayClip:
         addClipField(row, scene, action.clips,
@@ -613,11 +636,6 @@ void RulesDock::addAction(QVBoxLayout* layout, const Rule& rule, std::size_t ind
     case ActionKind::Again:
         break;
     }
-    addRemoveButton(row, tr("Remove this"), [this, index] {
-        change([&](Rule& each) {
-            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
 }
 
 void RulesDock::addMeeting(QVBoxLayout* layout, const Rule& rule)
@@ -626,12 +644,14 @@ void RulesDock::addMeeting(QVBoxLayout* layout, const Rule& rule)
     addChoiceField(row, meetingNames(), static_cast<int>(rule.meeting), [this](int index) {
         change([&](Rule& each) { each.meeting = static_cast<model::RuleMeeting>(index); });
     });
+    row = indentedRowIn(layout);
     row->addWidget(new QLabel(tr("pause")));
     addNumberField(row, static_cast<double>(rule.cooldownSeconds), 0.0, 3600.0, tr(" s"),
                    [this](double value) {
                        change(
                            [&](Rule& each) { each.cooldownSeconds = static_cast<float>(value); });
                    });
+    row = indentedRowIn(layout);
     row->addWidget(new QLabel(tr("at most")));
     addNumberField(row, static_cast<double>(rule.limit), 0.0, 1000.0, tr(" ×"),
                    [this](double value) {

@@ -22,6 +22,22 @@ constexpr int kProgressMs = 150;
 
 using SurfacePtr = std::shared_ptr<const behavior::WalkSurface>;
 
+/// Whether somebody may go somewhere, so that it matters where one can walk.
+bool hasWalks(const model::Scene& scene)
+{
+    const auto followed = scene.population.column(model::columns::path);
+    if (std::ranges::any_of(followed, [](model::PathId path) { return path != 0; })) {
+        return true;
+    }
+    return std::ranges::any_of(scene.rules, [](const model::Rule& rule) {
+        return std::ranges::any_of(rule.actions, [](const model::Action& action) {
+            return action.kind == model::ActionKind::FollowPath ||
+                   action.kind == model::ActionKind::GoToPlace ||
+                   action.kind == model::ActionKind::Flee;
+        });
+    });
+}
+
 bool touchesPeople(const model::SceneChange& change)
 {
     return std::holds_alternative<model::IndividualsAdded>(change) ||
@@ -110,9 +126,7 @@ void SessionControl::followScene(const model::SceneChange& change)
 void SessionControl::hand()
 {
     if (isRunning()) {
-        if (m_isSurfaceStale) {
-            buildSurface();
-        }
+        (void)isReady(); // the surface may be wanted from now on
         m_player->adopt(m_document.scene());
     }
 }
@@ -121,10 +135,11 @@ bool SessionControl::isReady()
 {
     const bool hasStage = std::ranges::any_of(
         m_document.scene().stages, [](const auto& stage) { return stage.asset != nullptr; });
-    if (m_isSurfaceStale && hasStage) {
+    const bool isNeeded = hasStage && hasWalks(m_document.scene());
+    if (m_isSurfaceStale && isNeeded) {
         buildSurface();
     }
-    return !m_surface->isBuilding();
+    return !isNeeded || !m_surface->isBuilding();
 }
 
 void SessionControl::buildSurface()
