@@ -40,7 +40,7 @@ def city():
             crowd.add(name, (spot[0], CURB, spot[1]), rng.uniform(-3.1, 3.1), clip)
     _pavements(crowd, rng)
     crowd.write("city.crowd", "City", "city", [
-        camera("Square", (4.5, 4.6, 20.5), (-2.0, 1.6, -4.0), 46),
+        camera("Square", (4.5, 6.2, 20.5), (-2.0, 1.4, -4.0), 44),
         camera("Fountain", (-6.5, 2.4, 9.0), (1.5, 1.3, -1.5), 42),
         camera("From the bridge", (37.5, 6.2, 1.5), (0, 1.0, -2.0), 46),
         camera("Above", (34, 36, 40), (0, 0, 0), 42),
@@ -149,7 +149,7 @@ def meadow():
         crowd.add("forklift", place(x, z), turn, "lift")
     crowd.write("meadow.crowd", "Meadow", "meadow", [
         camera("Meadow", (3.5, LEVEL + 4.0, 18.5), (-.5, LEVEL + 1.2, -4.0), 44),
-        camera("Horses", (-3.6, LEVEL + 3.0, -6.6), (-11.0, LEVEL + .5, -17.5), 48),
+        camera("Horses", (-4.6, LEVEL + 3.2, -2.6), (-8.4, LEVEL + .4, -17.0), 46),
         camera("Beetles", (.5, here(.5, 11.9) + .42, 11.9), (0, here(0, 10.6), 10.6), 38),
         camera("Machines", (8.6, LEVEL + 3.2, -.6), (16.6, LEVEL + 1.1, -8.2), 48),
         camera("Above", (26, LEVEL + 26, 32), (0, LEVEL, -4), 42)],
