@@ -8,6 +8,7 @@ from body_detail import trunk_angles
 from geometry import lerp, smoothstep, vec
 
 SHARES = ((0, .28, .62, 1), (0, .30, .65, 1), (0, .45, 1), (0, 1))
+BELOW_KNEE = ((0, .28, .52, .76, 1),) + SHARES[1:]
 LINING, LONG_LINING = .28, .72  # where the cloth's inner side ends
 LONG_SHARES = ((0, .15, .33, .52, .72, 1), (0, .25, .52, .76, 1), (0, .30, .60, 1), (0, .5, 1))
 
@@ -30,7 +31,9 @@ class Skirt:
     def add(self):
         cut, upper_z = self.cut, self.hem.z
         is_long = cut.bottom_z < self.body.knee[2] - .20
-        shares = (LONG_SHARES if is_long else SHARES)[self.detail.level]
+        is_below_knee = cut.bottom_z < self.body.knee[2] - .05
+        shares = (LONG_SHARES if is_long else BELOW_KNEE if is_below_knee else SHARES)[
+            self.detail.level]
         rings = [self._first_ring()]
         for t in shares[1:]:
             rings.append(self._ring(t))

@@ -129,6 +129,7 @@ class Surfaces:
         is_arm = np.isin(owner, ("forearm", "hand"))
         self.closed = self.triangles[~is_arm[self.triangles].any(1)]
         self.is_loose = np.zeros(len(self.body), bool)
+        self.slot_of = slot[self.triangles[:, 0]]
         self._find_garment(owner, slot, [names[j] for j in joints])
 
     def _find_garment(self, owner, slot, bones):
@@ -146,13 +147,28 @@ class Surfaces:
         # Cloth that faces the legs is no surface that a hand could enter or a leg leave.
         self.body = self.body[~((slot[self.body[:, 0]] == kind) & self._faces_legs(self.body))]
         self.is_loose = (slot[self.body[:, 0]] == kind) & (rest[self.body][..., 1].max(1) < hip)
-        self.garment = triangles[(slot[triangles[:, 0]] == kind) & (top < hip + .05)
+        is_tube = self._connected_to(middle & (slot[triangles[:, 0]] == kind))
+        self.garment = triangles[is_tube & (slot[triangles[:, 0]] == kind) & (top < hip + .05)
                                  & ~self._faces_legs(triangles)]
-        is_leg = (slot != kind) & np.isin(owner, ("thigh", "shin"))
-        own = triangles[is_leg[triangles].all(1)]
+        is_leg = np.isin(owner, ("thigh", "shin"))[triangles].all(1)
+        own = triangles[is_leg & ~(is_tube & (slot[triangles[:, 0]] == kind))]
         edges = np.concatenate([own[:, [0, 0]], own[:, [0, 1]], own[:, [1, 2]], own[:, [2, 0]]])
         self.legs = edges[rest[edges][..., 1].mean(1) > low + .01]  # samples: their middles
         self.leg_bones = [bones[i] for i in self.legs[:, 0]]
+
+    def _connected_to(self, chosen):
+        """Triangles that hang together with chosen ones of the same slot; leggings under a skirt
+        may have its slot and are apart."""
+        _, place = np.unique(np.round(self.rest, 5), axis=0, return_inverse=True)
+        corners, reached = place[self.triangles], np.zeros(len(place), bool)
+        reached[corners[chosen]] = True
+        same = self.slot_of == self.slot_of[np.argmax(chosen)]
+        while True:
+            hit = same & reached[corners].any(1)
+            before = reached.sum()
+            reached[corners[hit]] = True
+            if reached.sum() == before:
+                return hit
 
     def _faces_legs(self, triangles):
         corners = self.rest[triangles]
