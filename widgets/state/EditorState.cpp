@@ -6,6 +6,8 @@
 
 #include <QtCore/QMetaObject>
 
+#include "model/scene/RuleSets.h"
+
 namespace crowd::widgets {
 
 using model::BrushKind;
@@ -20,6 +22,17 @@ void refreshWalk(EditorState& state)
     BrushSettings settings = state.brush(BrushKind::Walk);
     if (state.scene().findPath(settings.walk.path) == nullptr) {
         settings.walk.path = state.scene().paths.empty() ? 0 : state.scene().paths.front().id;
+        state.setBrush(settings);
+    }
+}
+
+/// The event brush offers an event that some rule listens to.
+void refreshEvent(EditorState& state)
+{
+    BrushSettings settings = state.brush(BrushKind::Event);
+    const std::vector<std::string> known = model::eventsOf(state.scene());
+    if (!known.empty() && std::ranges::find(known, settings.event.name) == known.end()) {
+        settings.event.name = known.front();
         state.setBrush(settings);
     }
 }
@@ -182,6 +195,10 @@ void EditorState::followScene(const model::SceneChange& change)
     if (std::holds_alternative<model::PathsChanged>(change) ||
         std::holds_alternative<model::SceneReplaced>(change)) {
         refreshWalk(*this);
+    }
+    if (std::holds_alternative<model::RulesChanged>(change) ||
+        std::holds_alternative<model::SceneReplaced>(change)) {
+        refreshEvent(*this);
     }
     if (!std::holds_alternative<model::SceneReplaced>(change)) {
         return;
