@@ -29,6 +29,7 @@ public:
         for (QDockWidget* dock : window.docks()) {
             dock->hide(); // a small picture is a quick one
         }
+        window.viewport().setFixedSize(540, 360); // whatever size the window had before
         window.resize(560, 460);
         window.show();
         window.activateWindow();

@@ -79,7 +79,8 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_form->setContentsMargins(4, 0, 4, 0);
     layout->addLayout(m_form);
     buildForm(m_form);
-    setWidget(content);
+    m_tree->setMinimumHeight(110);
+    setScrolledContent(content);
 
     m_rebuild.setSingleShot(true);
     m_rebuild.setInterval(kRebuildMs);
