@@ -236,14 +236,6 @@
         <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>&amp;Rewind</source>
-        <translation>&amp;Zurückspulen</translation>
-    </message>
-    <message>
-        <source>Back to the start of time</source>
-        <translation>Zurück zum Anfang der Zeit</translation>
-    </message>
-    <message>
         <source>&amp;Larger Brush</source>
         <translation>&amp;Größerer Pinsel</translation>
     </message>
@@ -451,6 +443,138 @@
         <source>What mouse buttons and keys do</source>
         <translation>Was Maustasten und Tasten tun</translation>
     </message>
+    <message>
+        <source>Speed: × %1</source>
+        <translation>Tempo: × %1</translation>
+    </message>
+    <message>
+        <source>Make &amp;Path of Places</source>
+        <translation>Aus Orten einen &amp;Weg machen</translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order</source>
+        <translation>Ein Weg über die ausgewählten Orte, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>&amp;End Path</source>
+        <translation>Weg be&amp;enden</translation>
+    </message>
+    <message>
+        <source>End the path that is being painted</source>
+        <translation>Den Weg beenden, der gerade gemalt wird</translation>
+    </message>
+    <message>
+        <source>Pat&amp;hs</source>
+        <translation>&amp;Wege</translation>
+    </message>
+    <message>
+        <source>Show places and paths</source>
+        <translation>Orte und Wege zeigen</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>Ma&amp;rken</translation>
+    </message>
+    <message>
+        <source>Show who has which tag by a coloured disc</source>
+        <translation>Mit einer farbigen Scheibe zeigen, wer welche Marke hat</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>One step of a thirtieth of a second, then pause</source>
+        <translation>Ein Schritt von einer Dreißigstelsekunde, dann Pause</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Back to the start, everybody where the scene has them</source>
+        <translation>Zurück zum Anfang, alle dort, wo die Szene sie hat</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>Play faster, up to 8 times</source>
+        <translation>Schneller abspielen, bis achtfach</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Play slower, down to a tenth</source>
+        <translation>Langsamer abspielen, bis zu einem Zehntel</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Pose</source>
+        <translation>Haltung &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Put everybody in the scene where they are now</source>
+        <translation>Alle in der Szene dorthin stellen, wo sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome Page</source>
+        <translation>&amp;Willkommensseite</translation>
+    </message>
+    <message>
+        <source>Ready-made scenes, new scenes, and what was open before</source>
+        <translation>Fertige Szenen, neue Szenen und was zuletzt offen war</translation>
+    </message>
+    <message>
+        <source>Paint places on the ground that make a path</source>
+        <translation>Orte auf den Boden malen, die einen Weg ergeben</translation>
+    </message>
+    <message>
+        <source>Let the people under the brush walk along a path</source>
+        <translation>Die Personen unter dem Pinsel einen Weg gehen lassen</translation>
+    </message>
+    <message>
+        <source>Paint obstacles, attractors, exits and slow ground</source>
+        <translation>Hindernisse, Anziehendes, Ausgänge und langsamen Boden malen</translation>
+    </message>
+    <message>
+        <source>Let an event happen to the people under the brush</source>
+        <translation>Den Personen unter dem Pinsel ein Ereignis zukommen lassen</translation>
+    </message>
+    <message>
+        <source>Tag the people under the brush, for rules to ask for</source>
+        <translation>Die Personen unter dem Pinsel markieren, damit Regeln danach fragen können</translation>
+    </message>
+    <message>
+        <source>Take a tag off the people under the brush</source>
+        <translation>Den Personen unter dem Pinsel eine Marke nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation>&amp;Weg</translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Gehen</translation>
+    </message>
+    <message>
+        <source>En&amp;vironment</source>
+        <translation>&amp;Umgebung</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>&amp;Ereignis</translation>
+    </message>
+    <message>
+        <source>&amp;Tag</source>
+        <translation>&amp;Marke</translation>
+    </message>
+    <message>
+        <source>&amp;Untag</source>
+        <translation>Marke &amp;nehmen</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -549,6 +673,38 @@
         <source>Turned by: %1°</source>
         <translation>Gedreht um: %1°</translation>
     </message>
+    <message>
+        <source>Walking speed, m/s</source>
+        <translation>Gehtempo, m/s</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Radius, m</source>
+        <translation>Radius, m</translation>
+    </message>
+    <message>
+        <source>Walking speed: %1 m/s</source>
+        <translation>Gehtempo: %1 m/s</translation>
+    </message>
+    <message>
+        <source>Tag: %1</source>
+        <translation>Marke: %1</translation>
+    </message>
+    <message>
+        <source>Number: %1</source>
+        <translation>Zahl: %1</translation>
+    </message>
+    <message>
+        <source>Radius: %1 m</source>
+        <translation>Radius: %1 m</translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -611,10 +767,6 @@
         <translation>Links: Punkt · Mitte: Kreis · Rechts: Rechteck · Alt oder Leertaste und ziehen: navigieren · [ ]: Größe</translation>
     </message>
     <message>
-        <source>Right button: brushes · Middle button, Alt or Space and drag: navigate · [ ], Ctrl+wheel, Shift+drag: size</source>
-        <translation>Rechte Taste: Pinsel · Mittlere Taste, Alt oder Leertaste und ziehen: navigieren · [ ], Strg+Rad, Umschalt+ziehen: Größe</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -653,6 +805,54 @@
     <message>
         <source>Nobody under the cursor</source>
         <translation>Niemand unter dem Zeiger</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people walk differently</source>
+        <translation>
+            <numerusform>Eine Person geht anders</numerusform>
+            <numerusform>%n Personen gehen anders</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people tagged</source>
+        <translation>
+            <numerusform>Eine Person markiert</numerusform>
+            <numerusform>%n Personen markiert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people without the tag</source>
+        <translation>
+            <numerusform>Eine Person ohne die Marke</numerusform>
+            <numerusform>%n Personen ohne die Marke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people heard it</source>
+        <translation>
+            <numerusform>Eine Person hat es gehört</numerusform>
+            <numerusform>%n Personen haben es gehört</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let people walk along the path · + −: walking speed</source>
+        <translation>Ziehen: Personen den Weg gehen lassen · + −: Gehtempo</translation>
+    </message>
+    <message>
+        <source>Drag: tag people · + −: which tag</source>
+        <translation>Ziehen: Personen markieren · + −: welche Marke</translation>
+    </message>
+    <message>
+        <source>Drag: take the tag off people · + −: which tag</source>
+        <translation>Ziehen: Personen die Marke nehmen · + −: welche Marke</translation>
+    </message>
+    <message>
+        <source>Drag: let an event happen to people · + −: its number</source>
+        <translation>Ziehen: Personen ein Ereignis zukommen lassen · + −: seine Zahl</translation>
+    </message>
+    <message>
+        <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
+        <translation>Rechte Taste: Pinsel · Alt oder Leertaste und ziehen: bewegen · [ ]: Größe</translation>
     </message>
 </context>
 <context>
@@ -771,6 +971,50 @@
         <source>So small a share of them is nobody</source>
         <translation>Ein so kleiner Anteil davon ist niemand</translation>
     </message>
+    <message numerus="yes">
+        <source>Set the walk of %n individual(s)</source>
+        <translation>
+            <numerusform>Gang einer Person setzen</numerusform>
+            <numerusform>Gang von %n Personen setzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Tag %n individual(s)</source>
+        <translation>
+            <numerusform>Eine Person markieren</numerusform>
+            <numerusform>%n Personen markieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Untag %n individual(s)</source>
+        <translation>
+            <numerusform>Einer Person die Marke nehmen</numerusform>
+            <numerusform>%n Personen die Marke nehmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Event reached %n individual(s)</source>
+        <translation>
+            <numerusform>Ereignis erreichte eine Person</numerusform>
+            <numerusform>Ereignis erreichte %n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already walk like this</source>
+        <translation>Alle gehen schon so</translation>
+    </message>
+    <message>
+        <source>All of them already have this tag</source>
+        <translation>Alle haben diese Marke schon</translation>
+    </message>
+    <message>
+        <source>None of them has this tag</source>
+        <translation>Niemand davon hat diese Marke</translation>
+    </message>
+    <message>
+        <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
+        <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Personen einen Weg geben und auf Abspielen drücken</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -869,6 +1113,516 @@
     </message>
 </context>
 <context>
+    <name>Paths</name>
+    <message>
+        <source>Path %1</source>
+        <translation>Weg %1</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Ort %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceHandles</name>
+    <message>
+        <source>Resize a place</source>
+        <translation>Größe eines Orts ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n place(s)</source>
+        <translation>
+            <numerusform>Einen Ort versetzen</numerusform>
+            <numerusform>%n Orte versetzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Select two places or more first, in the order to walk them.</source>
+        <translation>Zuerst zwei oder mehr Orte auswählen, in der Reihenfolge, in der sie gegangen werden.</translation>
+    </message>
+    <message>
+        <source>Make a path</source>
+        <translation>Einen Weg machen</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceTool</name>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Anziehendes</translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation>Abstoßendes</translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation>Langsamer Boden</translation>
+    </message>
+    <message>
+        <source>Nothing to walk on there: that is a wall, or the sky.</source>
+        <translation>Dort ist nichts, worauf man gehen kann: eine Wand oder der Himmel.</translation>
+    </message>
+    <message>
+        <source>Lead a path over a place</source>
+        <translation>Einen Weg über einen Ort führen</translation>
+    </message>
+    <message>
+        <source>Begin a path</source>
+        <translation>Einen Weg beginnen</translation>
+    </message>
+    <message>
+        <source>Add a place to a path</source>
+        <translation>Einem Weg einen Ort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Close a path</source>
+        <translation>Einen Weg schließen</translation>
+    </message>
+    <message>
+        <source>The path is closed: people go round.</source>
+        <translation>Der Weg ist geschlossen: Man geht im Kreis.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Add: %1</source>
+        <translation>Hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
+        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Eingabe: beenden · V: Orte versetzen und ihre Größe ändern</translation>
+    </message>
+    <message>
+        <source>Click: put it on the ground · + −: its size · V: move and resize</source>
+        <translation>Klick: auf den Boden setzen · + −: Größe · V: versetzen und Größe ändern</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>RuleSets</name>
+    <message>
+        <source>%1, seated</source>
+        <translation>%1, sitzend</translation>
+    </message>
+    <message>
+        <source>The wave runs on</source>
+        <translation>Die Welle läuft weiter</translation>
+    </message>
+    <message>
+        <source>Run at the number&apos;s speed</source>
+        <translation>Im Tempo der Zahl laufen</translation>
+    </message>
+    <message>
+        <source>Walk on</source>
+        <translation>Weitergehen</translation>
+    </message>
+    <message>
+        <source>Stop until told to walk</source>
+        <translation>Anhalten, bis es weitergehen soll</translation>
+    </message>
+    <message>
+        <source>Some stop and look around</source>
+        <translation>Manche bleiben stehen und sehen sich um</translation>
+    </message>
+    <message>
+        <source>Flee, tell others, leave</source>
+        <translation>Fliehen, andere warnen, gehen</translation>
+    </message>
+    <message>
+        <source>Wander about</source>
+        <translation>Umherstreifen</translation>
+    </message>
+    <message>
+        <source>Run from what startles</source>
+        <translation>Weglaufen vor dem, was erschreckt</translation>
+    </message>
+    <message>
+        <source>Applause spreads</source>
+        <translation>Beifall breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Cheers spread</source>
+        <translation>Jubel breitet sich aus</translation>
+    </message>
+</context>
+<context>
+    <name>Rules</name>
+    <message>
+        <source>choose…</source>
+        <translation>wählen …</translation>
+    </message>
+    <message>
+        <source>(gone)</source>
+        <translation>(fort)</translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>choose clips…</source>
+        <translation>Clips wählen …</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation>irgendein Ort</translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation>irgendein Weg</translation>
+    </message>
+    <message>
+        <source>When it begins</source>
+        <translation>Wenn es beginnt</translation>
+    </message>
+    <message>
+        <source>When “%1” reaches someone</source>
+        <translation>Wenn „%1“ jemanden erreicht</translation>
+    </message>
+    <message>
+        <source>When someone arrives at %1</source>
+        <translation>Wenn jemand ankommt: %1</translation>
+    </message>
+    <message>
+        <source>When someone enters %1</source>
+        <translation>Wenn jemand betritt: %1</translation>
+    </message>
+    <message>
+        <source>When someone leaves %1</source>
+        <translation>Wenn jemand verlässt: %1</translation>
+    </message>
+    <message>
+        <source>When someone reaches the end of %1</source>
+        <translation>Wenn jemand das Ende erreicht: %1</translation>
+    </message>
+    <message>
+        <source>When someone’s clip is over</source>
+        <translation>Wenn jemandes Clip vorbei ist</translation>
+    </message>
+    <message>
+        <source>Every %1 s</source>
+        <translation>Alle %1 s</translation>
+    </message>
+    <message>
+        <source>When someone tagged %1 comes within %2 m</source>
+        <translation>Wenn jemand mit Marke %1 näher als %2 m kommt</translation>
+    </message>
+    <message>
+        <source>tagged %1</source>
+        <translation>mit Marke %1</translation>
+    </message>
+    <message>
+        <source>a %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>walking %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>seated</source>
+        <translation>sitzend</translation>
+    </message>
+    <message>
+        <source>with %1 % chance</source>
+        <translation>mit %1 % Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>not %1</source>
+        <translation>nicht %1</translation>
+    </message>
+    <message>
+        <source>themselves</source>
+        <translation>sich selbst</translation>
+    </message>
+    <message>
+        <source>those within %1 m</source>
+        <translation>alle im Umkreis von %1 m</translation>
+    </message>
+    <message>
+        <source>those tagged %1</source>
+        <translation>alle mit Marke %1</translation>
+    </message>
+    <message>
+        <source>their group</source>
+        <translation>ihre Gruppe</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>play %1</source>
+        <translation>%1 spielen</translation>
+    </message>
+    <message>
+        <source>walk along %1</source>
+        <translation>%1 entlanggehen</translation>
+    </message>
+    <message>
+        <source>go to %1</source>
+        <translation>zu %1 gehen</translation>
+    </message>
+    <message>
+        <source>run %1 m away</source>
+        <translation>%1 m weit weglaufen</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>anhalten</translation>
+    </message>
+    <message>
+        <source>walk on</source>
+        <translation>weitergehen</translation>
+    </message>
+    <message>
+        <source>wait %1 s</source>
+        <translation>%1 s warten</translation>
+    </message>
+    <message>
+        <source>at %1 m/s</source>
+        <translation>mit %1 m/s</translation>
+    </message>
+    <message>
+        <source>at the event’s speed</source>
+        <translation>im Tempo des Ereignisses</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <translation>zu %1 drehen</translation>
+    </message>
+    <message>
+        <source>turn to where it came from</source>
+        <translation>dorthin drehen, woher es kam</translation>
+    </message>
+    <message>
+        <source>untag %1</source>
+        <translation>Marke %1 nehmen</translation>
+    </message>
+    <message>
+        <source>send “%1” to %2</source>
+        <translation>„%1“ senden an %2</translation>
+    </message>
+    <message>
+        <source>leave the scene</source>
+        <translation>die Szene verlassen</translation>
+    </message>
+    <message>
+        <source>do it again</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>The place is not there any more: choose another one.</source>
+        <translation>Den Ort gibt es nicht mehr: einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The path is not there any more: choose another one.</source>
+        <translation>Den Weg gibt es nicht mehr: einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Nobody has a clip to play: choose one.</source>
+        <translation>Niemand hat einen Clip zum Spielen: einen wählen.</translation>
+    </message>
+    <message>
+        <source>The event to send has no name: type one.</source>
+        <translation>Das Ereignis zum Senden hat keinen Namen: einen eingeben.</translation>
+    </message>
+    <message>
+        <source>it begins</source>
+        <translation>es beginnt</translation>
+    </message>
+    <message>
+        <source>an event comes</source>
+        <translation>ein Ereignis kommt</translation>
+    </message>
+    <message>
+        <source>someone arrives at</source>
+        <translation>jemand kommt an bei</translation>
+    </message>
+    <message>
+        <source>someone enters</source>
+        <translation>jemand betritt</translation>
+    </message>
+    <message>
+        <source>someone leaves</source>
+        <translation>jemand verlässt</translation>
+    </message>
+    <message>
+        <source>a path ends</source>
+        <translation>ein Weg endet</translation>
+    </message>
+    <message>
+        <source>a clip is over</source>
+        <translation>ein Clip ist vorbei</translation>
+    </message>
+    <message>
+        <source>every so often</source>
+        <translation>immer wieder</translation>
+    </message>
+    <message>
+        <source>someone tagged is near</source>
+        <translation>jemand mit Marke ist nahe</translation>
+    </message>
+    <message>
+        <source>tagged</source>
+        <translation>mit Marke</translation>
+    </message>
+    <message>
+        <source>of template</source>
+        <translation>von der Vorlage</translation>
+    </message>
+    <message>
+        <source>inside place</source>
+        <translation>innerhalb des Orts</translation>
+    </message>
+    <message>
+        <source>walking path</source>
+        <translation>auf dem Weg</translation>
+    </message>
+    <message>
+        <source>by chance</source>
+        <translation>durch Zufall</translation>
+    </message>
+    <message>
+        <source>play a clip</source>
+        <translation>einen Clip spielen</translation>
+    </message>
+    <message>
+        <source>walk along a path</source>
+        <translation>einen Weg gehen</translation>
+    </message>
+    <message>
+        <source>go to a place</source>
+        <translation>zu einem Ort gehen</translation>
+    </message>
+    <message>
+        <source>run away</source>
+        <translation>weglaufen</translation>
+    </message>
+    <message>
+        <source>wait</source>
+        <translation>warten</translation>
+    </message>
+    <message>
+        <source>set the speed</source>
+        <translation>das Tempo setzen</translation>
+    </message>
+    <message>
+        <source>turn to</source>
+        <translation>drehen zu</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>markieren</translation>
+    </message>
+    <message>
+        <source>untag</source>
+        <translation>Marke nehmen</translation>
+    </message>
+    <message>
+        <source>send an event</source>
+        <translation>ein Ereignis senden</translation>
+    </message>
+    <message>
+        <source>those near</source>
+        <translation>alle in der Nähe</translation>
+    </message>
+    <message>
+        <source>those tagged</source>
+        <translation>alle mit Marke</translation>
+    </message>
+    <message>
+        <source>interrupts what they do</source>
+        <translation>unterbricht, was sie tun</translation>
+    </message>
+    <message>
+        <source>waits until they are free</source>
+        <translation>wartet, bis sie frei sind</translation>
+    </message>
+    <message>
+        <source>only who is free</source>
+        <translation>nur wer frei ist</translation>
+    </message>
+    <message>
+        <source>Audience Reactions</source>
+        <translation>Reaktionen des Publikums</translation>
+    </message>
+    <message>
+        <source>Stadium Wave</source>
+        <translation>Welle im Stadion</translation>
+    </message>
+    <message>
+        <source>Pedestrians</source>
+        <translation>Fußgänger</translation>
+    </message>
+    <message>
+        <source>Panic and Exit</source>
+        <translation>Panik und Ausgang</translation>
+    </message>
+    <message>
+        <source>Flock of Animals</source>
+        <translation>Tierherde</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>, then </source>
+        <translation>, dann </translation>
+    </message>
+    <message>
+        <source>The event has no name: type one.</source>
+        <translation>Das Ereignis hat keinen Namen: einen eingeben.</translation>
+    </message>
+    <message>
+        <source>A condition asks for something that is not there: choose again.</source>
+        <translation>Eine Bedingung fragt nach etwas, das es nicht gibt: neu wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: add something to do.</source>
+        <translation>Sie tut noch nichts: etwas hinzufügen.</translation>
+    </message>
+</context>
+<context>
     <name>Script</name>
     <message>
         <source>Add Template</source>
@@ -922,6 +1676,13 @@
             <numerusform>%n Personen löschen</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Einen Ort löschen</numerusform>
+            <numerusform>%n Orte löschen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tools</name>
@@ -952,6 +1713,30 @@
     <message>
         <source>Animation Brush</source>
         <translation>Animationspinsel</translation>
+    </message>
+    <message>
+        <source>Path Brush</source>
+        <translation>Wegpinsel</translation>
+    </message>
+    <message>
+        <source>Walk Brush</source>
+        <translation>Gehpinsel</translation>
+    </message>
+    <message>
+        <source>Environment Brush</source>
+        <translation>Umgebungspinsel</translation>
+    </message>
+    <message>
+        <source>Event Brush</source>
+        <translation>Ereignispinsel</translation>
+    </message>
+    <message>
+        <source>Tag Brush</source>
+        <translation>Markenpinsel</translation>
+    </message>
+    <message>
+        <source>Untag Brush</source>
+        <translation>Pinsel, der Marken nimmt</translation>
     </message>
 </context>
 <context>
@@ -1467,6 +2252,38 @@ Verworfen ist sie fort.</translation>
         <source>The preferences change them</source>
         <translation>Die Einstellungen ändern sie</translation>
     </message>
+    <message>
+        <source>Paths and behaviour</source>
+        <translation>Wege und Verhalten</translation>
+    </message>
+    <message>
+        <source>Click with the path brush</source>
+        <translation>Klick mit dem Wegpinsel</translation>
+    </message>
+    <message>
+        <source>adds a place; on the first place: closes it</source>
+        <translation>fügt einen Ort hinzu; auf dem ersten Ort: schließt ihn</translation>
+    </message>
+    <message>
+        <source>ends the path; the next click begins another one</source>
+        <translation>beendet den Weg; der nächste Klick beginnt einen neuen</translation>
+    </message>
+    <message>
+        <source>Drag a place, or its circle</source>
+        <translation>Einen Ort oder seinen Kreis ziehen</translation>
+    </message>
+    <message>
+        <source>moves it, or changes its size (selection)</source>
+        <translation>versetzt ihn oder ändert seine Größe (Auswahl)</translation>
+    </message>
+    <message>
+        <source>one step; back to the start, everybody where the scene has them</source>
+        <translation>ein Schritt; zurück zum Anfang, alle dort, wo die Szene sie hat</translation>
+    </message>
+    <message>
+        <source>keeps everybody where they are now</source>
+        <translation>behält alle, wo sie jetzt sind</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -1525,6 +2342,21 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes” by Branislav Ulicny, Pablo de Heras Ciechomski and Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT licence. Made with Qt %1, GLM, Embree, tinygltf, meshoptimizer and oneTBB.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Nach „Crowdbrush: Interactive Authoring of Real-time Crowd Scenes“ von Branislav Ulicny, Pablo de Heras Ciechomski und Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT-Lizenz. Gemacht mit Qt %1, GLM, Embree, tinygltf, meshoptimizer und oneTBB.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>× </source>
+        <translation>× </translation>
+    </message>
+    <message>
+        <source>Speed of play</source>
+        <translation>Abspieltempo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are kept where they are</source>
+        <translation>
+            <numerusform>Eine Person bleibt, wo sie ist</numerusform>
+            <numerusform>%n Personen bleiben, wo sie sind</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1600,6 +2432,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Memory for baked animations</source>
         <translation>Speicher für vorbereitete Animationen</translation>
+    </message>
+    <message>
+        <source>Show the welcome page</source>
+        <translation>Willkommensseite zeigen</translation>
+    </message>
+    <message>
+        <source>At start</source>
+        <translation>Beim Start</translation>
     </message>
 </context>
 <context>
@@ -1679,12 +2519,12 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::app::WelcomeHint</name>
     <message>
-        <source>&lt;b&gt;Drag&lt;/b&gt; over the free seats: people sit down. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
-        <translation>Über die freien Sitze &lt;b&gt;ziehen&lt;/b&gt;: Personen setzen sich. &amp;nbsp;&lt;b&gt;Rechtsklick&lt;/b&gt;: die Pinsel.&lt;br&gt;&lt;b&gt;Leertaste&lt;/b&gt; und ziehen: sich umsehen. &amp;nbsp;&lt;b&gt;Strg+Z&lt;/b&gt;: zurücknehmen. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: alle Tasten.</translation>
-    </message>
-    <message>
         <source>Close, and do not show this again</source>
         <translation>Schließen und nicht wieder zeigen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: people come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <translation>&lt;b&gt;Ziehen&lt;/b&gt; über freie Sitze oder freien Boden: Personen kommen. &amp;nbsp;&lt;b&gt;Rechtsklick&lt;/b&gt;: die Pinsel.&lt;br&gt;&lt;b&gt;Leertaste&lt;/b&gt; und ziehen: umsehen. &amp;nbsp;&lt;b&gt;Strg+Z&lt;/b&gt;: zurücknehmen. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: alle Tasten.</translation>
     </message>
 </context>
 <context>
@@ -1992,6 +2832,114 @@ Verworfen ist sie fort.</translation>
         <source>From the lower to the higher values along the line.</source>
         <translation>Vom niedrigen zum hohen Wert entlang der Linie.</translation>
     </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Häufigkeit</translation>
+    </message>
+    <message>
+        <source>None: stay</source>
+        <translation>Keiner: bleiben</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Change the path</source>
+        <translation>Weg ändern</translation>
+    </message>
+    <message>
+        <source>People walk along it when it plays</source>
+        <translation>Personen gehen ihn entlang, wenn abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannte</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>People under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation>Personen unter dem Pinsel hören das Ereignis, während abgespielt wird. Regeln sagen, was sie dann tun; die Zahl kann ein Gehtempo sein.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Place to go to</source>
+        <translation>Ort zum Hingehen</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Attracts people</source>
+        <translation>Zieht Personen an</translation>
+    </message>
+    <message>
+        <source>Repels people</source>
+        <translation>Stößt Personen ab</translation>
+    </message>
+    <message>
+        <source>Exit: people leave</source>
+        <translation>Ausgang: Personen gehen fort</translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation>Langsamer Boden</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation>Weiter zum ersten Ort</translation>
+    </message>
+    <message>
+        <source>Jump to the first place</source>
+        <translation>Zum ersten Ort springen</translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
+        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg. Der nächste Klick beginnt einen neuen.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -2105,6 +3053,210 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Another colour for random and for gradients</source>
         <translation>Noch eine Farbe für Zufall und Verläufe</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentDock</name>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>No paths yet. Take the path brush (P) and click where people are to walk; then let people walk along it with the walk brush (W).</source>
+        <translation>Noch keine Wege. Den Wegpinsel nehmen (P) und klicken, wo gegangen werden soll; dann Personen mit dem Gehpinsel (W) darauf gehen lassen.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Rename a place</source>
+        <translation>Einen Ort umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename a path</source>
+        <translation>Einen Weg umbenennen</translation>
+    </message>
+    <message>
+        <source>Move a place</source>
+        <translation>Einen Ort versetzen</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, m</source>
+        <translation>X, Y, Z, m</translation>
+    </message>
+    <message>
+        <source>Radius, m</source>
+        <translation>Radius, m</translation>
+    </message>
+    <message>
+        <source>Resize a place</source>
+        <translation>Größe eines Orts ändern</translation>
+    </message>
+    <message>
+        <source>A place to go to</source>
+        <translation>Ein Ort zum Hingehen</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Attracts people</source>
+        <translation>Zieht Personen an</translation>
+    </message>
+    <message>
+        <source>Repels people</source>
+        <translation>Stößt Personen ab</translation>
+    </message>
+    <message>
+        <source>Exit: people leave</source>
+        <translation>Ausgang: Personen gehen fort</translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation>Langsamer Boden</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>Change what a place is</source>
+        <translation>Ändern, was ein Ort ist</translation>
+    </message>
+    <message>
+        <source>People stop</source>
+        <translation>Personen halten an</translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation>Weiter zum ersten Ort</translation>
+    </message>
+    <message>
+        <source>Jump to the first</source>
+        <translation>Zum ersten springen</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Change the end of a path</source>
+        <translation>Das Ende eines Wegs ändern</translation>
+    </message>
+    <message>
+        <source>Colour in the picture</source>
+        <translation>Farbe im Bild</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>Eine Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Colour a place</source>
+        <translation>Einen Ort färben</translation>
+    </message>
+    <message>
+        <source>Colour a path</source>
+        <translation>Einen Weg färben</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select people first (V), or paint them with the walk brush (W).</source>
+        <translation>Niemand ist ausgewählt: Zuerst Personen auswählen (V) oder sie mit dem Gehpinsel malen (W).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n individual(s) walk</source>
+        <translation>
+            <numerusform>Eine Person gehen lassen</numerusform>
+            <numerusform>%n Personen gehen lassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go On Painting It</source>
+        <translation>Weitermalen</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Reverse a path</source>
+        <translation>Einen Weg umkehren</translation>
+    </message>
+    <message>
+        <source>Join with</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>Join two paths</source>
+        <translation>Zwei Wege verbinden</translation>
+    </message>
+    <message>
+        <source>Let the Selected People Walk It</source>
+        <translation>Die ausgewählten Personen darauf gehen lassen</translation>
+    </message>
+    <message>
+        <source>Select Its People</source>
+        <translation>Seine Personen auswählen</translation>
+    </message>
+    <message>
+        <source>Delete the Path</source>
+        <translation>Den Weg löschen</translation>
+    </message>
+    <message>
+        <source>Delete a path</source>
+        <translation>Einen Weg löschen</translation>
+    </message>
+    <message>
+        <source>Delete It with Its Places</source>
+        <translation>Samt seinen Orten löschen</translation>
+    </message>
+    <message>
+        <source>Insert a Place After It</source>
+        <translation>Danach einen Ort einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a place</source>
+        <translation>Einen Ort einfügen</translation>
+    </message>
+    <message>
+        <source>Take It Out of the Path</source>
+        <translation>Aus dem Weg nehmen</translation>
+    </message>
+    <message>
+        <source>Take a place out of a path</source>
+        <translation>Einen Ort aus einem Weg nehmen</translation>
+    </message>
+    <message>
+        <source>Delete the Place</source>
+        <translation>Den Ort löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Einen Ort löschen</numerusform>
+            <numerusform>%n Orte löschen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2418,6 +3570,205 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RulesDock</name>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>No rules yet. “Add” has ready-made ones to begin with; the event brush (E) sets them off while it plays.</source>
+        <translation>Noch keine Regeln. „Hinzufügen“ hat fertige zum Anfangen; der Ereignispinsel (E) löst sie beim Abspielen aus.</translation>
+    </message>
+    <message>
+        <source>Log only the selected people</source>
+        <translation>Nur die ausgewählten Personen aufschreiben</translation>
+    </message>
+    <message>
+        <source>What fired, while it plays</source>
+        <translation>Was ausgelöst wurde, während abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Add a rule, or a ready-made set of rules</source>
+        <translation>Eine Regel oder fertige Regeln hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>A New Rule</source>
+        <translation>Eine neue Regel</translation>
+    </message>
+    <message>
+        <source>Duplicate the rule</source>
+        <translation>Die Regel verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete the rule</source>
+        <translation>Die Regel löschen</translation>
+    </message>
+    <message>
+        <source>Try it on the selected people, or on all</source>
+        <translation>An den ausgewählten Personen oder an allen ausprobieren</translation>
+    </message>
+    <message>
+        <source>Change a rule</source>
+        <translation>Eine Regel ändern</translation>
+    </message>
+    <message>
+        <source>New rule</source>
+        <translation>Neue Regel</translation>
+    </message>
+    <message>
+        <source>Add a rule</source>
+        <translation>Eine Regel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add rules: %1</source>
+        <translation>Regeln hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Duplicate a rule</source>
+        <translation>Eine Regel verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete a rule</source>
+        <translation>Eine Regel löschen</translation>
+    </message>
+    <message>
+        <source>Choose a rule that begins with an event to try it.</source>
+        <translation>Zum Ausprobieren eine Regel wählen, die mit einem Ereignis beginnt.</translation>
+    </message>
+    <message>
+        <source>Press Play first: rules act while it plays.</source>
+        <translation>Zuerst auf Abspielen drücken: Regeln wirken, während abgespielt wird.</translation>
+    </message>
+    <message>
+        <source>Reorder the rules</source>
+        <translation>Die Regeln umordnen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ×)</source>
+        <translation>%1 (%2 ×)</translation>
+    </message>
+    <message>
+        <source>%1 s · person %2 · %3</source>
+        <translation>%1 s · Person %2 · %3</translation>
+    </message>
+    <message>
+        <source>a rule</source>
+        <translation>eine Regel</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>+ only if…</source>
+        <translation>+ nur wenn …</translation>
+    </message>
+    <message>
+        <source>+ then…</source>
+        <translation>+ dann …</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wenn</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation>irgendein Ort</translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation>irgendein Weg</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>if</source>
+        <translation>falls</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>ist nicht</translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation>Diese Bedingung entfernen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>do</source>
+        <translation>tun</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>dann</translation>
+    </message>
+    <message>
+        <source>Remove this</source>
+        <translation>Dies entfernen</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>lang</translation>
+    </message>
+    <message>
+        <source>where it came from</source>
+        <translation>woher es kam</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation> s/m</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::SceneDock</name>
     <message>
         <source>Scene</source>
@@ -2517,6 +3868,16 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Import Template…</source>
         <translation>Vorlage importieren…</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::SessionControl</name>
+    <message numerus="yes">
+        <source>Keep the pose of %n individual(s)</source>
+        <translation>
+            <numerusform>Die Haltung einer Person behalten</numerusform>
+            <numerusform>Die Haltung von %n Personen behalten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2624,6 +3985,79 @@ C drücken und Personen auf den Boden malen.</translation>
     <message>
         <source>Stop baking: whose animation is not ready stands still</source>
         <translation>Vorbereiten anhalten: wessen Animation nicht fertig ist, steht still</translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Drag over the ground: people come.</source>
+        <translation>Hier ist noch niemand.
+Über den Boden ziehen: Personen kommen.</translation>
+    </message>
+    <message>
+        <source>Finding out where people can walk</source>
+        <translation>Herausfinden, wo man gehen kann</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::WelcomePage</name>
+    <message>
+        <source>Theatre</source>
+        <translation>Theater</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Stadt</translation>
+    </message>
+    <message>
+        <source>Stadium</source>
+        <translation>Stadion</translation>
+    </message>
+    <message>
+        <source>Meadow</source>
+        <translation>Wiese</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Paint a crowd</source>
+        <translation>Eine Menge malen</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at start</source>
+        <translation>Diese Seite beim &amp;Start zeigen</translation>
+    </message>
+    <message>
+        <source>Ready-made scenes</source>
+        <translation>Fertige Szenen</translation>
+    </message>
+    <message>
+        <source>Open “%1” as a new scene</source>
+        <translation>„%1“ als neue Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>New Empty &amp;Theatre</source>
+        <translation>Neues leeres &amp;Theater</translation>
+    </message>
+    <message>
+        <source>New Empty &amp;Ground</source>
+        <translation>Neuer leerer &amp;Boden</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>No scenes yet</source>
+        <translation>Noch keine Szenen</translation>
     </message>
 </context>
 </TS>

@@ -236,14 +236,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Rewind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back to the start of time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Larger Brush</source>
         <translation type="unfinished"></translation>
     </message>
@@ -451,6 +443,138 @@
         <source>What mouse buttons and keys do</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Speed: × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make &amp;Path of Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;End Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the path that is being painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pat&amp;hs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show places and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show who has which tag by a coloured disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step of a thirtieth of a second, then pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the start, everybody where the scene has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play faster, up to 8 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play slower, down to a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep Pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put everybody in the scene where they are now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Welcome Page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready-made scenes, new scenes, and what was open before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint places on the ground that make a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the people under the brush walk along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint obstacles, attractors, exits and slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let an event happen to the people under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag the people under the brush, for rules to ask for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a tag off the people under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>En&amp;vironment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Untag</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -549,6 +673,38 @@
         <source>Turned by: %1°</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Walking speed, m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking speed: %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius: %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -611,10 +767,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Right button: brushes · Middle button, Alt or Space and drag: navigate · [ ], Ctrl+wheel, Shift+drag: size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -652,6 +804,54 @@
     </message>
     <message>
         <source>Nobody under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people walk differently</source>
+        <translation>
+            <numerusform>%n person walks differently</numerusform>
+            <numerusform>%n people walk differently</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people tagged</source>
+        <translation>
+            <numerusform>%n person tagged</numerusform>
+            <numerusform>%n people tagged</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people without the tag</source>
+        <translation>
+            <numerusform>%n person without the tag</numerusform>
+            <numerusform>%n people without the tag</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people heard it</source>
+        <translation>
+            <numerusform>%n person heard it</numerusform>
+            <numerusform>%n people heard it</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let people walk along the path · + −: walking speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: tag people · + −: which tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: take the tag off people · + −: which tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: let an event happen to people · + −: its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -771,6 +971,50 @@
         <source>So small a share of them is nobody</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Set the walk of %n individual(s)</source>
+        <translation>
+            <numerusform>Set the walk of %n individual</numerusform>
+            <numerusform>Set the walk of %n individuals</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Tag %n individual(s)</source>
+        <translation>
+            <numerusform>Tag %n individual</numerusform>
+            <numerusform>Tag %n individuals</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Untag %n individual(s)</source>
+        <translation>
+            <numerusform>Untag %n individual</numerusform>
+            <numerusform>Untag %n individuals</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Event reached %n individual(s)</source>
+        <translation>
+            <numerusform>Event reached %n individual</numerusform>
+            <numerusform>Event reached %n individuals</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already walk like this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them already have this tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them has this tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -869,6 +1113,516 @@
     </message>
 </context>
 <context>
+    <name>Paths</name>
+    <message>
+        <source>Path %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlaceHandles</name>
+    <message>
+        <source>Resize a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n place(s)</source>
+        <translation>
+            <numerusform>Move %n place</numerusform>
+            <numerusform>Move %n places</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select two places or more first, in the order to walk them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlaceTool</name>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to walk on there: that is a wall, or the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lead a path over a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a place to a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is closed: people go round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: put it on the ground · + −: its size · V: move and resize</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RuleSets</name>
+    <message>
+        <source>%1, seated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wave runs on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run at the number&apos;s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop until told to walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some stop and look around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flee, tell others, leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wander about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run from what startles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applause spreads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cheers spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Rules</name>
+    <message>
+        <source>choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(gone)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose clips…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When “%1” reaches someone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone arrives at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone enters %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone leaves %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone reaches the end of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone’s clip is over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone tagged %1 comes within %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tagged %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walking %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with %1 % chance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>those within %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>those tagged %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>their group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walk along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 m away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walk on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the event’s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to where it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>untag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “%1” to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has a clip to play: choose one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The event to send has no name: type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an event comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>someone arrives at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>someone enters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>someone leaves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a path ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a clip is over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every so often</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>someone tagged is near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tagged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walking path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by chance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play a clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walk along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>untag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send an event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>those near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>those tagged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupts what they do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waits until they are free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only who is free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audience Reactions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stadium Wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pedestrians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panic and Exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flock of Animals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, then </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The event has no name: type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A condition asks for something that is not there: choose again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: add something to do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Script</name>
     <message>
         <source>Add Template</source>
@@ -922,6 +1676,13 @@
             <numerusform>Delete %n People</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Delete %n place</numerusform>
+            <numerusform>Delete %n places</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tools</name>
@@ -951,6 +1712,30 @@
     </message>
     <message>
         <source>Animation Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Environment Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Untag Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1462,6 +2247,38 @@ Thrown away, it is gone.</source>
         <source>The preferences change them</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Paths and behaviour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click with the path brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adds a place; on the first place: closes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends the path; the next click begins another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a place, or its circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves it, or changes its size (selection)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one step; back to the start, everybody where the scene has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keeps everybody where they are now</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -1520,6 +2337,21 @@ Thrown away, it is gone.</source>
     <message>
         <source>&lt;p&gt;After “Crowdbrush: Interactive Authoring of Real-time Crowd Scenes” by Branislav Ulicny, Pablo de Heras Ciechomski and Daniel Thalmann, SCA 2004.&lt;/p&gt;&lt;p&gt;MIT licence. Made with Qt %1, GLM, Embree, tinygltf, meshoptimizer and oneTBB.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>× </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are kept where they are</source>
+        <translation>
+            <numerusform>%n person is kept where it is</numerusform>
+            <numerusform>%n people are kept where they are</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1594,6 +2426,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Memory for baked animations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the welcome page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At start</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1674,11 +2514,11 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::app::WelcomeHint</name>
     <message>
-        <source>&lt;b&gt;Drag&lt;/b&gt; over the free seats: people sit down. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <source>Close, and do not show this again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Close, and do not show this again</source>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: people come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1987,6 +2827,114 @@ Thrown away, it is gone.</source>
         <source>From the lower to the higher values along the line.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People walk along it when it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place to go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attracts people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repels people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit: people leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jump to the first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -2100,6 +3048,210 @@ Thrown away, it is gone.</source>
     <message>
         <source>Another colour for random and for gradients</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentDock</name>
+    <message>
+        <source>Environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No paths yet. Take the path brush (P) and click where people are to walk; then let people walk along it with the walk brush (W).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X, Y, Z, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resize a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A place to go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attracts people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repels people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit: people leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change what a place is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jump to the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the end of a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select people first (V), or paint them with the walk brush (W).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n individual(s) walk</source>
+        <translation>
+            <numerusform>Let %n individual walk</numerusform>
+            <numerusform>Let %n individuals walk</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go On Painting It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join two paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the Selected People Walk It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Its People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete It with Its Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a Place After It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take It Out of the Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a place out of a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Delete %n place</numerusform>
+            <numerusform>Delete %n places</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2413,6 +3565,205 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RulesDock</name>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rules yet. “Add” has ready-made ones to begin with; the event brush (E) sets them off while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log only the selected people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What fired, while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a rule, or a ready-made set of rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A New Rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try it on the selected people, or on all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add rules: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a rule that begins with an event to try it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Play first: rules act while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reorder the rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 ×)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s · person %2 · %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ only if…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ then…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::SceneDock</name>
     <message>
         <source>Scene</source>
@@ -2512,6 +3863,16 @@ Thrown away, it is gone.</source>
     <message>
         <source>Import Template…</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::SessionControl</name>
+    <message numerus="yes">
+        <source>Keep the pose of %n individual(s)</source>
+        <translation>
+            <numerusform>Keep the pose of %n individual</numerusform>
+            <numerusform>Keep the pose of %n individuals</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2616,6 +3977,78 @@ Press C and paint people on the ground.</source>
     </message>
     <message>
         <source>Stop baking: whose animation is not ready stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Drag over the ground: people come.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding out where people can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::WelcomePage</name>
+    <message>
+        <source>Theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stadium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint a crowd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready-made scenes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open “%1” as a new scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Empty &amp;Theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Empty &amp;Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scenes yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
