@@ -6,6 +6,7 @@
 
 #include "app/commands/BenchIo.h"
 #include "app/commands/BenchPaint.h"
+#include "app/commands/BenchPython.h"
 #include "app/commands/BenchRender.h"
 #include "app/commands/BenchSimulate.h"
 #include "app/commands/EditorCommand.h"
@@ -28,6 +29,7 @@ struct CommandLine
     RenderOptions render;
     BenchIoOptions benchIo;
     BenchPaintOptions benchPaint;
+    BenchPythonOptions benchPython;
     BenchRenderOptions benchRender;
     BenchSimulateOptions benchSimulate;
     ScriptOptions script;
@@ -61,6 +63,19 @@ void addBenchPaint(CLI::App& bench, CommandLine& line)
         ->check(CLI::Range(1, 1000000));
     command->add_flag("--json", line.benchPaint.json, "Print one JSON object");
     command->callback([&line] { line.status = runBenchPaint(line.benchPaint); });
+}
+
+void addBenchPython(CLI::App& bench, CommandLine& line)
+{
+    CLI::App* command = bench.add_subcommand("python", "What scripts cost against C++");
+    command->add_option("--count", line.benchPython.count, "People created from arrays")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--rounds", line.benchPython.rounds, "Times that each is measured")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", line.benchPython.json, "Print one JSON object");
+    command->callback([&line] { line.status = runBenchPython(line.benchPython); });
 }
 
 void addScript(CLI::App& cli, CommandLine& line)
@@ -114,6 +129,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
     bench->require_subcommand(1);
     addBenchIo(*bench, line);
     addBenchPaint(*bench, line);
+    addBenchPython(*bench, line);
     addBenchRenderCommand(*bench, line.benchRender, line.status);
     addBenchSimulate(*bench, line);
 }

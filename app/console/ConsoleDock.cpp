@@ -8,6 +8,7 @@
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QScrollBar>
+#include <QtWidgets/QSplitter>
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/theme/Icons.h"
@@ -32,8 +33,9 @@ QToolButton* makeButton(const char* icon, const QString& tip, QWidget* parent)
 
 } // namespace
 
-ConsoleDock::ConsoleDock(Interpreter& interpreter, QWidget* parent)
-    : DockBase(tr("Python Console"), "console", parent), m_interpreter(interpreter)
+ConsoleDock::ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* parent)
+    : DockBase(tr("Python Console"), "console", parent), m_interpreter(interpreter),
+      m_recorder(recorder)
 {
     auto* content = new QWidget(this);
     m_output = new QPlainTextEdit(content);
@@ -59,13 +61,21 @@ ConsoleDock::ConsoleDock(Interpreter& interpreter, QWidget* parent)
     line->addWidget(m_prompt, 0, Qt::AlignTop);
     line->addWidget(m_input, 1);
     m_prompt->setContentsMargins(0, 6, 0, 0);
-    auto* column = new QVBoxLayout;
+    auto* typed = new QWidget(content);
+    auto* column = new QVBoxLayout(typed);
+    column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_output, 1);
     column->addLayout(line);
+    m_recorded = new RecordPanel(recorder, content);
+    m_recorded->hide();
+    auto* halves = new QSplitter(Qt::Horizontal, content);
+    halves->setChildrenCollapsible(false);
+    halves->addWidget(typed);
+    halves->addWidget(m_recorded);
     auto* layout = new QHBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(makeButtons());
-    layout->addLayout(column, 1);
+    layout->addWidget(halves, 1);
     setWidget(content);
     write(tr("The open scene is \"scene\", everything else is in \"crowdbrush\". Return runs, "
              "Shift+Return starts another line, Tab completes, up and down go through what was "
@@ -77,6 +87,11 @@ ConsoleDock::ConsoleDock(Interpreter& interpreter, QWidget* parent)
     connect(&interpreter, &Interpreter::completed, m_input, &ConsoleInput::offer);
     connect(&interpreter, &Interpreter::started, this, [this] { setBusy(true); });
     connect(&interpreter, &Interpreter::finished, this, &ConsoleDock::finish);
+    connect(m_recorded, &RecordPanel::failed, this,
+            [this](const QString& message) { write(message + QLatin1Char('\n'), errorColor()); });
+    connect(m_recorded, &RecordPanel::saved, this, [this](const QString& path) {
+        write(tr("Saved as %1").arg(path) + QLatin1Char('\n'), echoColor());
+    });
     connect(&m_timer, &QTimer::timeout, this, &ConsoleDock::showOutput);
     m_timer.start(kFetchMs);
     setBusy(false);
@@ -90,11 +105,16 @@ QWidget* ConsoleDock::makeButtons()
     auto* run = makeButton("script-run", tr("Run a script file"), buttons);
     m_cancel = makeButton("script-cancel", tr("Stop the script that runs"), buttons);
     m_cancel->setObjectName(QStringLiteral("consoleCancel"));
+    m_record = makeButton("record", tr("Record what is done by hand as a script"), buttons);
+    m_record->setObjectName(QStringLiteral("consoleRecord"));
+    m_record->setCheckable(true);
     auto* clear = makeButton("delete", tr("Clear what was printed"), buttons);
     connect(run, &QToolButton::clicked, this, &ConsoleDock::runScript);
     connect(m_cancel, &QToolButton::clicked, &m_interpreter, &Interpreter::cancel);
     connect(clear, &QToolButton::clicked, this, &ConsoleDock::clearOutput);
-    for (QToolButton* each : {run, m_cancel, clear}) {
+    connect(m_record, &QToolButton::clicked, this, &ConsoleDock::setRecording);
+    connect(&m_recorder, &Recorder::recordingChanged, m_record, &QToolButton::setChecked);
+    for (QToolButton* each : {run, m_cancel, m_record, clear}) {
         layout->addWidget(each);
     }
     layout->addStretch(1);
@@ -129,6 +149,16 @@ void ConsoleDock::runFile(const QString& path)
 void ConsoleDock::clearOutput()
 {
     m_output->clear();
+}
+
+void ConsoleDock::setRecording(bool isOn)
+{
+    if (isOn) {
+        m_recorded->show();
+        show();
+        raise();
+    }
+    m_recorder.setRecording(isOn);
 }
 
 void ConsoleDock::reveal()

@@ -7,6 +7,7 @@
 
 #include "app/console/ConsoleInput.h"
 #include "app/console/Interpreter.h"
+#include "app/console/RecordPanel.h"
 #include "widgets/docks/DockBase.h"
 
 namespace crowd::app {
@@ -18,12 +19,14 @@ class ConsoleDock : public widgets::DockBase
     Q_OBJECT
 
 public:
-    ConsoleDock(Interpreter& interpreter, QWidget* parent);
+    ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* parent);
 
     /// Asks for a file and runs it.
     void runScript();
     void runFile(const QString& path);
     void clearOutput();
+    /// The script that is recorded stands beside the console, also after the end.
+    void setRecording(bool isOn);
     /// Stops a running script; false: it does not stop and the artist wants to wait for it.
     [[nodiscard]] bool mayClose();
     /// To see and to type in.
@@ -44,10 +47,13 @@ private:
     [[nodiscard]] QColor echoColor() const;
 
     Interpreter& m_interpreter;
+    Recorder& m_recorder;
     QPlainTextEdit* m_output; ///< child
     ConsoleInput* m_input;    ///< child
     QLabel* m_prompt;         ///< child
     QToolButton* m_cancel;    ///< child
+    QToolButton* m_record;    ///< child
+    RecordPanel* m_recorded;  ///< child
     QTimer m_timer;           ///< fetches output while a script runs
     QString m_submitted;
     bool m_isFollowing = true; ///< the end of the output stays in sight

@@ -37,14 +37,54 @@ QString sourceOfConsole()
 
 } // namespace
 
+widgets::ScriptField fieldOf(const py::tuple& said)
+{
+    widgets::ScriptField field;
+    field.name = said[0].cast<std::string>();
+    const QString label =
+        QString::fromStdString(field.name).replace(QLatin1Char('_'), QLatin1Char(' '));
+    field.label = label.left(1).toUpper() + label.mid(1);
+    field.low = said[2].cast<double>();
+    field.high = said[3].cast<double>();
+    field.step = said[4].cast<double>();
+    field.decimals = said[5].cast<int>();
+    for (const py::handle& choice : said[6]) {
+        field.choices << QString::fromStdString(choice.cast<std::string>());
+    }
+    return field;
+}
+
+/// What brushes.py tells of a brush, on its way to the main thread.
+py::cpp_function brushListener(Interpreter& owner)
+{
+    return [&owner](const std::string& name, const std::string& tip,
+                    const model::BrushSettings& area, const py::list& fields) {
+        widgets::ScriptBrush brush;
+        brush.tip = QString::fromStdString(tip);
+        brush.settings = area;
+        brush.settings.script.brush = name;
+        for (const py::handle& each : fields) {
+            const auto said = each.cast<py::tuple>();
+            brush.fields.push_back(fieldOf(said));
+            brush.settings.script.values.push_back(
+                {brush.fields.back().name, said[1].cast<decltype(model::ScriptValue::value)>()});
+        }
+        QMetaObject::invokeMethod(
+            &owner, [&owner, brush] { Q_EMIT owner.brushRegistered(brush); }, Qt::QueuedConnection);
+    };
+}
+
 /// What lives on the interpreter's thread, under Python's lock.
 struct Interpreter::Python
 {
     explicit Python(Interpreter& owner);
 
     [[nodiscard]] std::string call(const char* function, const std::string& argument);
+    [[nodiscard]] std::string paint(const model::ScriptSettings& brush,
+                                    const ScriptStrokeLinkPtr& dabs);
 
     EmbeddedPython python{false};
+    ScenePtr scene;     ///< the open document
     py::object console; ///< null when it could not be made; the output says why
 };
 
@@ -69,11 +109,39 @@ Interpreter::Python::Python(Interpreter& owner)
         names["__file__"] = name; // tracebacks leave out what is ours
         builtins.attr("exec")(
             builtins.attr("compile")(sourceOfConsole().toStdString(), name, "exec"), names);
-        const auto scene = std::make_shared<ScriptScene>(host);
-        console = names["Console"](writer(OutputKind::Text), writer(OutputKind::Error), scene);
+        scene = std::make_shared<ScriptScene>(host);
+        console = names["Console"](writer(OutputKind::Text), writer(OutputKind::Error), scene,
+                                   brushListener(owner));
     } catch (const py::error_already_set& problem) {
         owner.m_output.write(QString::fromUtf8(problem.what()) + QLatin1Char('\n'),
                              OutputKind::Error);
+    }
+}
+
+std::string Interpreter::Python::paint(const model::ScriptSettings& brush,
+                                       const ScriptStrokeLinkPtr& dabs)
+{
+    try {
+        if (!console) {
+            return "failed";
+        }
+        py::dict values;
+        for (const model::ScriptValue& each : brush.values) {
+            values[py::str(each.name)] = each.value;
+        }
+        const py::cpp_function paintWith([this, dabs](const py::object& made) {
+            scene->joinStroke(dabs);
+            try {
+                paintDabs(scene, *dabs, made);
+            } catch (...) {
+                scene->leaveStroke();
+                throw;
+            }
+            scene->leaveStroke();
+        });
+        return console.attr("paint")(brush.brush, values, paintWith).cast<std::string>();
+    } catch (const py::error_already_set&) {
+        return "failed"; // cancelled at the very end
     }
 }
 
@@ -89,6 +157,7 @@ std::string Interpreter::Python::call(const char* function, const std::string& a
 Interpreter::Interpreter(widgets::EditorState& state, QObject* parent)
     : QObject(parent), m_state(state)
 {
+    connect(this, &Interpreter::brushRegistered, &state, &widgets::EditorState::putScriptBrush);
     qRegisterMetaType<crowd::app::ScriptOutcome>();
 }
 
@@ -142,10 +211,15 @@ void Interpreter::begin(std::function<std::string(Python&)> script)
         const ScriptOutcome outcome = result == "done"   ? ScriptOutcome::Done
                                       : result == "more" ? ScriptOutcome::More
                                                          : ScriptOutcome::Failed;
+        constexpr std::string_view kFailed = "failed:";
+        const QString problem = result.starts_with(kFailed)
+                                    ? QString::fromStdString(result.substr(kFailed.size()))
+                                    : QString();
         QMetaObject::invokeMethod(
             this,
-            [this, outcome] {
+            [this, outcome, problem] {
                 m_isRunning = false;
+                m_problem = problem;
                 Q_EMIT finished(outcome);
             },
             Qt::QueuedConnection);
@@ -160,6 +234,15 @@ void Interpreter::run(const QString& source)
 void Interpreter::runFile(const QString& path)
 {
     begin([text = path.toStdString()](Python& python) { return python.call("run_file", text); });
+}
+
+bool Interpreter::paint(const model::ScriptSettings& brush, const ScriptStrokeLinkPtr& dabs)
+{
+    if (m_isRunning || m_state.document().isEditOpen()) {
+        return false;
+    }
+    begin([brush, dabs](Python& python) { return python.paint(brush, dabs); });
+    return true;
 }
 
 void Interpreter::complete(const QString& text)
@@ -220,6 +303,9 @@ void Interpreter::serve()
                 }
                 job = std::move(m_jobs.front());
                 m_jobs.pop_front();
+            }
+            if (PyErr_CheckSignals() != 0) {
+                PyErr_Clear(); // a cancel that came too late for the one before
             }
             (*job)(python);
         }

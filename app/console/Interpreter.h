@@ -14,6 +14,7 @@
 
 #include "app/console/OutputBuffer.h"
 #include "app/console/ScriptGate.h"
+#include "app/python/ScriptStroke.h"
 #include "model/pick/StageRays.h"
 #include "widgets/state/EditorState.h"
 
@@ -38,6 +39,11 @@ public:
 
     void run(const QString& source);   ///< typed lines
     void runFile(const QString& path); ///< as __main__
+    /// A stroke of a script brush: Python takes its dabs until there are no more. False: something
+    /// else runs.
+    [[nodiscard]] bool paint(const model::ScriptSettings& brush, const ScriptStrokeLinkPtr& dabs);
+    /// What the last one raised; empty: nothing, or it was cancelled.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
     void complete(const QString& text);
     [[nodiscard]] bool isRunning() const { return m_isRunning; }
     /// Raises KeyboardInterrupt in the script, also while it sleeps.
@@ -51,6 +57,8 @@ public:
 Q_SIGNALS:
     void started();
     void finished(crowd::app::ScriptOutcome outcome);
+    /// A script brought a brush along.
+    void brushRegistered(const crowd::widgets::ScriptBrush& brush);
     void completed(const QString& text, const QStringList& candidates);
 
 private:
@@ -71,6 +79,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<Job> m_jobs;
+    QString m_problem;
     bool m_isEnding = false;  ///< the thread is to end
     bool m_hasEnded = false;  ///< it has
     bool m_isRunning = false; ///< main thread's view

@@ -10,8 +10,8 @@
 namespace crowd::app {
 
 /// While a script runs, editing by hand waits: presses and keys in the window are held back, except
-/// in the console, for the action that stops it and for turning the wheel over the picture. The
-/// status bar says why.
+/// in the console, for what stops it and for turning the wheel over the picture. The status bar
+/// says why.
 class ScriptGuard : public QObject
 {
     Q_OBJECT
@@ -24,6 +24,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] bool takesBack(const QEvent& event) const;
     [[nodiscard]] bool isHeldBack(QObject* watched) const;
 
     widgets::EditorState& m_state;

@@ -12,6 +12,9 @@ import traceback
 import crowdbrush
 
 
+_MOST = 100_000  # characters that are shown of what is printed at once
+
+
 class _Stream:
     """sys.stdout or sys.stderr in the panel."""
 
@@ -25,7 +28,10 @@ class _Stream:
     def write(self, text):
         if not isinstance(text, str):
             raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        self._write(text.encode("utf-8", "replace"))
+        shown = text
+        if len(text) > _MOST:
+            shown = f"… {len(text) - _MOST} characters are left out …\n" + text[-_MOST:]
+        self._write(shown.encode("utf-8", "replace"))
         return len(text)
 
     def writelines(self, lines):
@@ -64,8 +70,10 @@ def _stop(*_):
 
 
 class Console:
-    def __init__(self, write, write_error, scene):
+    def __init__(self, write, write_error, scene, tell_of_brush):
         self._scene = scene
+        self._problem = ""
+        crowdbrush._tell_editor = tell_of_brush
         self._names = {"__name__": "__main__", "__builtins__": builtins, "crowdbrush": crowdbrush}
         sys.stdout, sys.stderr, sys.stdin = _Stream(write), _Stream(write_error), _NoInput()
         sys.argv = [""]
@@ -99,6 +107,12 @@ class Console:
             if folder in sys.path:
                 sys.path.remove(folder)
 
+    def paint(self, name, values, paint_with):
+        """A stroke of a script brush, dab by dab: "done", or "failed:" and why."""
+        result = self._guarded(
+            lambda: paint_with(crowdbrush._brush_with(crowdbrush.brushes[name], values)))
+        return result if result == "done" else "failed:" + self._problem
+
     def complete(self, text):
         """What `text` may go on to: names and attributes."""
         self._names["scene"] = self._scene
@@ -115,6 +129,7 @@ class Console:
         return sorted({match.rstrip("(") for match in found if not match.startswith("_")})
 
     def _guarded(self, action):
+        self._problem = ""
         try:
             action()
             return "done"
@@ -125,12 +140,13 @@ class Console:
                 return "done"
             sys.stderr.write(f"The script ended with: {end.code}\n")
         except BaseException as problem:
+            self._problem = "".join(traceback.format_exception_only(problem)).strip()
             self._explain(problem)
         return "failed"
 
     def _explain(self, problem):
         """The traceback without our own part and Python's machinery for running files."""
-        ours = (__file__, runpy.__file__, "<frozen runpy>")
+        ours = (__file__, runpy.__file__, "<frozen runpy>", "<string>")
         tb = problem.__traceback__
         while tb is not None and tb.tb_frame.f_code.co_filename in ours:
             tb = tb.tb_next

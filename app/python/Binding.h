@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
@@ -56,6 +58,8 @@ struct TemplateHandle
 /// Where to look from: nothing (the scene's first camera), the name of one, or one.
 using CameraKey = std::variant<std::monostate, std::string, model::Camera>;
 [[nodiscard]] std::optional<model::Camera> cameraOf(const ScriptScene& scene, const CameraKey& key);
+/// Whatever Python takes for a path; "builtin:…" passes unchanged.
+using FilePath = std::filesystem::path;
 using Point3 = std::array<float, 3>;
 /// Raises when it is not finite.
 [[nodiscard]] glm::vec3 toVector(const Point3& point, const char* name);
@@ -65,7 +69,13 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
 void bindTemplates(py::module_& module);
 void bindBrushes(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
+/// Brushes that scripts bring along; after the brushes.
+void bindScriptBrushes(py::module_& module);
+/// Runs a brush over the dabs of a stroke until there are no more, on this thread. What it raises
+/// comes out of here.
+void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush);
 void bindStrokes(py::module_& module, SceneClass& scene);
+void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
 void bindScene(py::module_& module);
 
 } // namespace crowd::app

@@ -69,12 +69,16 @@ void setMix(CreateSettings& create, const py::dict& mix)
 
 void bindEnums(py::module_& module)
 {
-    py::enum_<BrushKind>(module, "BrushKind")
+    py::enum_<BrushKind>(module, "BrushKind", "What a brush does.")
         .value("CREATE", BrushKind::Create)
         .value("DELETE", BrushKind::Delete)
         .value("COLOUR", BrushKind::Colour)
         .value("ORIENTATION", BrushKind::Orientation)
-        .value("ANIMATION", BrushKind::Animation);
+        .value("ANIMATION", BrushKind::Animation)
+        .value("WALK", BrushKind::Walk)
+        .value("TAG", BrushKind::Tag)
+        .value("UNTAG", BrushKind::Untag)
+        .value("SCRIPT", BrushKind::Script);
     py::enum_<BrushSelection>(module, "Selection", "Screen area to individuals or points.")
         .value("POINT", BrushSelection::Point, "What is under the cursor.")
         .value("SPRAY", BrushSelection::Spray, "Random points of a circle, so many a second.")
@@ -84,7 +88,7 @@ void bindEnums(py::module_& module)
         .value("UNIFORM", BrushOperator::Uniform)
         .value("RANDOM", BrushOperator::Random)
         .value("GRADIENT", BrushOperator::Gradient);
-    py::enum_<HeadingMode>(module, "Facing")
+    py::enum_<HeadingMode>(module, "Facing", "Which way: a direction, or after something.")
         .value("DIRECTION", HeadingMode::Direction)
         .value("RANDOM", HeadingMode::Random)
         .value("ALONG_STROKE", HeadingMode::AlongStroke)
@@ -94,7 +98,7 @@ void bindEnums(py::module_& module)
 
 void bindParts(py::module_& module)
 {
-    py::class_<HeadingSettings>(module, "HeadingSettings")
+    py::class_<HeadingSettings>(module, "HeadingSettings", "Which way people face. Radians.")
         .def_readwrite("mode", &HeadingSettings::mode)
         .def_readwrite("heading", &HeadingSettings::headingRadians, "Radians, 0 faces +Z.")
         .def_readwrite("spread", &HeadingSettings::spreadRadians, "Radians to each side.")
@@ -109,11 +113,11 @@ void bindParts(py::module_& module)
                 h.towardsPoint = {p[0], p[1], p[2]};
             },
             "World frame, metres.");
-    py::class_<SeatGridSettings>(module, "SeatGridSettings")
+    py::class_<SeatGridSettings>(module, "SeatGridSettings", "Which seats people come onto.")
         .def_readwrite("is_on", &SeatGridSettings::isOn, "Create on free seats only.")
         .def_readwrite("ranks", &SeatGridSettings::ranks, "Empty: all. Assign a whole list.")
         .def_readwrite("wedges", &SeatGridSettings::wedges, "Empty: all. Assign a whole list.");
-    py::class_<CreateSettings>(module, "CreateSettings")
+    py::class_<CreateSettings>(module, "CreateSettings", "Who is created, and how.")
         .def_property("mix", &mixOf, &setMix, "Template (or its id) → weight.")
         .def_readwrite("minimal_distance", &CreateSettings::minimalDistance, "Metres.")
         .def_property("height", rangeGetter(&CreateSettings::height),
@@ -123,6 +127,10 @@ void bindParts(py::module_& module)
         .def_readwrite("palette", &CreateSettings::palette,
                        "List of (red, green, blue), 0–255. Assign a whole list.")
         .def_readwrite("palette_strength", &CreateSettings::paletteStrength, "0–1.")
+        .def_readwrite("varies_outfit", &CreateSettings::variesOutfit,
+                       "Any material of each slot, else the first.")
+        .def_readwrite("varies_parts", &CreateSettings::variesParts,
+                       "Each part worn or not, else as the template has them.")
         .def_property("phase", rangeGetter(&CreateSettings::phase),
                       rangeSetter(&CreateSettings::phase))
         .def_property(
@@ -139,18 +147,18 @@ void bindParts(py::module_& module)
 
 void bindChanges(py::module_& module)
 {
-    py::class_<DeleteSettings>(module, "DeleteSettings")
+    py::class_<DeleteSettings>(module, "DeleteSettings", "How many are removed.")
         .def_readwrite("percent", &DeleteSettings::percent, "Of those in the area.");
-    py::class_<ColourSettings>(module, "ColourSettings")
+    py::class_<ColourSettings>(module, "ColourSettings", "Tints of slots.")
         .def_readwrite("slot", &ColourSettings::slot, "By name; empty: all tintable slots.")
         .def_readwrite("colors", &ColourSettings::colors,
                        "List of (red, green, blue), 0–255. Assign a whole list.")
         .def_readwrite("strength", &ColourSettings::strength, "0–1.")
         .def_readwrite("blends", &ColourSettings::blends)
         .def_readwrite("each_slot_apart", &ColourSettings::eachSlotApart);
-    py::class_<OrientationSettings>(module, "OrientationSettings")
+    py::class_<OrientationSettings>(module, "OrientationSettings", "Which way people are turned.")
         .def_readwrite("facing", &OrientationSettings::heading);
-    py::class_<AnimationSettings>(module, "AnimationSettings")
+    py::class_<AnimationSettings>(module, "AnimationSettings", "What people do.")
         .def_property(
             "clips", [](const AnimationSettings& owner) { return clipsAsDict(owner.clips); },
             [](AnimationSettings& owner, const py::dict& clips) {
@@ -163,6 +171,16 @@ void bindChanges(py::module_& module)
         .def_readwrite("sets_speed", &AnimationSettings::setsSpeed)
         .def_property("speed", rangeGetter(&AnimationSettings::speed),
                       rangeSetter(&AnimationSettings::speed));
+}
+
+void bindWalk(py::module_& module)
+{
+    py::class_<WalkSettings>(module, "WalkSettings", "Which path people follow, and how fast.")
+        .def_readwrite("sets_path", &WalkSettings::setsPath)
+        .def_readwrite("path", &WalkSettings::path, "Id of a path; 0: follow none.")
+        .def_readwrite("sets_speed", &WalkSettings::setsSpeed)
+        .def_property("speed", rangeGetter(&WalkSettings::speed), rangeSetter(&WalkSettings::speed),
+                      "m/s, (lowest, highest).");
 }
 
 BrushSettings brushOf(BrushKind kind)
@@ -179,9 +197,12 @@ void bindBrushes(py::module_& module)
     bindEnums(module);
     bindParts(module);
     bindChanges(module);
+    bindWalk(module);
     py::class_<BrushSettings>(module, "Brush", "A brush with the editor's own settings.")
         .def(py::init(&brushOf), py::arg("kind"))
-        .def("copy", [](const BrushSettings& brush) { return BrushSettings(brush); })
+        .def(
+            "copy", [](const BrushSettings& brush) { return BrushSettings(brush); },
+            "Another one, set the same.")
         .def(py::self == py::self)
         .def_readwrite("kind", &BrushSettings::kind)
         .def_readwrite("selection", &BrushSettings::selection)
@@ -203,7 +224,12 @@ void bindBrushes(py::module_& module)
         .def_readwrite("removal", &BrushSettings::removal)
         .def_readwrite("colour", &BrushSettings::colour)
         .def_readwrite("orientation", &BrushSettings::orientation)
-        .def_readwrite("animation", &BrushSettings::animation);
+        .def_readwrite("animation", &BrushSettings::animation)
+        .def_readwrite("walk", &BrushSettings::walk)
+        .def_property(
+            "tag", [](const BrushSettings& b) { return b.tag.tag; },
+            [](BrushSettings& b, std::uint8_t tag) { b.tag.tag = tag; },
+            "Of the tag brushes: the bit, 0–63.");
 }
 
 } // namespace crowd::app

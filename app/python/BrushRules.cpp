@@ -105,6 +105,8 @@ void checkProperties(const BrushSettings& brush, Complaint& complaint)
     complaint.weights("animation.clips", brush.animation.clips);
     complaint.range("animation.phase", brush.animation.phase, 0.0F, 1.0F);
     complaint.range("animation.speed", brush.animation.speed, 0.0F, 100.0F);
+    complaint.range("walk.speed", brush.walk.speed, 0.0F, kMaxWalkingSpeed);
+    complaint.number("tag", brush.tag.tag, 0.0F, static_cast<float>(kTagCount - 1));
 }
 
 } // namespace

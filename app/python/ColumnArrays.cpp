@@ -100,7 +100,8 @@ py::array toItems(const std::string& name, const py::object& given, const py::dt
                           (wantsFloat ? std::string("numbers") : std::string("whole numbers")) +
                           ", not " + std::string(py::str(array.dtype())) + ".");
     }
-    if (!wantsFloat && array.size() > 0) {
+    const bool fitsAnyway = kind == 'u' && array.itemsize() <= type.itemsize();
+    if (!wantsFloat && !fitsAnyway && array.size() > 0) {
         const auto low = py::int_(array.attr("min")());
         const auto high = py::int_(array.attr("max")());
         const py::int_ most(type.itemsize() == 8 ? std::numeric_limits<std::uint64_t>::max()
@@ -110,7 +111,7 @@ py::array toItems(const std::string& name, const py::object& given, const py::dt
                               std::string(py::repr(most)) + ".");
         }
     }
-    return py::array::ensure(array.attr("astype")(type, "order"_a = "C"));
+    return py::array::ensure(array.attr("astype")(type, "order"_a = "C", "copy"_a = false));
 }
 
 /// Rows of the column from an array of shape `row` (one for all) or N × `row`.
@@ -133,8 +134,12 @@ ColumnValues toColumn(ColumnId column, const std::string& name, const py::array&
     const std::size_t stride = columnInfo(column).stride;
     ColumnValues values{column, std::vector<std::byte>(count * stride)};
     const auto* from = static_cast<const std::byte*>(items.data());
+    if (!isOneForAll && count > 0) {
+        std::memcpy(values.bytes.data(), from, count * stride);
+        return values;
+    }
     for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(&values.bytes[i * stride], from + (isOneForAll ? 0 : i * stride), stride);
+        std::memcpy(&values.bytes[i * stride], from, stride);
     }
     return values;
 }

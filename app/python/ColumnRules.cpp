@@ -6,6 +6,7 @@
 #include <cstring>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
@@ -42,6 +43,15 @@ Result<void> checkNumbers(const ColumnValues& values)
     const auto numbers = itemsOf<float>(values);
     const std::size_t width = info.stride / sizeof(float);
     const bool isScale = values.column == ColumnId::Height || values.column == ColumnId::Girth;
+    if (values.column != ColumnId::Phase && !isScale) {
+        float sum = 0.0F; // finite times zero is zero, in a loop over vectors
+        for (const float each : numbers) {
+            sum += each * 0.0F;
+        }
+        if (sum == 0.0F) {
+            return {};
+        }
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (!std::isfinite(numbers[i])) {
             return refused(values.column, i / width, "is not a finite number.");
@@ -56,24 +66,42 @@ Result<void> checkNumbers(const ColumnValues& values)
     return {};
 }
 
-/// Entries of a scene by id, found fast.
+/// What a template suggests for those created from it.
+struct Usual
+{
+    const TemplateEntry* entry = nullptr;
+    std::uint16_t standing = 0;
+    std::uint16_t seated = 0;
+    std::uint32_t parts = 0;
+    bool hasParts = false;
+};
+
+/// Entries of a scene by id; ids are small, and neighbours often share theirs.
 class TemplateTable
 {
 public:
     explicit TemplateTable(const Scene& scene)
     {
         for (const TemplateEntry& entry : scene.templates) {
-            m_entries[entry.id] = &entry;
+            if (entry.id >= m_usual.size()) {
+                m_usual.resize(entry.id + std::size_t{1});
+            }
+            Usual& usual = m_usual[entry.id];
+            usual.entry = &entry;
+            usual.standing = usualClip(entry, false);
+            usual.seated = usualClip(entry, true);
+            usual.hasParts = entry.asset != nullptr;
+            usual.parts = entry.asset ? defaultParts(*entry.asset) : 0;
         }
     }
     [[nodiscard]] const TemplateEntry* find(TemplateId id) const
     {
-        const auto found = m_entries.find(id);
-        return found == m_entries.end() ? nullptr : found->second;
+        return id < m_usual.size() ? m_usual[id].entry : nullptr;
     }
+    [[nodiscard]] const Usual& usual(TemplateId id) const { return m_usual[id]; }
 
 private:
-    std::unordered_map<TemplateId, const TemplateEntry*> m_entries;
+    std::vector<Usual> m_usual;
 };
 
 Result<void> checkTemplates(const TemplateTable& table, std::span<const TemplateId> ids)
@@ -99,6 +127,31 @@ Result<void> checkClips(const TemplateTable& table, std::span<const TemplateId> 
                            "is " + std::to_string(clips[i]) + ", but template " + entry.name +
                                " has " + std::to_string(entry.clipNames.size()) +
                                " clips, counted from 0.");
+        }
+    }
+    return {};
+}
+
+/// Paths to follow that are there, and speeds that people can walk.
+Result<void> checkWalks(const Scene& scene, std::span<const ColumnValues> values)
+{
+    if (const ColumnValues* paths = find(values, ColumnId::Path)) {
+        const auto ids = itemsOf<PathId>(*paths);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (ids[i] != 0 && scene.findPath(ids[i]) == nullptr) {
+                return refused(ColumnId::Path, i,
+                               "is " + std::to_string(ids[i]) +
+                                   ", and the scene has no such path: take the id of one of "
+                                   "scene.environment[\"paths\"], or 0.");
+            }
+        }
+    }
+    if (const ColumnValues* speeds = find(values, ColumnId::WalkSpeed)) {
+        const auto all = itemsOf<float>(*speeds);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!(all[i] >= 0.0F && all[i] <= kMaxWalkingSpeed)) {
+                return refused(ColumnId::WalkSpeed, i, "must lie from 0 to 10 m/s.");
+            }
         }
     }
     return {};
@@ -171,18 +224,22 @@ Result<void> checkCommon(std::size_t n, std::span<const ColumnValues> values)
 void fillDefaults(const Scene& scene, const TemplateTable& table, const Seats& seats,
                   IndividualRows& rows)
 {
+    const auto templates = rows.column(columns::templateId);
+    const auto taken = rows.column(columns::seat);
+    const auto clips = rows.column(columns::clip);
+    const auto seeds = rows.column(columns::seed);
+    const auto parts = rows.column(columns::parts);
     for (std::size_t i = 0; i < rows.ids.size(); ++i) {
-        const TemplateEntry& entry = *table.find(rows.column(columns::templateId)[i]);
-        const SeatId seat = rows.column(columns::seat)[i];
-        rows.column(columns::clip)[i] = usualClip(entry, seat != kNoSeat);
-        rows.column(columns::seed)[i] =
-            static_cast<std::uint32_t>(hashKeys(scene.seed, scene.nextId + i));
-        if (entry.asset) {
-            rows.column(columns::parts)[i] = defaultParts(*entry.asset);
+        const Usual& usual = table.usual(templates[i]);
+        clips[i] = taken[i] != kNoSeat ? usual.seated : usual.standing;
+        seeds[i] = static_cast<std::uint32_t>(hashKeys(scene.seed, scene.nextId + i));
+        if (usual.hasParts) {
+            parts[i] = usual.parts;
         }
-        if (seat != kNoSeat) {
-            rows.column(columns::position)[i] = seats.at(seat)->seat.position;
-            rows.column(columns::heading)[i] = seats.at(seat)->seat.headingRadians;
+        if (taken[i] != kNoSeat) {
+            const Seat& seat = seats.at(taken[i])->seat;
+            rows.column(columns::position)[i] = seat.position;
+            rows.column(columns::heading)[i] = seat.headingRadians;
         }
     }
 }
@@ -200,6 +257,9 @@ Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
     if (auto valid = checkCommon(n, values); !valid) {
         return valid.error();
     }
+    if (auto valid = checkWalks(scene, values); !valid) {
+        return valid.error();
+    }
     const ColumnValues* templates = find(values, ColumnId::Template);
     const ColumnValues* seats = find(values, ColumnId::Seat);
     if (templates == nullptr) {
@@ -212,7 +272,8 @@ Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
     if (auto known = checkTemplates(table, itemsOf<TemplateId>(*templates)); !known) {
         return known.error();
     }
-    const std::vector<WorldSeat> places = scene.worldSeats();
+    const std::vector<WorldSeat> places =
+        seats != nullptr ? scene.worldSeats() : std::vector<WorldSeat>();
     const Seats seatTable = seatsById(places);
     IndividualRows rows = IndividualRows::withDefaults(std::vector<IndividualId>(n));
     put(rows, *templates);
@@ -254,6 +315,9 @@ Result<void> checkChange(const Scene& scene, std::span<const IndividualId> ids,
                          std::span<const ColumnValues> values)
 {
     if (auto valid = checkCommon(ids.size(), values); !valid) {
+        return valid;
+    }
+    if (auto valid = checkWalks(scene, values); !valid) {
         return valid;
     }
     const TemplateTable table(scene);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <pybind11/eval.h>
+#include <pybind11/operators.h>
 
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
@@ -81,15 +82,14 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
     return py::module_::import("crowdbrush").attr("Picture")(array);
 }
 
-void savePicture(const std::string& path,
-                 const py::array_t<std::uint8_t, py::array::c_style>& array)
+void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
 {
     if (array.ndim() != 3 || array.shape(2) != 4) {
         throw ScriptError("A picture is an array of height × width × 4.");
     }
     const std::vector<std::uint8_t> pixels(array.data(), array.data() + array.size());
     valueOrRaise(
-        writePicture(QString::fromStdString(path), pixels,
+        writePicture(QString::fromStdString(path.string()), pixels,
                      {static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0))}));
 }
 
@@ -103,30 +103,71 @@ import numpy as _numpy
 class Picture(_numpy.ndarray):
     """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
 
-    def __new__(cls, pixels):
+    def __new__(cls, pixels: "Array") -> "Picture":
         return _numpy.asarray(pixels).view(cls)
 
-    def save_png(self, path):
+    def save_png(self, path: "Path") -> None:
         """Writes the picture to a file, whole or not at all."""
         _save_png(str(path), _numpy.ascontiguousarray(self, dtype=_numpy.uint8))
 )",
              module.attr("__dict__"));
 }
 
+Camera exactCamera(const Point3& position, const std::array<float, 4>& orientation,
+                   bool isOrthographic, float fovRadians, float height, float pivotDistance)
+{
+    Camera camera;
+    camera.position = toVector(position, "position");
+    camera.orientation = {orientation[0], orientation[1], orientation[2], orientation[3]};
+    camera.projection = isOrthographic ? Projection::Orthographic : Projection::Perspective;
+    camera.fovYRadians = fovRadians;
+    camera.orthographicHeight = height;
+    camera.pivotDistance = pivotDistance;
+    const float length = glm::length(camera.orientation);
+    if (!(std::abs(length - 1.0F) < 1e-2F) || !(fovRadians > 0.0F && fovRadians < 3.1F) ||
+        !(height > 0.0F && std::isfinite(height)) ||
+        !(pivotDistance > 0.0F && std::isfinite(pivotDistance))) {
+        throw ScriptError("A camera needs an orientation of length 1, a fov_radians from 0 to 3.1, "
+                          "and a height and a pivot_distance above zero.");
+    }
+    return camera;
+}
+
 void bindCamera(py::module_& module)
 {
     py::class_<Camera>(module, "Camera", "Where a picture is taken from. World frame, metres.")
         .def(py::init(&makeCamera), py::arg("position"), py::arg("target"), py::arg("fov") = 45.0F,
-             "fov: vertical, degrees.")
+             "Looks from position to target, metres. fov: vertical, degrees.")
+        .def_static("exact", &exactCamera, py::arg("position"), py::arg("orientation"),
+                    py::kw_only(), py::arg("orthographic") = false, py::arg("fov_radians") = 0.8F,
+                    py::arg("height") = 20.0F, py::arg("pivot_distance") = 12.0F,
+                    "Just as the editor holds it: orientation is a quaternion (w, x, y, z) of a "
+                    "view along -Z with Y up; height: metres from bottom to top, orthographic; "
+                    "pivot_distance: to the point that orbiting turns around.")
         .def_property_readonly(
             "position",
             [](const Camera& camera) {
                 return Point3{camera.position.x, camera.position.y, camera.position.z};
             })
-        .def_property_readonly("target", [](const Camera& camera) {
-            const glm::vec3 pivot = camera.pivot();
-            return Point3{pivot.x, pivot.y, pivot.z};
-        });
+        .def_property_readonly("target",
+                               [](const Camera& camera) {
+                                   const glm::vec3 pivot = camera.pivot();
+                                   return Point3{pivot.x, pivot.y, pivot.z};
+                               })
+        .def_property_readonly(
+            "orientation",
+            [](const Camera& camera) {
+                const glm::quat& q = camera.orientation;
+                return std::array<float, 4>{q.w, q.x, q.y, q.z};
+            },
+            "Quaternion (w, x, y, z).")
+        .def_property_readonly(
+            "orthographic",
+            [](const Camera& camera) { return camera.projection == Projection::Orthographic; })
+        .def_readonly("fov_radians", &Camera::fovYRadians, "Vertical.")
+        .def_readonly("height", &Camera::orthographicHeight, "Metres, orthographic.")
+        .def_readonly("pivot_distance", &Camera::pivotDistance, "Metres.")
+        .def(py::self == py::self);
 }
 
 } // namespace

@@ -27,6 +27,7 @@ void registerModule(py::module_& module)
     py::register_exception<ScriptError>(module, "Error", PyExc_RuntimeError);
     bindTemplates(module);
     bindBrushes(module);
+    bindScriptBrushes(module);
     bindScene(module);
 }
 

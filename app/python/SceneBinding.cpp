@@ -18,9 +18,14 @@ struct EditBlock
     std::string text;
 };
 
-py::array create(const ScenePtr& scene, const py::kwargs& columns)
+py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
+                 const py::kwargs& columns)
 {
-    const GivenColumns given = columnsFrom(*scene->scene(), columns, std::nullopt, {});
+    constexpr std::size_t kMost = 10'000'000;
+    if (count.value_or(0) > kMost) {
+        throw ScriptError("count is at most 10 000 000 people at once.");
+    }
+    const GivenColumns given = columnsFrom(*scene->scene(), columns, count, {});
     const auto ids = valueOrRaise(scene->create(given.count, given.values));
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
@@ -85,19 +90,9 @@ py::dict seats(const ScenePtr& scene)
     return table;
 }
 
-std::vector<TemplateHandle> templates(const ScenePtr& scene)
-{
-    std::vector<TemplateHandle> handles;
-    const auto now = scene->scene();
-    for (const TemplateEntry& entry : now->templates) {
-        handles.push_back({scene, entry.id});
-    }
-    return handles;
-}
-
 void bindEdit(py::module_& module)
 {
-    py::class_<EditBlock>(module, "Edit")
+    py::class_<EditBlock>(module, "Edit", "What scene.edit(name) gives: for `with`.")
         .def("__enter__",
              [](const EditBlock& block) {
                  valueOrRaise(block.scene->beginEdit(block.text));
@@ -111,14 +106,26 @@ void bindDocument(SceneClass& scene)
 {
     scene.def(py::init<>(), "An empty scene.")
         .def(
-            "save", [](const ScenePtr& s, const std::string& path) { valueOrRaise(s->save(path)); },
-            py::arg("path") = "", "Without a path: where it was opened or saved last.")
-        .def_property_readonly("path", [](const ScenePtr& s) { return s->path(); })
-        .def_property_readonly("modified", [](const ScenePtr& s) { return s->isModified(); })
+            "save",
+            [](const ScenePtr& s, const FilePath& path) { valueOrRaise(s->save(path.string())); },
+            py::arg("path") = "",
+            "Writes a .crowd file, whole or not at all. Without a path: where it was opened or "
+            "saved "
+            "last. Raises Error where the file cannot be written.")
+        .def_property_readonly(
+            "path", [](const ScenePtr& s) { return s->path(); },
+            "The file that it was opened from or saved to; empty: none.")
+        .def_property_readonly(
+            "modified", [](const ScenePtr& s) { return s->isModified(); },
+            "Whether there is something to save.")
         .def(
             "undo", [](const ScenePtr& s) { return valueOrRaise(s->undo()); },
-            "False when there was nothing to undo.")
-        .def("redo", [](const ScenePtr& s) { return valueOrRaise(s->redo()); })
+            "Takes the last step back; False when there was nothing to undo. Raises Error inside "
+            "an "
+            "edit.")
+        .def(
+            "redo", [](const ScenePtr& s) { return valueOrRaise(s->redo()); },
+            "False when there was nothing to redo.")
         .def_property_readonly(
             "history", [](const ScenePtr& s) { return s->history(); },
             "Texts of all steps, oldest first.")
@@ -138,87 +145,35 @@ void bindDocument(SceneClass& scene)
 void bindPopulation(SceneClass& scene)
 {
     scene.def("__len__", [](const ScenePtr& s) { return s->scene()->population.size(); })
-        .def_property_readonly("ids",
-                               [](const ScenePtr& s) { return columnArray(*s->scene(), "id"); })
+        .def_property_readonly(
+            "ids", [](const ScenePtr& s) { return columnArray(*s->scene(), "id"); },
+            "N uint32, ascending.")
         .def(
             "column",
             [](const ScenePtr& s, const std::string& name) {
                 return columnArray(*s->scene(), name);
             },
-            py::arg("name"), "A copy of a column for everybody, by ascending id.")
-        .def("create", &create,
+            py::arg("name"),
+            "A copy of a column for everybody, rows by ascending id: N numbers, N×3 float32 for "
+            "position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error "
+            "for an unknown name.")
+        .def("create", &create, py::kw_only(), py::arg("count") = py::none(),
              "create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or "
-             "one each; a seat brings position, heading and a sitting clip.")
-        .def("remove", &remove, py::arg("ids"), "By ids or by a mask over everybody.")
+             "one each; a seat brings position, heading and a sitting clip. count: how many, where "
+             "no column says so. Raises Error, and creates nobody, for wrong shapes, values that "
+             "are "
+             "not finite, unknown templates and clips, seats that are taken.")
+        .def("remove", &remove, py::arg("ids"),
+             "By ids or by a mask over everybody. Raises Error for ids that are dead or named "
+             "twice.")
         .def("change", &change, py::arg("ids"),
              "change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one "
-             "each.")
-        .def_property_readonly("seats", &seats,
-                               "Arrays id, position (N×3), heading, rank, wedge, free.");
-}
-
-void bindContents(SceneClass& scene)
-{
-    scene.def_property_readonly("templates", &templates)
-        .def(
-            "template",
-            [](const ScenePtr& s, const std::string& name) {
-                for (const TemplateHandle& each : templates(s)) {
-                    if (each.entry().name == name) {
-                        return each;
-                    }
-                }
-                throw ScriptError("The scene has no template named \"" + name + "\".");
-            },
-            py::arg("name"))
-        .def(
-            "add_template",
-            [](const ScenePtr& s, const std::string& path, const std::string& name) {
-                return TemplateHandle{s, valueOrRaise(s->addTemplate(path, name))};
-            },
-            py::arg("path"), py::arg("name") = "",
-            "A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb.")
-        .def(
-            "add_stage",
-            [](const ScenePtr& s, const std::string& path, const std::string& name,
-               const Point3& position, float heading, float scale) {
-                StageEntry entry;
-                entry.path = path;
-                entry.name = name;
-                entry.position = toVector(position, "position");
-                if (!std::isfinite(heading) || !(scale > 0.0F && std::isfinite(scale))) {
-                    throw ScriptError("A stage needs a finite heading and a scale above zero.");
-                }
-                entry.headingRadians = heading;
-                entry.scale = scale;
-                valueOrRaise(s->addStage(entry));
-            },
-            py::arg("path"), py::arg("name") = "", py::arg("position") = Point3{0, 0, 0},
-            py::arg("heading") = 0.0F, py::arg("scale") = 1.0F)
-        .def_property_readonly("stages",
-                               [](const ScenePtr& s) {
-                                   std::vector<std::string> names;
-                                   const auto now = s->scene();
-                                   for (const StageEntry& stage : now->stages) {
-                                       names.push_back(stage.name);
-                                   }
-                                   return names;
-                               })
-        .def_property_readonly("cameras",
-                               [](const ScenePtr& s) {
-                                   py::dict cameras;
-                                   const auto now = s->scene();
-                                   for (const NamedCamera& each : now->cameras) {
-                                       cameras[py::str(each.name)] = each.camera;
-                                   }
-                                   return cameras;
-                               })
-        .def(
-            "set_camera",
-            [](const ScenePtr& s, const std::string& name, const Camera& camera) {
-                valueOrRaise(s->setCamera(name, camera));
-            },
-            py::arg("name"), py::arg("camera"));
+             "each, in the order of ids. Raises Error, and changes nothing, for dead ids, wrong "
+             "shapes and values that are not finite.")
+        .def_property_readonly(
+            "seats", &seats,
+            "Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and "
+            "free (bool).");
 }
 
 } // namespace
@@ -229,18 +184,19 @@ void bindScene(py::module_& module)
     bindEdit(module);
     bindDocument(scene);
     bindPopulation(scene);
-    bindContents(scene);
     bindPictures(module, scene);
+    bindContents(module, scene);
     bindStrokes(module, scene);
     module.def(
         "open",
-        [](const std::string& path) {
+        [](const FilePath& path) {
             auto opened = std::make_shared<ScriptScene>();
-            valueOrRaise(opened->open(path));
+            valueOrRaise(opened->open(path.string()));
             return opened;
         },
         py::arg("path"),
-        "Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd.");
+        "Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd. Raises "
+        "Error with the reason why it cannot be read.");
 }
 
 } // namespace crowd::app

@@ -2,6 +2,7 @@
 #include "app/python/ScriptScene.h"
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <type_traits>
 
@@ -11,6 +12,7 @@
 #include "app/python/BrushRules.h"
 #include "app/python/ColumnRules.h"
 #include "model/project/AssetPaths.h"
+#include "model/project/EnvironmentText.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
 
@@ -46,6 +48,73 @@ Result<Camera> cameraOrFirst(const Scene& scene, const std::optional<Camera>& ca
                      "camera=crowdbrush.Camera((0, 5, 10), (0, 0, 0))."};
     }
     return scene.cameras.front().camera;
+}
+
+template<class Entry>
+bool isAmong(const std::vector<Entry>& entries, const Entry& wanted)
+{
+    const auto found = std::ranges::find(entries, wanted.id, &Entry::id);
+    return found != entries.end() && *found == wanted;
+}
+
+/// Ids in `now` that `wanted` lacks.
+template<class Entry>
+auto missingIds(const std::vector<Entry>& now, const std::vector<Entry>& wanted)
+{
+    std::vector<decltype(Entry::id)> ids;
+    for (const Entry& each : now) {
+        if (std::ranges::find(wanted, each.id, &Entry::id) == wanted.end()) {
+            ids.push_back(each.id);
+        }
+    }
+    return ids;
+}
+
+void putPaths(SceneEdit& edit, const Scene& wanted)
+{
+    for (const Path& each : wanted.paths) {
+        if (!isAmong(edit.scene().paths, each)) {
+            edit.changePath(each);
+        }
+    }
+}
+
+void putEnvironment(SceneEdit& edit, const Scene& wanted)
+{
+    for (const Place& each : wanted.places) {
+        if (!isAmong(edit.scene().places, each)) {
+            edit.changePlace(each);
+        }
+    }
+    putPaths(edit, wanted);
+    for (const PathId id : missingIds(edit.scene().paths, wanted.paths)) {
+        edit.removePath(id);
+    }
+    for (const PlaceId id : missingIds(edit.scene().places, wanted.places)) {
+        edit.removePlace(id);
+    }
+    putPaths(edit, wanted); // who lost a place or a branch with those
+    edit.setRules(wanted.rules);
+    edit.setTags(wanted.tags);
+}
+
+Error noTemplate(TemplateId id)
+{
+    return Error{"The scene has no template " + std::to_string(id) +
+                 ": take one of scene.templates."};
+}
+
+Error noStage(std::uint8_t id)
+{
+    return Error{"The scene has no stage " + std::to_string(id) + ": take one of scene.stages."};
+}
+
+/// Bit by bit: NaN stands for the file's own speed.
+bool sameNumbers(const std::vector<float>& a, const std::vector<float>& b)
+{
+    return std::ranges::equal(a, b, [](float left, float right) {
+        return std::bit_cast<std::uint32_t>(left) == std::bit_cast<std::uint32_t>(right);
+    });
 }
 
 void bakeAllShown(const Scene& scene, KeyframeStore& keyframes)
@@ -91,10 +160,26 @@ ScriptScene::ScriptScene()
 ScriptScene::ScriptScene(ScriptHost host)
     : m_host(std::move(host)), m_pictureKeyframes(kKeyframeBytes)
 {
+    m_interruption = QObject::connect(m_host.document, &SceneDocument::editInterrupted,
+                                      m_host.document, [this] { dropEdits(); });
+}
+
+/// The host needs its document: what is open is taken back, what the script does next is refused.
+void ScriptScene::dropEdits()
+{
+    m_edit.reset();
+    if (m_stroke) {
+        m_stroke->cancel();
+        m_stroke.reset();
+    }
+    if (m_link) {
+        m_link->abandon();
+    }
 }
 
 ScriptScene::~ScriptScene()
 {
+    QObject::disconnect(m_interruption);
     if (m_edit) {
         try {
             endEdit(false);
@@ -102,6 +187,7 @@ ScriptScene::~ScriptScene()
             (void)m_edit.release(); // the editor is closing: the document goes with all it holds
         }
     }
+    (void)m_stroke.release(); // likewise: the gate was closed while its brush painted
 }
 
 template<class Action>
@@ -132,6 +218,10 @@ bool ScriptScene::isModified() const
 
 Result<void> ScriptScene::refuseDuringEdit(const char* what) const
 {
+    if (m_link) {
+        return Error{std::string(what) +
+                     " is not possible in a brush: all it does belongs to one stroke."};
+    }
     if (m_edit) {
         return Error{std::string(what) +
                      " is not possible inside 'with scene.edit(...)': end that block first."};
@@ -142,7 +232,7 @@ Result<void> ScriptScene::refuseDuringEdit(const char* what) const
 /// Somebody paints by hand at this moment: threads that a script left behind may come any time.
 Result<void> ScriptScene::refuseDuringStroke() const
 {
-    if (!m_edit && m_host.document->isEditOpen()) {
+    if (!m_edit && !m_link && m_host.document->isEditOpen()) {
         return Error{"Somebody is painting in the window: try again when the stroke has ended."};
     }
     return {};
@@ -270,6 +360,13 @@ void ScriptScene::endEdit(bool isKept)
 
 Result<void> ScriptScene::edit(const QString& text, const Work& work)
 {
+    if (m_link) {
+        if (m_link->edit() == nullptr) {
+            return Error{"The stroke was taken back."};
+        }
+        work(*m_link->edit());
+        return {};
+    }
     if (m_edit) {
         work(*m_edit);
         return {};
@@ -283,17 +380,21 @@ Result<void> ScriptScene::edit(const QString& text, const Work& work)
     return {};
 }
 
-Result<TemplateId> ScriptScene::addTemplate(const std::string& path, const std::string& name)
+Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
 {
-    TemplateEntry entry;
-    entry.path = absolute(path);
+    entry.path = absolute(entry.path);
     auto asset = loadTemplateAsset(entry);
     if (!asset) {
         return asset.error();
     }
-    entry.name = name.empty() ? asset.value()->name : name;
+    if (entry.name.empty()) {
+        entry.name = asset.value()->name;
+    }
     attachAsset(entry, asset.value());
     return onDocument([&]() -> Result<TemplateId> {
+        if (entry.id != 0 && m_host.document->scene().findTemplate(entry.id) != nullptr) {
+            return Error{"The scene already has a template " + std::to_string(entry.id) + "."};
+        }
         TemplateId id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addTemplate(entry); };
         if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Template")), work); !done) {
@@ -303,9 +404,48 @@ Result<TemplateId> ScriptScene::addTemplate(const std::string& path, const std::
     });
 }
 
-Result<std::uint8_t> ScriptScene::addStage(const StageEntry& placed)
+Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
 {
-    StageEntry entry = placed;
+    entry.path = absolute(entry.path);
+    const auto now = scene();
+    const TemplateEntry* was = now->findTemplate(entry.id);
+    if (was == nullptr) {
+        return noTemplate(entry.id);
+    }
+    const bool isSameFile = was->path == entry.path && was->import == entry.import &&
+                            sameNumbers(was->clipSpeeds, entry.clipSpeeds);
+    if (!isSameFile) {
+        auto asset = loadTemplateAsset(entry);
+        if (!asset) {
+            return asset.error();
+        }
+        attachAsset(entry, asset.value());
+    }
+    return onDocument([&] {
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change Template")),
+                    [&](SceneEdit& open) { open.changeTemplate(entry); });
+    });
+}
+
+Result<void> ScriptScene::removeTemplate(TemplateId id)
+{
+    return onDocument([&]() -> Result<void> {
+        const Scene& now = m_host.document->scene();
+        if (now.findTemplate(id) == nullptr) {
+            return noTemplate(id);
+        }
+        const auto users = std::ranges::count(now.population.column(columns::templateId), id);
+        if (users > 0) {
+            return Error{std::to_string(users) + " people are of template " + std::to_string(id) +
+                         ": remove them first."};
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Template")),
+                    [&](SceneEdit& open) { open.removeTemplate(id); });
+    });
+}
+
+Result<std::uint8_t> ScriptScene::addStage(StageEntry entry)
+{
     entry.path = absolute(entry.path);
     auto asset = loadStageAsset(entry);
     if (!asset) {
@@ -316,12 +456,48 @@ Result<std::uint8_t> ScriptScene::addStage(const StageEntry& placed)
         entry.name = entry.asset->name;
     }
     return onDocument([&]() -> Result<std::uint8_t> {
+        if (entry.id != 0 && m_host.document->scene().findStage(entry.id) != nullptr) {
+            return Error{"The scene already has a stage " + std::to_string(entry.id) + "."};
+        }
         std::uint8_t id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addStage(entry); };
         if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Stage")), work); !done) {
             return done.error();
         }
         return id;
+    });
+}
+
+Result<void> ScriptScene::changeStage(StageEntry entry)
+{
+    entry.path = absolute(entry.path);
+    const auto now = scene();
+    const StageEntry* was = now->findStage(entry.id);
+    if (was == nullptr) {
+        return noStage(entry.id);
+    }
+    if (was->path != entry.path) {
+        auto asset = loadStageAsset(entry);
+        if (!asset) {
+            return asset.error();
+        }
+        entry.asset = asset.value();
+        entry.problem.clear();
+    }
+    return onDocument([&] {
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change Stage")),
+                    [&](SceneEdit& open) { open.changeStage(entry); });
+    });
+}
+
+Result<void> ScriptScene::removeStage(std::uint8_t id)
+{
+    return onDocument([&]() -> Result<void> {
+        if (m_host.document->scene().findStage(id) == nullptr) {
+            return noStage(id);
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Stage")),
+                    [&](SceneEdit& open) { open.removeStage(id); });
     });
 }
 
@@ -337,6 +513,55 @@ Result<void> ScriptScene::setCamera(const std::string& name, const Camera& camer
         }
         return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Camera")),
                     [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::removeCamera(const std::string& name)
+{
+    if (const auto known = camera(name); !known) {
+        return known.error();
+    }
+    return onDocument([&] {
+        std::vector<NamedCamera> cameras = m_host.document->scene().cameras;
+        std::erase_if(cameras, [&name](const NamedCamera& each) { return each.name == name; });
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Camera")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::setCameras(std::vector<NamedCamera> cameras)
+{
+    return onDocument([&] {
+        for (NamedCamera& each : cameras) {
+            const auto& known = m_host.document->scene().cameras;
+            const auto same = std::ranges::find(known, each.name, &NamedCamera::name);
+            if (same != known.end()) {
+                each.unknownMembers = same->unknownMembers;
+            }
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Cameras")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::setLighting(Lighting lighting)
+{
+    return onDocument([&] {
+        lighting.unknownMembers = m_host.document->scene().lighting.unknownMembers;
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Lighting")),
+                    [&](SceneEdit& open) { open.setLighting(lighting); });
+    });
+}
+
+Result<void> ScriptScene::setEnvironment(const std::string& text)
+{
+    return onDocument([&]() -> Result<void> {
+        Scene wanted = m_host.document->scene();
+        if (auto read = readEnvironmentText(text, wanted); !read) {
+            return read;
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Environment")),
+                    [&](SceneEdit& open) { putEnvironment(open, wanted); });
     });
 }
 
@@ -402,7 +627,50 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
     });
 }
 
-Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke)
+Result<StrokeOutcome> ScriptScene::scriptStroke(const RecordedStroke& recording,
+                                                const PaintWork& paint)
+{
+    const auto link = std::make_shared<ScriptStrokeLink>();
+    const auto begun = onDocument([&]() -> Result<void> {
+        if (auto allowed = refuseDuringStroke(); !allowed) {
+            return allowed;
+        }
+        m_host.stage->setStages(m_host.document->scene().stages);
+        BrushContext context{View(recording.camera, recording.viewSize), *m_host.keyframes,
+                             *m_host.stage};
+        context.script = link.get();
+        m_stroke = Stroke::begin(*m_host.document, context, recording.settings, recording.seed,
+                                 recording.inputs.front());
+        for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
+            m_stroke->move(recording.inputs[i]);
+        }
+        m_stroke->settle();
+        return {};
+    });
+    if (!begun) {
+        return begun.error();
+    }
+    link->close();
+    joinStroke(link);
+    try {
+        paint(*link);
+    } catch (...) {
+        leaveStroke();
+        m_host.run([this] { m_stroke.reset(); }); // takes back what was painted
+        throw;
+    }
+    leaveStroke();
+    return onDocument([&]() -> Result<StrokeOutcome> {
+        if (!m_stroke) {
+            return Error{"The stroke was taken back."};
+        }
+        const StrokeOutcome outcome = m_stroke->finish();
+        m_stroke.reset();
+        return outcome;
+    });
+}
+
+Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const PaintWork& paint)
 {
     if (auto allowed = refuseDuringEdit("A stroke"); !allowed) {
         return allowed.error();
@@ -423,6 +691,9 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke)
     recording.camera = camera.value();
     recording.viewSize = stroke.viewSize;
     recording.inputs = stroke.inputs;
+    if (stroke.settings.kind == BrushKind::Script) {
+        return scriptStroke(recording, paint);
+    }
     return onDocument([&]() -> Result<StrokeOutcome> {
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed.error();

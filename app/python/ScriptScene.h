@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/pictures/PictureMaker.h"
+#include "app/python/ScriptStroke.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
@@ -88,11 +89,23 @@ public:
     [[nodiscard]] model::Result<void> beginEdit(const std::string& text);
     void endEdit(bool isKept);
 
-    [[nodiscard]] model::Result<model::TemplateId> addTemplate(const std::string& path,
-                                                               const std::string& name);
-    [[nodiscard]] model::Result<std::uint8_t> addStage(const model::StageEntry& placed);
+    /// Loads the entry's file. An id of 0 stands for the next free one, an empty name for the
+    /// file's own.
+    [[nodiscard]] model::Result<model::TemplateId> addTemplate(model::TemplateEntry entry);
+    /// By id; loads the file again where path, import or speeds are others.
+    [[nodiscard]] model::Result<void> changeTemplate(model::TemplateEntry entry);
+    [[nodiscard]] model::Result<void> removeTemplate(model::TemplateId id); ///< that nobody uses
+    [[nodiscard]] model::Result<std::uint8_t> addStage(model::StageEntry entry);
+    [[nodiscard]] model::Result<void> changeStage(model::StageEntry entry);
+    [[nodiscard]] model::Result<void> removeStage(std::uint8_t id);
     [[nodiscard]] model::Result<void> setCamera(const std::string& name,
                                                 const model::Camera& camera);
+    [[nodiscard]] model::Result<void> removeCamera(const std::string& name);
+    /// All of them, in this order.
+    [[nodiscard]] model::Result<void> setCameras(std::vector<model::NamedCamera> cameras);
+    [[nodiscard]] model::Result<void> setLighting(model::Lighting lighting);
+    /// Places, paths, tags and rules as JSON: see readEnvironmentText.
+    [[nodiscard]] model::Result<void> setEnvironment(const std::string& text);
     [[nodiscard]] model::Result<model::Camera> camera(const std::string& name) const;
 
     /// n individuals with these values; the rest gets the defaults of their templates. Their ids.
@@ -103,7 +116,14 @@ public:
     [[nodiscard]] model::Result<void> change(std::span<const model::IndividualId> ids,
                                              std::span<const ColumnValues> values);
 
-    [[nodiscard]] model::Result<model::StrokeOutcome> stroke(const ScriptStroke& stroke);
+    /// Of brush kind Script: `paint` gets the dabs, on the calling thread; what it throws takes the
+    /// stroke back and goes on.
+    using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;
+    [[nodiscard]] model::Result<model::StrokeOutcome> stroke(const ScriptStroke& stroke,
+                                                             const PaintWork& paint = {});
+    /// Between the two all edits belong to that stroke. The calling thread is Python's.
+    void joinStroke(ScriptStrokeLinkPtr link) { m_link = std::move(link); }
+    void leaveStroke() { m_link.reset(); }
     /// RGBA8, sRGB, rows from the top.
     [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(const ScriptPicture& picture);
 
@@ -117,6 +137,9 @@ private:
     [[nodiscard]] model::Result<void> edit(const QString& text, const Work& work);
     [[nodiscard]] model::Result<void> refuseDuringEdit(const char* what) const;
     [[nodiscard]] model::Result<void> refuseDuringStroke() const;
+    [[nodiscard]] model::Result<model::StrokeOutcome>
+    scriptStroke(const model::RecordedStroke& recording, const PaintWork& paint);
+    void dropEdits();
     [[nodiscard]] model::Result<bool> step(bool isUndo);
 
     std::unique_ptr<OwnParts> m_own; ///< null with a host
@@ -125,6 +148,9 @@ private:
     std::unique_ptr<PictureMaker> m_pictures; ///< made when first asked for
     std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
     QString m_editText;
+    ScriptStrokeLinkPtr m_link;              ///< while a script brush paints
+    std::unique_ptr<model::Stroke> m_stroke; ///< the script's own stroke, while its brush paints
+    QMetaObject::Connection m_interruption;
     std::uint64_t m_pictureCount = 0;
 };
 

@@ -9,15 +9,15 @@ using namespace model;
 
 namespace {
 
-/// Points as rows of x, y, then pressure, then time; without times one each 1/60 s.
+/// Points as rows of x, y, then pressure, time, shown seconds; without times one each 1/60 s.
 std::vector<PointerInput> inputsFrom(const py::object& points, double shownSeconds)
 {
     const auto rows =
         py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(points);
-    if (!rows || rows.ndim() != 2 || rows.shape(0) == 0 || rows.shape(1) < 2 || rows.shape(1) > 4) {
+    if (!rows || rows.ndim() != 2 || rows.shape(0) == 0 || rows.shape(1) < 2 || rows.shape(1) > 5) {
         PyErr_Clear();
         throw ScriptError("points must be an array of at least one row of x, y, optionally "
-                          "pressure, optionally time.");
+                          "pressure, optionally time, optionally the seconds that were shown.");
     }
     std::vector<PointerInput> inputs;
     for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
@@ -26,16 +26,17 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
         };
         const double seconds = at(3, static_cast<double>(i) / 60.0);
         const double pressure = at(2, 1.0);
+        const double shown = at(4, shownSeconds);
         const glm::dvec2 pixels(at(0, 0.0), at(1, 0.0));
         constexpr double kFarthest = 1e6;
         if (!(std::abs(pixels.x) < kFarthest && std::abs(pixels.y) < kFarthest) ||
             !(pressure >= 0.0 && pressure <= 1.0) || !std::isfinite(seconds) ||
-            (i > 0 && seconds < inputs.back().timeSeconds)) {
+            !std::isfinite(shown) || (i > 0 && seconds < inputs.back().timeSeconds)) {
             throw ScriptError("points[" + std::to_string(i) +
                               "] must be finite, with a pressure from 0 to 1 and a time that does "
                               "not go back.");
         }
-        PointerInput input = PointerInput::at(pixels, seconds, shownSeconds);
+        PointerInput input = PointerInput::at(pixels, seconds, shown);
         input.pressure = static_cast<float>(pressure);
         input.buttons = LeftButton;
         inputs.push_back(input);
@@ -43,7 +44,24 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
     return inputs;
 }
 
-StrokeOutcome stroke(const ScenePtr& scene, const BrushSettings& brush, const py::object& points,
+/// The editor's own brush as it is; one that a script brings along with the area that it asks for.
+BrushSettings settingsOf(const py::object& brush)
+{
+    if (py::isinstance<BrushSettings>(brush)) {
+        const auto settings = brush.cast<BrushSettings>();
+        if (settings.kind == BrushKind::Script) {
+            throw ScriptError("Give the brush itself, the object with apply(selection).");
+        }
+        return settings;
+    }
+    const py::module_ module = py::module_::import("crowdbrush");
+    module.attr("_check")(brush);
+    auto settings = module.attr("_area_of")(brush).cast<BrushSettings>();
+    settings.script.brush = module.attr("_known_name")(brush).cast<std::string>();
+    return settings;
+}
+
+StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::object& points,
                      const CameraKey& camera, const std::pair<float, float>& size,
                      std::uint64_t seed, double time)
 {
@@ -55,12 +73,15 @@ StrokeOutcome stroke(const ScenePtr& scene, const BrushSettings& brush, const py
         throw ScriptError("time must be a finite number of seconds.");
     }
     ScriptStroke request;
-    request.settings = brush;
+    request.settings = settingsOf(brush);
     request.inputs = inputsFrom(points, time);
     request.camera = cameraOf(*scene, camera);
     request.viewSize = {size.first, size.second};
     request.seed = seed;
-    return valueOrRaise(scene->stroke(request));
+    return valueOrRaise(scene->stroke(request, [&](ScriptStrokeLink& dabs) {
+        const py::module_ module = py::module_::import("crowdbrush");
+        paintDabs(scene, dabs, module.attr("_brush_with")(brush, py::dict()));
+    }));
 }
 
 } // namespace
@@ -73,11 +94,13 @@ void bindStrokes(py::module_& module, SceneClass& scene)
         .def_property_readonly(
             "message", [](const StrokeOutcome& outcome) { return outcome.message.toStdString(); },
             "Why nothing happened; empty otherwise.");
-    scene.def("stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
-              py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
-              py::arg("seed") = 1, py::arg("time") = 0.0,
-              "Paints as the mouse does: points in logical pixels of a view of this size, "
-              "rows of x, y[, pressure[, time]]; one undo step. time: the transport's.");
+    scene.def(
+        "stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
+        py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
+        py::arg("seed") = 1, py::arg("time") = 0.0,
+        "Paints as the mouse does: points in logical pixels of a view of this size, "
+        "rows of x, y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time "
+        "of what was on screen, for all of them with time=.");
 }
 
 } // namespace crowd::app

@@ -51,6 +51,7 @@ QStringList localFiles(const QMimeData* data)
 MainWindow::MainWindow()
     : m_state(m_document), m_actions(this), m_files(m_state, this), m_assets(m_state, this),
       m_queue(m_files, m_assets, this), m_interpreter(m_state),
+      m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
       m_viewport(new widgets::ViewportWidget(m_state, this)),
       m_status(new StatusPanel(m_state, this)), m_layout(*this),
       m_bookmarks(m_state, m_actions, this)
@@ -109,7 +110,7 @@ void MainWindow::addDocks()
     m_layout.add(environment, Qt::RightDockWidgetArea);
     m_layout.add(rules, Qt::RightDockWidgetArea);
     m_layout.add(history, Qt::RightDockWidgetArea);
-    m_console = new ConsoleDock(m_interpreter, this);
+    m_console = new ConsoleDock(m_interpreter, m_recorder, this);
     m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
     // Two groups, so that their names fit the tabs of a small screen.
     tabifyDockWidget(templates, scene);
@@ -223,6 +224,8 @@ void MainWindow::connectParts()
     connect(&m_document, &model::SceneDocument::undoMemoryExceeded, this,
             [this](const QString& why) { warn(tr("Undo"), why); });
     const auto refresh = [this] { refreshActions(); };
+    connect(&m_recorder, &Recorder::remarked, &m_state, &widgets::EditorState::showStatus);
+    connect(&m_recorder, &Recorder::recordingChanged, this, refresh);
     connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::toolChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::brushChanged, this, refresh);
@@ -297,6 +300,7 @@ void MainWindow::refreshActions()
     check("look-lit", m_state.viewOptions().look == render::Look::Lit);
     const bool isPlaying = m_state.transport().isPlaying();
     check("play", isPlaying);
+    check("script-record", m_recorder.isRecording());
     check("hide-panels", m_layout.isHidden());
 }
 

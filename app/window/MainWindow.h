@@ -4,6 +4,8 @@
 #include <QtWidgets/QMainWindow>
 
 #include "app/console/Interpreter.h"
+#include "app/console/StrokePainter.h"
+#include "app/record/Recorder.h"
 #include "app/window/AssetController.h"
 #include "app/window/CameraBookmarks.h"
 #include "app/window/DockLayout.h"
@@ -41,6 +43,7 @@ public:
     [[nodiscard]] AssetController& assets() { return m_assets; }
     [[nodiscard]] FileQueue& queue() { return m_queue; }
     [[nodiscard]] Interpreter& interpreter() { return m_interpreter; }
+    [[nodiscard]] Recorder& recorder() { return m_recorder; }
     [[nodiscard]] ConsoleDock& console() { return *m_console; }
     [[nodiscard]] DockLayout& dockLayout() { return m_layout; }
     /// As the program starts: with these files, or with the welcome page over an empty theatre.
@@ -80,6 +83,8 @@ private:
     AssetController m_assets;
     FileQueue m_queue;
     Interpreter m_interpreter;
+    StrokePainter m_painter;
+    Recorder m_recorder;
     widgets::ViewportWidget* m_viewport; ///< child
     StatusPanel* m_status;               ///< child
     ConsoleDock* m_console = nullptr;    ///< child

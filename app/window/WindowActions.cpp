@@ -216,6 +216,9 @@ const WindowAction kScriptActions[] = {
     {{"script-run", QT_TRANSLATE_NOOP("Actions", "&Run Script…"), "script-run", "Ctrl+R",
       QT_TRANSLATE_NOOP("Actions", "Run a Python file on the open scene")},
      [](MainWindow& w, bool) { w.console().runScript(); }},
+    {{"script-record", QT_TRANSLATE_NOOP("Actions", "R&ecord Script"), "record", "Ctrl+Alt+R",
+      QT_TRANSLATE_NOOP("Actions", "Write down as Python what is done by hand from now on"), true},
+     [](MainWindow& w, bool on) { w.console().setRecording(on); }},
     {{"script-cancel", QT_TRANSLATE_NOOP("Actions", "&Stop Script"), "script-cancel", "Ctrl+.",
       QT_TRANSLATE_NOOP("Actions", "Stop the script that runs")},
      [](MainWindow& w, bool) { w.interpreter().cancel(); }},
@@ -256,6 +259,7 @@ constexpr const char* kBrushMenu[] = {"select",
                                       "brush-colour",
                                       "brush-orientation",
                                       "brush-animation",
+                                      "brush-script",
                                       "",
                                       "brush-path",
                                       "brush-walk",
@@ -275,7 +279,8 @@ constexpr const char* kViewMenu[] = {
     "shadows",         "look-lit",   "",      "full-screen"};
 constexpr const char* kPlayMenu[] = {"play",   "step",   "stop", "",
                                      "faster", "slower", "",     "keep-pose"};
-constexpr const char* kScriptMenu[] = {"console", "", "script-run", "script-cancel"};
+constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
+                                       "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"welcome", "keys", "about"};
 
@@ -350,6 +355,7 @@ void addTools(MainWindow& window)
         QT_TRANSLATE_NOOP("Actions", "Let an event happen to the people under the brush"),
         QT_TRANSLATE_NOOP("Actions", "Tag the people under the brush, for rules to ask for"),
         QT_TRANSLATE_NOOP("Actions", "Take a tag off the people under the brush"),
+        QT_TRANSLATE_NOOP("Actions", "Paint with a brush that a script brought along"),
     };
     static const char* const kTexts[] = {
         QT_TRANSLATE_NOOP("Actions", "&Select"),    QT_TRANSLATE_NOOP("Actions", "&Navigate"),
@@ -359,6 +365,7 @@ void addTools(MainWindow& window)
         QT_TRANSLATE_NOOP("Actions", "&Walk"),      QT_TRANSLATE_NOOP("Actions", "En&vironment"),
         QT_TRANSLATE_NOOP("Actions", "&Event"),     QT_TRANSLATE_NOOP("Actions", "&Tag"),
         QT_TRANSLATE_NOOP("Actions", "&Untag"),
+        QT_TRANSLATE_NOOP("Actions", "Scri&pt"),
     };
     std::size_t i = 0;
     for (const widgets::ToolInfo& info : widgets::toolTable()) {

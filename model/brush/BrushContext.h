@@ -12,6 +12,8 @@
 
 namespace crowd::model {
 
+class ScriptChange;
+
 /// What a stroke looks through: the view it is painted in, and what answers questions about it.
 /// The referenced objects outlive the stroke; the stage is up to date with the scene.
 struct BrushContext
@@ -23,6 +25,7 @@ struct BrushContext
     std::function<void(CrowdFrame&)> pose{};
     /// Tells a running session; empty: there is none. Ids ascend.
     std::function<void(const EventSettings&, std::span<const IndividualId>)> sendEvent{};
+    ScriptChange* script = nullptr; ///< what brushes of kind Script do; for those alone
 };
 
 } // namespace crowd::model

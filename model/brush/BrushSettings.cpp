@@ -104,6 +104,8 @@ MainNumber BrushSettings::mainNumber() const
                 kMaxPlaceRadius,
                 0.25,
                 2};
+    case BrushKind::Script:
+        break;
     }
     return {MainQuantity::Rate, ratePerSecond, 1.0, 500.0, 5.0, 0};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -26,9 +27,10 @@ enum class BrushKind : std::uint8_t {
     Walk, ///< which path people follow, and how fast
     Tag,
     Untag,
-    Event,      ///< speaks to the running session, never to the document
-    Path,       ///< adds places to a path; no stroke over people
-    Environment ///< adds places that act by themselves; no stroke over people
+    Event,       ///< speaks to the running session, never to the document
+    Path,        ///< adds places to a path; no stroke over people
+    Environment, ///< adds places that act by themselves; no stroke over people
+    Script       ///< what it changes, a script says
 };
 enum class BrushSelection : std::uint8_t {
     Point,       ///< what is under the cursor
@@ -179,6 +181,21 @@ struct PlaceSettings
     friend bool operator==(const PlaceSettings&, const PlaceSettings&) = default;
 };
 
+/// A setting that a script brush brings along.
+struct ScriptValue
+{
+    std::string name;
+    std::variant<bool, std::int64_t, double, std::string, PaintColor> value;
+    friend bool operator==(const ScriptValue&, const ScriptValue&) = default;
+};
+
+struct ScriptSettings
+{
+    std::string brush; ///< the name it was registered by
+    std::vector<ScriptValue> values;
+    friend bool operator==(const ScriptSettings&, const ScriptSettings&) = default;
+};
+
 /// The number that + and - change, and what it is.
 enum class MainQuantity : std::uint8_t {
     Density,       ///< create in an area without seat grid: persons per m²
@@ -229,6 +246,7 @@ struct BrushSettings
     TagSettings tag;
     EventSettings event;
     PlaceSettings place;
+    ScriptSettings script;
 
     [[nodiscard]] MainNumber mainNumber() const;
     /// The same brush with another main number, kept within its limits.

@@ -335,6 +335,7 @@ ChangeResult changeProperties(const ChangeRequest& request)
     case BrushKind::Event:
     case BrushKind::Path:
     case BrushKind::Environment:
+    case BrushKind::Script:
         break;
     }
     if (!result.changed.empty()) {

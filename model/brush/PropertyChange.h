@@ -33,6 +33,15 @@ struct ChangeResult
     StrokeReason reason = StrokeReason::None; ///< why nobody changed
 };
 
+/// The third step of a brush that a script brings along. It may do its work later, as long as it is
+/// done before the stroke finishes; then it says that all of them changed.
+class ScriptChange
+{
+public:
+    virtual ~ScriptChange() = default;
+    [[nodiscard]] virtual ChangeResult change(const ChangeRequest& request) = 0;
+};
+
 /// Of the settings' kind: colour, orientation, animation, walk, tag or untag.
 [[nodiscard]] ChangeResult changeProperties(const ChangeRequest& request);
 

@@ -83,9 +83,19 @@ void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& 
         send(ids);
         return;
     }
-    const ChangeResult result =
-        changeProperties({*m_ground.edit, m_ground.settings, m_ground.context.view, seed, line,
-                          heading, ids, m_shown ? &m_shown->population : nullptr});
+    const ChangeRequest request{*m_ground.edit,
+                                m_ground.settings,
+                                m_ground.context.view,
+                                seed,
+                                line,
+                                heading,
+                                ids,
+                                m_shown ? &m_shown->population : nullptr};
+    ScriptChange* script = m_ground.context.script;
+    const ChangeResult result = m_ground.settings.kind != BrushKind::Script
+                                    ? changeProperties(request)
+                                : script != nullptr ? script->change(request)
+                                                    : ChangeResult{{}, StrokeReason::NothingChosen};
     count(result.changed);
     m_reason = result.reason;
 }
@@ -149,11 +159,19 @@ void SelectionWork::apply(std::span<const StrokeDab> dabs)
     remove(std::move(gone));
 }
 
-void SelectionWork::end()
+/// Events and scripts are not run again and again: they reach whom the area holds in the end.
+void SelectionWork::end(const StrokeLine& line)
 {
-    if (m_ground.settings.kind == BrushKind::Event && m_ground.settings.isReevaluated() &&
-        !m_touched.empty()) {
+    if (!m_ground.settings.isReevaluated() || m_touched.empty()) {
+        return;
+    }
+    if (m_ground.settings.kind == BrushKind::Event) {
         send(m_touched);
+    }
+    if (m_ground.settings.kind == BrushKind::Script) {
+        m_affected = 0;
+        change(m_touched, line, m_ground.seed,
+               headingOfLine(m_ground.context.view, m_ground.context.stage, line));
     }
 }
 
@@ -178,6 +196,8 @@ void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
     }
     if (settings.kind == BrushKind::Delete) {
         remove(thinned(m_touched));
+    } else if (settings.kind == BrushKind::Script) {
+        m_affected = static_cast<int>(m_touched.size());
     } else {
         change(m_touched, line, m_ground.seed,
                headingOfLine(m_ground.context.view, m_ground.context.stage, line));

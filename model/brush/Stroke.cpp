@@ -68,8 +68,11 @@ struct Stroke::Private
     glm::dvec2 trail{0.0};
     std::optional<float> heading;
     std::vector<StrokeDab> waiting; ///< dabs that came before there was a direction
+    std::uint64_t bakedBefore = 0;
+    bool isSettled = false;
     bool isOver = false;
 
+    [[nodiscard]] bool seesStandIns() const;
     void add(const PointerInput& input);
     void follow(const Dab& dab, double atLeastPixels);
     void applyDabs(std::span<const Dab> dabs);
@@ -94,7 +97,18 @@ Stroke::Private::Private(StrokeGround strokeGround, const PointerInput& press)
     } else {
         work = std::make_unique<SelectionWork>(ground);
     }
+    bakedBefore = ground.context.keyframes.version();
+    recording.isExact = !seesStandIns();
     add(press);
+}
+
+/// Whether there may be clips on screen that are not all there, or people elsewhere.
+bool Stroke::Private::seesStandIns() const
+{
+    const KeyframeStore& keyframes = ground.context.keyframes;
+    const KeyframeStore::Progress progress = keyframes.progress();
+    return ground.context.pose || progress.pendingClips > 0 || progress.isBudgetReached ||
+           progress.isPaused || keyframes.version() != bakedBefore;
 }
 
 void Stroke::Private::follow(const Dab& dab, double atLeastPixels)
@@ -171,6 +185,17 @@ void Stroke::move(const PointerInput& input)
     }
 }
 
+void Stroke::settle()
+{
+    Private& d = *m_private;
+    if (d.isOver || d.isSettled) {
+        return;
+    }
+    d.isSettled = true;
+    d.applyWaiting();
+    d.work->end(d.line());
+}
+
 StrokeOutcome Stroke::finish()
 {
     Private& d = *m_private;
@@ -179,15 +204,18 @@ StrokeOutcome Stroke::finish()
         outcome.reason = StrokeReason::Cancelled;
         return outcome;
     }
-    d.applyWaiting();
-    d.work->end();
+    settle();
     d.isOver = true;
     outcome.affected = affected();
+    d.recording.isExact = d.recording.isExact && !d.seesStandIns();
     outcome.isCommitted =
-        d.ground.edit->commit(strokeText(d.ground.settings.kind, outcome.affected));
+        d.ground.edit->commit(strokeText(d.ground.settings, outcome.affected), &d.recording);
     d.ground.edit.reset();
     outcome.isSent = d.ground.settings.kind == BrushKind::Event && outcome.affected > 0;
     outcome.reason = outcome.isCommitted || outcome.isSent ? StrokeReason::None : d.work->reason();
+    if (!outcome.isCommitted && !outcome.isSent && outcome.reason == StrokeReason::None) {
+        outcome.reason = StrokeReason::ScriptChangedNothing;
+    }
     outcome.message = reasonText(outcome.reason);
     return outcome;
 }
@@ -229,12 +257,13 @@ const RecordedStroke& Stroke::recording() const
 }
 
 StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const StageRays& stage,
-                     const RecordedStroke& recording)
+                     const RecordedStroke& recording, ScriptChange* script)
 {
     if (recording.inputs.empty()) {
         return {};
     }
-    const BrushContext context{View(recording.camera, recording.viewSize), keyframes, stage};
+    BrushContext context{View(recording.camera, recording.viewSize), keyframes, stage};
+    context.script = script;
     const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
                                       recording.inputs.front());
     for (std::size_t i = 1; i < recording.inputs.size(); ++i) {

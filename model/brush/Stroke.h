@@ -40,7 +40,8 @@ enum class StrokeReason : std::uint8_t {
     NoSession, ///< an event that nobody could hear
     NoSuchClip,
     NothingChosen, ///< a brush that is set to change nothing
-    NoDirection    ///< facing along a stroke that did not go anywhere
+    ScriptChangedNothing,
+    NoDirection ///< facing along a stroke that did not go anywhere
 };
 
 /// The reason as a sentence for the status bar; empty for None and Cancelled.
@@ -64,6 +65,9 @@ struct RecordedStroke
     Camera camera;
     glm::vec2 viewSize{1.0F};         ///< logical pixels
     std::vector<PointerInput> inputs; ///< press, moves and ticks
+    /// False where it may have seen what the scene does not say: clips as they stood in while they
+    /// were baked, people where a session has them.
+    bool isExact = true;
 };
 
 /// Everything between press and release: applied to the document dab by dab and seen at once.
@@ -83,6 +87,9 @@ public:
     /// The pointer moved, or rests while time goes on (a tick, about each 1/60 s, that keeps a
     /// spray going).
     void move(const PointerInput& input);
+    /// The pointer has left: applies what waits for that. finish() does it too; a script that works
+    /// on its own thread needs it earlier.
+    void settle();
     /// Makes one undo step, or none with a reason.
     [[nodiscard]] StrokeOutcome finish();
     /// Takes everything back.
@@ -103,9 +110,10 @@ private:
     std::unique_ptr<Private> m_private;
 };
 
-/// Paints a recorded stroke again.
+/// Paints a recorded stroke again. `script`: what a brush of kind Script does.
 [[nodiscard]] StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes,
-                                   const StageRays& stage, const RecordedStroke& recording);
+                                   const StageRays& stage, const RecordedStroke& recording,
+                                   ScriptChange* script = nullptr);
 
 /// What a press at this place would create, with the same seed and so the same looks: the ghosts
 /// under the cursor. Ids count from 1. Empty for other brushes and where nothing can be created.

@@ -17,9 +17,9 @@ struct Brushes
 
 } // namespace
 
-QString strokeText(BrushKind kind, int affected)
+QString strokeText(const BrushSettings& settings, int affected)
 {
-    switch (kind) {
+    switch (settings.kind) {
     case BrushKind::Create:
         return Brushes::tr("Create %n individual(s)", nullptr, affected);
     case BrushKind::Delete:
@@ -41,6 +41,9 @@ QString strokeText(BrushKind kind, int affected)
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
+    case BrushKind::Script:
+        return Brushes::tr("%1: %n individual(s)", nullptr, affected)
+            .arg(QString::fromStdString(settings.script.brush));
     }
     return {};
 }
@@ -99,6 +102,8 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("None of them has a chosen clip");
     case StrokeReason::NothingChosen:
         return Brushes::tr("The brush is set to change nothing");
+    case StrokeReason::ScriptChangedNothing:
+        return Brushes::tr("The script brush changed nothing");
     case StrokeReason::NoDirection:
         return Brushes::tr("Drag to show the direction");
     }

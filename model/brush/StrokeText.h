@@ -8,7 +8,7 @@
 namespace crowd::model {
 
 /// Name of a stroke's undo step.
-[[nodiscard]] QString strokeText(BrushKind kind, int affected);
+[[nodiscard]] QString strokeText(const BrushSettings& settings, int affected);
 /// Name of a move's undo step.
 [[nodiscard]] QString moveText(int affected);
 

@@ -54,7 +54,7 @@ public:
     /// Everything once more, for strokes that are evaluated from press to current.
     virtual void reevaluate(const StrokeLine& line, double shownSeconds) = 0;
     /// The button is up: what waited for that.
-    virtual void end() {}
+    virtual void end(const StrokeLine& /*line*/) {}
     [[nodiscard]] virtual int affected() const = 0;
     /// Why nobody is affected.
     [[nodiscard]] virtual StrokeReason reason() const = 0;
@@ -87,7 +87,7 @@ public:
     explicit SelectionWork(StrokeGround& ground);
     void apply(std::span<const StrokeDab> dabs) override;
     void reevaluate(const StrokeLine& line, double shownSeconds) override;
-    void end() override;
+    void end(const StrokeLine& line) override;
     [[nodiscard]] int affected() const override { return m_affected; }
     [[nodiscard]] StrokeReason reason() const override { return m_reason; }
 

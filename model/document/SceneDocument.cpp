@@ -99,8 +99,9 @@ CrowdFramePtr SceneDocument::frame(double seconds) const
     return frame;
 }
 
-void SceneDocument::push(SceneDelta delta, const QString& text)
+void SceneDocument::push(SceneDelta delta, const QString& text, const RecordedStroke* stroke)
 {
+    Q_EMIT stepCommitted({&delta, text, stroke});
     m_undoStack.push(new SceneCommand(*this, std::move(delta), text));
     watchUndoMemory();
 }
@@ -123,6 +124,7 @@ bool SceneDocument::applyStep(StoredDelta& stored, DeltaDirection direction)
     }
     applyDelta(m_scene, *delta.value(), direction,
                [this](const SceneChange& change) { announce(change); });
+    Q_EMIT stepTaken(direction == DeltaDirection::Undo);
     watchUndoMemory();
     return true;
 }

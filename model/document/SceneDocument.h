@@ -16,6 +16,16 @@
 namespace crowd::model {
 
 class SceneEdit;
+struct RecordedStroke;
+struct SceneDelta;
+
+/// An edit became an undo step.
+struct StepCommitted
+{
+    const SceneDelta* delta = nullptr;
+    QString text;
+    const RecordedStroke* stroke = nullptr; ///< that made it; null: it was no stroke
+};
 
 /// The open document: owns the scene with its undo stack, path and modified flag. Reading is free;
 /// writing goes through SceneEdit, whose commit() makes one undo step. Steps that exceed the memory
@@ -60,6 +70,10 @@ public:
 
 Q_SIGNALS:
     void changed(const crowd::model::SceneChange& change);
+    /// The scene is changed; the undo stack gets its step next.
+    void stepCommitted(const crowd::model::StepCommitted& step);
+    /// A step was undone (or done again); the undo stack moves its index next.
+    void stepTaken(bool isUndo);
     void pathChanged();
     void modifiedChanged(bool isModified);
     /// Holders of an open edit destroy it now.
@@ -74,7 +88,7 @@ private:
     friend class SceneCommand;
 
     void announce(const SceneChange& change);
-    void push(SceneDelta delta, const QString& text);
+    void push(SceneDelta delta, const QString& text, const RecordedStroke* stroke);
     /// False: refused, and so are all further steps of the same move along the stack.
     [[nodiscard]] bool applyStep(StoredDelta& stored, DeltaDirection direction);
     void settleRefusal();

@@ -304,7 +304,7 @@ void SceneEdit::rollback()
     *m_record = EditRecord(m_record->nextIdBefore());
 }
 
-bool SceneEdit::commit(const QString& undoText)
+bool SceneEdit::commit(const QString& undoText, const RecordedStroke* stroke)
 {
     SceneDelta delta = m_record->delta(scene());
     m_document.m_openEdit = nullptr;
@@ -312,7 +312,7 @@ bool SceneEdit::commit(const QString& undoText)
         m_document.m_scene.nextId = m_record->nextIdBefore();
         return false;
     }
-    m_document.push(std::move(delta), undoText);
+    m_document.push(std::move(delta), undoText, stroke);
     return true;
 }
 

@@ -61,8 +61,9 @@ public:
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();
-    /// Ends the edit as one undo step with this text; false when nothing changed.
-    bool commit(const QString& undoText);
+    /// Ends the edit as one undo step with this text; false when nothing changed. `stroke`: what
+    /// made it, for those who record.
+    bool commit(const QString& undoText, const RecordedStroke* stroke = nullptr);
 
 private:
     friend class SceneDocument;

@@ -39,7 +39,9 @@ private Q_SLOTS:
     void sleepCanBeStopped();
     void handsAreHeldBackWhileAScriptRuns();
     void floodsAreCutShort();
+    void aGigabyteAtOnceIsCutShort();
     void theSceneNameCannotBeLost();
+    void handlesOutliveTheirScene();
     void filesRunWithTheScene();
     void anExceptionInAnEditTakesItBack();
     void otherScenesOpenBesideTheWindows();
@@ -217,6 +219,32 @@ void ConsoleTest::floodsAreCutShort()
     QVERIFY(run(QStringLiteral("exec('for i in range(300): print(\"x\" * 100000)')")));
     QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("left out")), kPatienceMs);
     QVERIFY(output().size() < 5'000'000);
+}
+
+void ConsoleTest::aGigabyteAtOnceIsCutShort()
+{
+    QVERIFY(run(QStringLiteral("print('y' * 10**9)")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("999900000 characters are left out")),
+                             kPatienceMs);
+    QVERIFY(output().size() < 1'000'000);
+}
+
+/// The window opens another scene under a script's feet.
+void ConsoleTest::handlesOutliveTheirScene()
+{
+    const model::Scene before = m_window->document().scene();
+    QVERIFY(run(QStringLiteral("t = scene.templates[0]; block = scene.edit('never ended')")));
+    QVERIFY(run(QStringLiteral("_ = block.__enter__()")));
+    QVERIFY(m_window->document().isEditOpen());
+    m_window->document().replaceScene(model::Scene(), {});
+    QVERIFY(!m_window->document().isEditOpen());
+    QVERIFY(run(QStringLiteral("t.name")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("no longer in the scene")),
+                             kPatienceMs);
+    QVERIFY(run(QStringLiteral("block.__exit__(None, None, None)")));
+    QVERIFY(run(QStringLiteral("print('people:', len(scene))")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("people: 0")), kPatienceMs);
+    m_window->document().replaceScene(before, {});
 }
 
 void ConsoleTest::theSceneNameCannotBeLost()

@@ -56,6 +56,16 @@ class Examples(unittest.TestCase):
         facing = np.stack([np.sin(headings), np.cos(headings)], axis=1)[:-1]
         self.assertGreater(np.sum(ahead * facing, axis=1).min(), 0.8)
 
+    def test_wave_brush(self):
+        wave = example("wave_brush")
+        self.assertIn("Wave", crowdbrush.brushes)
+        scene = crowdbrush.open("builtin:scenes/theatre.crowd")
+        outcome = scene.stroke(wave.WaveBrush(), [(640, 360)], size=(1280, 720))
+        self.assertGreater(outcome.affected, 3)
+        clips = scene.templates[0].clip_names
+        self.assertIn("sit_cheer", [clips[c] for c in scene.column("clip")])
+        self.assertEqual(len(scene.history), 1)
+
     def test_statistics(self):
         scene = crowdbrush.open("builtin:scenes/theatre.crowd")
         lines = list(example("statistics").report(scene))

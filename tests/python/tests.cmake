@@ -7,7 +7,20 @@ if(NOT CROWD_SANITIZER)
     add_test(NAME python_plain
         COMMAND ${Python3_EXECUTABLE} -B "${CMAKE_CURRENT_SOURCE_DIR}/python/run_tests.py")
     list(APPEND python_tests python_plain)
+    set(plain ";CROWD_PLAIN_PYTHON=1")
 endif()
 set_tests_properties(${python_tests} PROPERTIES LABELS python TIMEOUT 300)
 set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT
-    "PYTHONPATH=$<TARGET_FILE_DIR:crowdbrush_module>;PYTHONDONTWRITEBYTECODE=1")
+    "PYTHONPATH=$<TARGET_FILE_DIR:crowdbrush_module>;PYTHONDONTWRITEBYTECODE=1${plain}")
+# The stubs beside the module, and the examples by them.
+find_program(MYPY mypy)
+if(MYPY)
+    set(typed ${MYPY} --no-incremental --cache-dir=/dev/null
+        --python-executable ${Python3_EXECUTABLE})
+    add_test(NAME python_stubs_typed
+        COMMAND ${typed} --strict "${CMAKE_SOURCE_DIR}/app/python/crowdbrush.pyi")
+    add_test(NAME python_examples_typed
+        COMMAND ${typed} --check-untyped-defs "${CMAKE_CURRENT_SOURCE_DIR}/python/examples")
+    set_tests_properties(python_stubs_typed python_examples_typed PROPERTIES
+        LABELS python TIMEOUT 300 ENVIRONMENT "MYPYPATH=${CMAKE_SOURCE_DIR}/app/python")
+endif()

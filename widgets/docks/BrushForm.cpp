@@ -5,6 +5,7 @@
 
 #include <QtCore/QSettings>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -203,6 +204,51 @@ void BrushForm::addCheck(const QString& label, const QString& tip,
             [this, set](bool on) { change([&](Settings& settings) { set(settings, on); }); });
     bind(
         box, [box, get](const Settings& s) { box->setChecked(get(s)); }, isShown);
+}
+
+void BrushForm::addColour(const QString& label,
+                          std::function<model::PaintColor(const Settings&)> get,
+                          std::function<void(Settings&, const model::PaintColor&)> set)
+{
+    auto* button = new QToolButton(this);
+    button->setAccessibleName(label);
+    connect(button, &QToolButton::clicked, this, [this, label, get, set] {
+        const model::PaintColor now = get(m_state.brush(m_kind));
+        const QColor chosen = QColorDialog::getColor(QColor(now[0], now[1], now[2]), this, label,
+                                                     QColorDialog::DontUseNativeDialog);
+        if (chosen.isValid()) {
+            change([&](Settings& settings) {
+                set(settings, {static_cast<std::uint8_t>(chosen.red()),
+                               static_cast<std::uint8_t>(chosen.green()),
+                               static_cast<std::uint8_t>(chosen.blue())});
+            });
+        }
+    });
+    bind(labelled(label, button, this),
+         [button, get](const Settings& s) {
+             const model::PaintColor now = get(s);
+             QPixmap swatch(32, 14);
+             swatch.fill(QColor(now[0], now[1], now[2]));
+             button->setIconSize(swatch.size());
+             button->setIcon(swatch);
+         },
+         {});
+}
+
+void BrushForm::addText(const QString& label, std::function<QString(const Settings&)> get,
+                        std::function<void(Settings&, const QString&)> set)
+{
+    auto* line = new QLineEdit(this);
+    connect(line, &QLineEdit::editingFinished, this, [this, line, set] {
+        change([&](Settings& settings) { set(settings, line->text()); });
+    });
+    bind(labelled(label, line, this),
+         [line, get](const Settings& s) {
+             if (!line->hasFocus()) {
+                 line->setText(get(s));
+             }
+         },
+         {});
 }
 
 void BrushForm::addNumberLists(const std::vector<NumberList>& lists, const Condition& isShown)

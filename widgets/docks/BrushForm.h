@@ -46,6 +46,10 @@ public:
     void addCheck(const QString& label, const QString& tip,
                   std::function<bool(const Settings&)> get,
                   std::function<void(Settings&, bool)> set, Condition isShown = {});
+    void addColour(const QString& label, std::function<model::PaintColor(const Settings&)> get,
+                   std::function<void(Settings&, const model::PaintColor&)> set);
+    void addText(const QString& label, std::function<QString(const Settings&)> get,
+                 std::function<void(Settings&, const QString&)> set);
     struct NumberList
     {
         QString label;
@@ -100,5 +104,8 @@ private:
 
 /// Fills a form with everything that a brush of its kind can be set to.
 void fillBrushForm(BrushForm& form, model::BrushKind kind, EditorState& state);
+
+/// The part of it for the settings that the chosen script brush brings along.
+void addScriptSettings(BrushForm& form, EditorState& state);
 
 } // namespace crowd::widgets

@@ -509,6 +509,9 @@ void fillBrushForm(BrushForm& form, BrushKind kind, EditorState& state)
     case BrushKind::Environment:
         addPlaces(form, kind);
         break;
+    case BrushKind::Script:
+        addScriptSettings(form, state);
+        break;
     }
     form.finish();
 }

@@ -2,9 +2,11 @@
 #include "widgets/docks/BrushPaletteDock.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QEvent>
+#include <QtGui/QPainter>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QToolButton>
 
@@ -18,6 +20,34 @@ constexpr int kIconSize = 24;
 constexpr int kSpacing = 3;
 constexpr int kMargin = 5;
 
+QString tipOf(const ScriptBrush& brush)
+{
+    const QString name = QString::fromStdString(brush.settings.script.brush);
+    return brush.tip.isEmpty() ? name : QStringLiteral("%1\n%2").arg(name, brush.tip);
+}
+
+/// A script's brush has no picture of its own: its first letters tell it from the others.
+QIcon scriptBrushIcon(const std::string& name)
+{
+    constexpr int kScale = 2;
+    QPixmap picture(kIconSize * kScale, kIconSize * kScale);
+    picture.setDevicePixelRatio(kScale);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0x5a, 0xa4, 0x69));
+    painter.drawRoundedRect(QRectF(1.0, 1.0, kIconSize - 2.0, kIconSize - 2.0), 5.0, 5.0);
+    QFont font = painter.font();
+    font.setPixelSize(12);
+    font.setBold(true);
+    painter.setFont(font);
+    painter.setPen(Qt::white);
+    painter.drawText(QRect(0, 0, kIconSize, kIconSize), Qt::AlignCenter,
+                     QString::fromStdString(name).left(2));
+    return QIcon(picture);
+}
+
 } // namespace
 
 BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
@@ -27,15 +57,10 @@ BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
     m_grid->setSpacing(kSpacing);
     m_grid->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     for (const ToolInfo& info : toolTable()) {
-        auto* button = new QToolButton(m_content);
         const QString name = QCoreApplication::translate("Tools", info.name);
+        QToolButton* button =
+            addButton(name, QStringLiteral("%1  (%2)").arg(name, QLatin1String(info.shortcut)));
         button->setObjectName(QLatin1String(info.stableId));
-        button->setToolTip(QStringLiteral("%1  (%2)").arg(name, QLatin1String(info.shortcut)));
-        button->setAccessibleName(name);
-        button->setCheckable(true);
-        button->setAutoRaise(true);
-        button->setIconSize({kIconSize, kIconSize});
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         const ToolId id = info.id;
         connect(button, &QToolButton::clicked, this, [this, id] {
             m_state.setTool(id);
@@ -45,23 +70,80 @@ BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
     }
     setWidget(m_content);
     connect(&m_state, &EditorState::toolChanged, this, &BrushPaletteDock::refresh);
+    connect(&m_state, &EditorState::scriptBrushesChanged, this,
+            &BrushPaletteDock::rebuildScriptBrushes);
+    rebuildScriptBrushes();
     refreshIcons();
     refresh();
     arrange(sizeHint().width());
 }
 
+QToolButton* BrushPaletteDock::addButton(const QString& name, const QString& tip)
+{
+    auto* button = new QToolButton(m_content);
+    button->setToolTip(tip);
+    button->setAccessibleName(name);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setIconSize({kIconSize, kIconSize});
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    return button;
+}
+
+/// Each has a button of its own; as long as there are none, one says what they are.
+void BrushPaletteDock::rebuildScriptBrushes()
+{
+    const auto& brushes = m_state.scriptBrushes();
+    const bool isSame = std::ranges::equal(
+        brushes, m_scriptButtons, {}, [](const ScriptBrush& brush) { return tipOf(brush); },
+        [](const QToolButton* button) { return button->toolTip(); });
+    if (isSame) {
+        refresh(); // another one was chosen, perhaps by one of the buttons
+        return;
+    }
+    qDeleteAll(std::exchange(m_scriptButtons, {}));
+    for (const ScriptBrush& brush : brushes) {
+        const std::string name = brush.settings.script.brush;
+        QToolButton* button = addButton(QString::fromStdString(name), tipOf(brush));
+        button->setObjectName(QStringLiteral("script-brush/%1").arg(QString::fromStdString(name)));
+        connect(button, &QToolButton::clicked, this, [this, name] {
+            m_state.chooseScriptBrush(name);
+            m_state.setTool(ToolId::BrushScript);
+            refresh();
+        });
+        button->show();
+        m_scriptButtons.push_back(button);
+    }
+    m_buttons[static_cast<std::size_t>(ToolId::BrushScript)]->setVisible(m_scriptButtons.empty());
+    m_columns = 0;
+    arrange(width());
+    refreshIcons();
+    refresh();
+}
+
+std::vector<QToolButton*> BrushPaletteDock::shownButtons() const
+{
+    std::vector<QToolButton*> shown(m_buttons.begin(), m_buttons.end());
+    if (!m_scriptButtons.empty()) {
+        shown.pop_back(); // the one for script brushes comes last
+        shown.insert(shown.end(), m_scriptButtons.begin(), m_scriptButtons.end());
+    }
+    return shown;
+}
+
 void BrushPaletteDock::arrange(int width)
 {
+    const std::vector<QToolButton*> shown = shownButtons();
     const QSize cell = m_buttons.front()->sizeHint();
     const int fitting = (width - 2 * kMargin + kSpacing) / (cell.width() + kSpacing);
-    const int count = static_cast<int>(m_buttons.size());
+    const int count = static_cast<int>(shown.size());
     const int columns = std::clamp(fitting, 1, count);
     if (columns == m_columns) {
         return;
     }
     m_columns = columns;
     for (int i = 0; i < count; ++i) {
-        m_grid->addWidget(m_buttons[static_cast<std::size_t>(i)], i / columns, i % columns);
+        m_grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
     }
     const int rows = (count + columns - 1) / columns;
     m_content->setFixedHeight(rows * (cell.height() + kSpacing) - kSpacing + 2 * kMargin);
@@ -79,12 +161,21 @@ void BrushPaletteDock::refresh()
     for (const ToolInfo& info : toolTable()) {
         m_buttons[static_cast<std::size_t>(info.id)]->setChecked(info.id == m_state.tool());
     }
+    const std::string& chosen = m_state.brush(model::BrushKind::Script).script.brush;
+    for (std::size_t i = 0; i < m_scriptButtons.size(); ++i) {
+        m_scriptButtons[i]->setChecked(m_state.tool() == ToolId::BrushScript &&
+                                       m_state.scriptBrushes()[i].settings.script.brush == chosen);
+    }
 }
 
 void BrushPaletteDock::refreshIcons()
 {
     for (const ToolInfo& info : toolTable()) {
         m_buttons[static_cast<std::size_t>(info.id)]->setIcon(iconNamed(info.stableId));
+    }
+    for (std::size_t i = 0; i < m_scriptButtons.size(); ++i) {
+        m_scriptButtons[i]->setIcon(
+            scriptBrushIcon(m_state.scriptBrushes()[i].settings.script.brush));
     }
 }
 

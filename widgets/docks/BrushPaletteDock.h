@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
@@ -27,12 +28,16 @@ private:
     void refresh();
     void refreshIcons();
     void arrange(int width);
+    void rebuildScriptBrushes();
+    [[nodiscard]] QToolButton* addButton(const QString& name, const QString& tip);
+    [[nodiscard]] std::vector<QToolButton*> shownButtons() const;
 
     EditorState& m_state;
     QWidget* m_content;
     QGridLayout* m_grid;
     int m_columns = 0;
     std::array<QToolButton*, static_cast<std::size_t>(ToolId::Count)> m_buttons{};
+    std::vector<QToolButton*> m_scriptButtons; ///< one for each script brush; children
 };
 
 } // namespace crowd::widgets

@@ -14,6 +14,11 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, &BrushSettingsDock::rebuild);
     connect(&m_state, &EditorState::toolChanged, this, [this] { m_rebuild.start(); });
+    connect(&m_state, &EditorState::scriptBrushesChanged, this, [this] {
+        if (m_state.tool() == ToolId::BrushScript) {
+            m_rebuild.start();
+        }
+    });
     connect(&m_state, &EditorState::brushChanged, this, [this] {
         if (m_form != nullptr) {
             m_form->refresh();
@@ -39,7 +44,10 @@ void BrushSettingsDock::rebuild()
     delete widget();
     m_form = nullptr;
     const ToolInfo& tool = toolInfo(m_state.tool());
-    setWindowTitle(QCoreApplication::translate("Tools", tool.name));
+    const std::string& script = m_state.brush(model::BrushKind::Script).script.brush;
+    setWindowTitle(tool.id == ToolId::BrushScript && !script.empty()
+                       ? tr("Script Brush: %1").arg(QString::fromStdString(script))
+                       : QCoreApplication::translate("Tools", tool.name));
     toggleViewAction()->setText(tr("Brush Settings")); // the menu names the panel, not the brush
     if (!tool.brush) {
         auto* note = new QLabel(tr("This tool has no settings. Choose a brush to set it."), this);

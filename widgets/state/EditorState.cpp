@@ -37,6 +37,23 @@ void refreshEvent(EditorState& state)
     }
 }
 
+const std::string& nameOf(const ScriptBrush& brush)
+{
+    return brush.settings.script.brush;
+}
+
+/// What is set already goes on where name and kind are the same.
+void keepValues(const std::vector<model::ScriptValue>& known,
+                std::vector<model::ScriptValue>& fresh)
+{
+    for (model::ScriptValue& each : fresh) {
+        const auto old = std::ranges::find(known, each.name, &model::ScriptValue::name);
+        if (old != known.end() && old->value.index() == each.value.index()) {
+            each.value = old->value;
+        }
+    }
+}
+
 } // namespace
 
 EditorState::EditorState(model::SceneDocument& document, QObject* parent)
@@ -96,7 +113,43 @@ void EditorState::setBrush(const BrushSettings& settings)
         return;
     }
     kept = settings;
+    if (settings.kind == BrushKind::Script) {
+        const auto own = std::ranges::find(m_scriptBrushes, settings.script.brush, &nameOf);
+        if (own != m_scriptBrushes.end()) {
+            own->settings = settings;
+        }
+    }
     Q_EMIT brushChanged(settings.kind);
+}
+
+void EditorState::putScriptBrush(ScriptBrush brush)
+{
+    brush.settings.kind = BrushKind::Script;
+    const std::string name = nameOf(brush);
+    const auto known = std::ranges::find(m_scriptBrushes, name, &nameOf);
+    if (known == m_scriptBrushes.end()) {
+        m_scriptBrushes.push_back(std::move(brush));
+    } else {
+        keepValues(known->settings.script.values, brush.settings.script.values);
+        *known = std::move(brush);
+    }
+    if (m_scriptBrushes.size() == 1 || this->brush(BrushKind::Script).script.brush == name) {
+        chooseScriptBrush(name);
+    }
+    Q_EMIT scriptBrushesChanged();
+}
+
+void EditorState::chooseScriptBrush(const std::string& name)
+{
+    const auto chosen = std::ranges::find(m_scriptBrushes, name, &nameOf);
+    if (chosen == m_scriptBrushes.end()) {
+        return;
+    }
+    const bool isOther = brush(BrushKind::Script).script.brush != name;
+    setBrush(BrushSettings(chosen->settings));
+    if (isOther) {
+        Q_EMIT scriptBrushesChanged();
+    }
 }
 
 const BrushSettings* EditorState::activeBrush() const

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
@@ -15,6 +17,7 @@
 #include "render/RenderInput.h"
 #include "widgets/state/CameraMotion.h"
 #include "widgets/state/PathFocus.h"
+#include "widgets/state/ScriptBrush.h"
 #include "widgets/state/Selection.h"
 #include "widgets/state/SessionControl.h"
 #include "widgets/state/ToolId.h"
@@ -27,6 +30,8 @@ enum class ButtonMapping : std::uint8_t {
     Standard, ///< left paints with the brush's own selection, right opens the palette
     Paper     ///< left a point, middle a circle, right a rectangle (Ulicny et al. 2004)
 };
+
+class ScriptPainter;
 
 /// How the picture is drawn and handled, apart from the scene itself. Saved with the preferences.
 struct ViewOptions
@@ -61,6 +66,7 @@ struct LongWork
     QString text;
     int done = 0;
     int total = 0;
+    bool isStroke = false; ///< of a script brush: offers to take it back
 };
 
 /// What the editor works with beside the document: tool, brushes, selection, clock, view. One per
@@ -97,6 +103,16 @@ public:
     void setBrush(const model::BrushSettings& settings); ///< for the kind it names
     /// Settings of the active tool; null when it is no brush.
     [[nodiscard]] const model::BrushSettings* activeBrush() const;
+    /// Brushes that scripts brought along, in the order of their coming.
+    [[nodiscard]] const std::vector<ScriptBrush>& scriptBrushes() const { return m_scriptBrushes; }
+    /// Takes the place of the one with the same name; what the artist has set there stays where it
+    /// still fits.
+    void putScriptBrush(ScriptBrush brush);
+    /// The brush of the kind Script is this one from now on.
+    void chooseScriptBrush(const std::string& name);
+    /// Null: no scripts run here.
+    [[nodiscard]] ScriptPainter* scriptPainter() const { return m_scriptPainter; }
+    void setScriptPainter(ScriptPainter* painter) { m_scriptPainter = painter; }
     /// Whether creation and dragging snap to free seats (part of the creation brush's settings).
     [[nodiscard]] bool isSeatGridOn() const;
     void setSeatGridOn(bool isOn);
@@ -142,6 +158,7 @@ public:
 Q_SIGNALS:
     void toolChanged(crowd::widgets::ToolId tool);
     void brushChanged(crowd::model::BrushKind kind);
+    void scriptBrushesChanged();
     void pickingChanged(crowd::widgets::Picking picking);
     void colorPicked(const crowd::model::PaintColor& color);
     void strokeCommitted(crowd::model::BrushKind kind);
@@ -166,6 +183,8 @@ private:
     PathFocus m_paths;
     SessionControl m_session;
     std::array<model::BrushSettings, kBrushCount> m_brushes;
+    std::vector<ScriptBrush> m_scriptBrushes;
+    ScriptPainter* m_scriptPainter = nullptr; ///< somebody else's
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;
     Picking m_picking = Picking::None;

@@ -34,6 +34,8 @@ const std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)>& toolTable()
          BrushKind::Tag},
         {ToolId::BrushUntag, "brush-untag", QT_TRANSLATE_NOOP("Tools", "Untag Brush"), "U",
          BrushKind::Untag},
+        {ToolId::BrushScript, "brush-script", QT_TRANSLATE_NOOP("Tools", "Script Brush"), "S",
+         BrushKind::Script},
     }};
     return kTools;
 }
@@ -74,9 +76,8 @@ model::BrushSettings initialBrush(BrushKind kind)
         settings.radiusPixels = 24.0F;
         break;
     case BrushKind::Colour:
-        settings.selection = model::BrushSelection::AllInCircle;
-        break;
     case BrushKind::Orientation:
+    case BrushKind::Script:
         settings.selection = model::BrushSelection::AllInCircle;
         break;
     case BrushKind::Animation:

@@ -24,6 +24,7 @@ enum class ToolId : std::uint8_t {
     BrushEvent,
     BrushTag,
     BrushUntag,
+    BrushScript, ///< the one of EditorState::scriptBrushes() that was chosen last
     Count
 };
 
@@ -43,7 +44,7 @@ struct ToolInfo
 [[nodiscard]] std::optional<model::BrushKind> brushKindOf(ToolId id);
 [[nodiscard]] ToolId toolOf(model::BrushKind kind);
 
-inline constexpr std::size_t kBrushCount = 11;
+inline constexpr std::size_t kBrushCount = 12;
 /// How a brush is set when the editor starts.
 [[nodiscard]] model::BrushSettings initialBrush(model::BrushKind kind);
 

@@ -18,6 +18,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 };
 
+} // namespace
+
 QString affectedText(BrushKind kind, int count)
 {
     switch (kind) {
@@ -42,11 +44,11 @@ QString affectedText(BrushKind kind, int count)
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
+    case BrushKind::Script:
+        return Text::tr("%n people changed", nullptr, count);
     }
     return {};
 }
-
-} // namespace
 
 StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings,
                        std::uint64_t seed, const ToolInput& press)
@@ -125,6 +127,57 @@ void StrokeDrag::show(ToolPicture& picture) const
     if (settings.isReevaluated() || settings.kind == BrushKind::Create) {
         picture.label = Text::tr("%n people", nullptr, m_stroke->affected());
     }
+}
+
+ScriptStrokeDrag::ScriptStrokeDrag(const ToolContext& context, ScriptPainter& painter,
+                                   const ToolInput& press)
+    : m_painter(painter), m_settings(context.state.brush(BrushKind::Script)), m_press(press),
+      m_current(press)
+{
+}
+
+ScriptStrokeDrag::~ScriptStrokeDrag()
+{
+    cancel();
+}
+
+void ScriptStrokeDrag::update(const ToolInput& input)
+{
+    m_current = input;
+    if (!m_isOver) {
+        m_painter.move(input.pointer);
+    }
+}
+
+void ScriptStrokeDrag::tick(const ToolInput& resting, double /*elapsedSeconds*/)
+{
+    update(resting);
+}
+
+void ScriptStrokeDrag::release(const ToolInput& input)
+{
+    update(input);
+    if (!m_isOver) {
+        m_isOver = true;
+        m_painter.release();
+    }
+}
+
+void ScriptStrokeDrag::cancel()
+{
+    if (!m_isOver) {
+        m_isOver = true;
+        m_painter.cancel();
+    }
+}
+
+void ScriptStrokeDrag::show(ToolPicture& picture) const
+{
+    showBrush(m_settings, m_current.position(), m_current.pointer.pressure, picture);
+    if (m_settings.selection == BrushSelection::Rectangle) {
+        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+    }
+    picture.label = Text::tr("%n people", nullptr, m_painter.affected());
 }
 
 ResizeDrag::ResizeDrag(const ToolContext& context, BrushKind kind, const ToolInput& press)

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "model/brush/Stroke.h"
+#include "widgets/tools/ScriptPainter.h"
 #include "widgets/tools/Tool.h"
 
 namespace crowd::widgets {
@@ -31,6 +32,31 @@ private:
     ToolInput m_press;
     ToolInput m_current;
 };
+
+/// A stroke of a script brush: it goes on, and is taken back, where scripts run.
+class ScriptStrokeDrag : public DragSession
+{
+public:
+    /// The painter has begun the stroke.
+    ScriptStrokeDrag(const ToolContext& context, ScriptPainter& painter, const ToolInput& press);
+    ~ScriptStrokeDrag() override;
+
+    void update(const ToolInput& input) override;
+    void tick(const ToolInput& resting, double elapsedSeconds) override;
+    void release(const ToolInput& input) override;
+    void cancel() override;
+    void show(ToolPicture& picture) const override;
+
+private:
+    ScriptPainter& m_painter;
+    model::BrushSettings m_settings;
+    ToolInput m_press;
+    ToolInput m_current;
+    bool m_isOver = false;
+};
+
+/// What a stroke did, for the status bar.
+[[nodiscard]] QString affectedText(model::BrushKind kind, int count);
 
 /// Shift and dragging sideways: the circle stays where it is and grows or shrinks.
 class ResizeDrag : public DragSession

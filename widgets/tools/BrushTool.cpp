@@ -47,6 +47,8 @@ QString whatItDoes(BrushKind kind)
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
+    case BrushKind::Script:
+        return Text::tr("Drag: let the script change people · Escape: take it back");
     }
     return {};
 }
@@ -125,8 +127,28 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
     }
     const std::uint64_t seed = nextSeed();
     ++m_strokes;
+    if (m_kind == BrushKind::Script) {
+        return scriptStroke(seed, input);
+    }
     return std::make_unique<StrokeDrag>(
         m_context, settingsForButton(settings(), input.button, mapping), seed, input);
+}
+
+DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& input)
+{
+    EditorState& state = m_context.state;
+    ScriptPainter* painter = state.scriptPainter();
+    if (painter == nullptr || state.scriptBrushes().empty()) {
+        state.showStatus(Text::tr("No script brush is there yet: a script brings one along with "
+                                  "crowdbrush.register_brush."));
+        return nullptr;
+    }
+    const BrushSettings chosen =
+        settingsForButton(settings(), input.button, state.viewOptions().buttons);
+    if (!painter->begin(m_context.queries.brushContext(), chosen, seed, input.pointer)) {
+        return nullptr;
+    }
+    return std::make_unique<ScriptStrokeDrag>(m_context, *painter, input);
 }
 
 void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const

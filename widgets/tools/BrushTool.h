@@ -25,6 +25,7 @@ private:
     [[nodiscard]] std::uint64_t nextSeed() const;
     /// What a click picks instead of painting.
     [[nodiscard]] std::optional<PickKind> pickFor(Qt::KeyboardModifiers modifiers) const;
+    [[nodiscard]] DragSessionPtr scriptStroke(std::uint64_t seed, const ToolInput& input);
     void showTarget(ToolPicture& picture) const;
 
     ToolContext m_context;

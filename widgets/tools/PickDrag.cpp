@@ -76,6 +76,7 @@ std::optional<PickKind> pickOfBrush(BrushKind kind)
     case BrushKind::Event:
     case BrushKind::Path:
     case BrushKind::Environment:
+    case BrushKind::Script:
         break;
     }
     return std::nullopt;

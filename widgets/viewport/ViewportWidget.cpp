@@ -9,6 +9,7 @@
 #include <QtGui/QOpenGLContext>
 
 #include "render/Renderer.h"
+#include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportOverlay.h"
 #include "widgets/viewport/WorkBar.h"
@@ -349,7 +350,9 @@ WorkStatus ViewportWidget::workStatus()
         m_bakedBefore = baking.finishedClips;
     }
     if (const LongWork& work = m_state.longWork(); work.total > 0) {
-        return {work.text, static_cast<double>(work.done) / work.total, {}, {}};
+        const double done = static_cast<double>(work.done) / work.total;
+        return work.isStroke ? WorkStatus{work.text, done, tr("Cancel"), tr("Take it back (Esc)")}
+                             : WorkStatus{work.text, done, {}, {}};
     }
     if (baking.isPaused) {
         return {tr("Animations are not baked: some people stand still."), -1.0, tr("Bake"),
@@ -374,6 +377,10 @@ WorkStatus ViewportWidget::workStatus()
 
 void ViewportWidget::pressWorkButton()
 {
+    if (m_state.longWork().isStroke && m_state.scriptPainter() != nullptr) {
+        m_state.scriptPainter()->cancel();
+        return;
+    }
     m_state.keyframes().setPaused(!m_state.keyframes().progress().isPaused);
     update(); // what is drawn is asked for again
     refreshText();

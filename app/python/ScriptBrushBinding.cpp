@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/eval.h>
+
+#include "BrushesSource.h"
+#include "app/python/Binding.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+py::tuple toPair(glm::dvec2 point)
+{
+    return py::make_tuple(point.x, point.y);
+}
+
+/// Earlier dabs may have removed some.
+py::array_t<IndividualId> present(const ScenePtr& scene, const std::vector<IndividualId>& ids)
+{
+    const auto now = scene->scene();
+    std::vector<IndividualId> alive;
+    for (const IndividualId id : ids) {
+        if (now->population.rowOf(id) != Population::npos) {
+            alive.push_back(id);
+        }
+    }
+    return py::array_t<IndividualId>(static_cast<py::ssize_t>(alive.size()), alive.data());
+}
+
+/// The next dab; false: there are no more. Python's signals come through meanwhile.
+bool nextDab(ScriptStrokeLink& dabs, ScriptDab& dab)
+{
+    while (true) {
+        ScriptStrokeLink::Wait got{};
+        {
+            const py::gil_scoped_release others;
+            got = dabs.next(dab);
+        }
+        if (PyErr_CheckSignals() != 0) {
+            throw py::error_already_set();
+        }
+        if (got != ScriptStrokeLink::Wait::Nothing) {
+            return got == ScriptStrokeLink::Wait::Dab;
+        }
+    }
+}
+
+} // namespace
+
+void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush)
+{
+    const py::module_ module = py::module_::import("crowdbrush");
+    const py::object selected = module.attr("Selected");
+    const py::object apply = module.attr("_apply");
+    // A script may keep its selection longer than the stroke lasts.
+    const py::cpp_function report([link = dabs.weak_from_this()](double share) {
+        if (const auto still = link.lock()) {
+            still->report(share);
+        }
+    });
+    ScriptDab dab;
+    while (nextDab(dabs, dab)) {
+        const py::array_t<IndividualId> ids = present(scene, dab.ids);
+        if (ids.size() > 0) {
+            apply(brush, selected(scene, ids, dab.seed, toPair(dab.line.from), toPair(dab.line.to),
+                                  dab.heading, report));
+        }
+    }
+}
+
+void bindScriptBrushes(py::module_& module)
+{
+    py::exec(kBrushesSource, module.attr("__dict__"));
+}
+
+} // namespace crowd::app

@@ -1,0 +1,785 @@
+# SPDX-License-Identifier: MIT
+# Written by app/python/describe.py from the module as it is built: ./dev describe
+"""Everything the editor can do to a crowd, scripted. Metres, seconds, radians; Y is up and characters face +Z at heading 0. Columns are NumPy arrays."""
+import os
+from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
+
+import numpy
+import numpy.typing
+
+_Array = numpy.typing.NDArray[Any]
+Path = Union[str, "os.PathLike[str]"]
+Array = Any
+"""Whatever NumPy makes an array of: an array, a list, a number that stands for all."""
+Ids = Any
+"""Ids as an array or a list, or a mask with a bool for each individual."""
+_B = TypeVar("_B")
+
+brushes: Dict[str, Any]
+"""Brushes that register_brush made known, by name."""
+
+
+class Error(RuntimeError):
+    """What is wrong, as the editor would say it. Nothing has changed."""
+
+
+class Clip:
+    """An animation of a template, for reading."""
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def seconds(self) -> float:
+        ...
+    @property
+    def keyframes(self) -> int:
+        """Sampled 32 times a second."""
+    @property
+    def speed(self) -> float:
+        """Ground speed at playback speed 1, m/s."""
+    @property
+    def loop(self) -> bool:
+        ...
+    @property
+    def seat_height(self) -> Optional[float]:
+        """Metres; None: it does not sit."""
+
+
+class Template:
+    """A character of a scene, to make copies of. Follows undo: using one whose template is gone
+    raises Error."""
+    @property
+    def id(self) -> int:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def path(self) -> str:
+        ...
+    @property
+    def clips(self) -> List[Clip]:
+        ...
+    @property
+    def clip_names(self) -> List[str]:
+        """What the column "clip" counts."""
+    @property
+    def slots(self) -> List[str]:
+        ...
+    @property
+    def parts(self) -> List[str]:
+        """Bit i of the column "parts" shows part i."""
+    @property
+    def levels(self) -> List[int]:
+        """Triangles of each level of detail."""
+    @property
+    def height_m(self) -> float:
+        ...
+    @property
+    def triangles(self) -> _Array:
+        """T×3 uint32: vertex indices of level 0."""
+    def keyframe_vertices(self, clip: Union[int, str], k: int) -> _Array:
+        """V×3 float32: level 0 of keyframe k, metres, the template's own frame, file order."""
+    def keyframe_normals(self, clip: Union[int, str], k: int) -> _Array:
+        """V×3 float32: unit normals of the same vertices."""
+    def __eq__(self, other: Any) -> bool:
+        ...
+    def __hash__(self) -> int: ...
+
+
+class BrushKind:
+    """What a brush does."""
+    CREATE: ClassVar[BrushKind]
+    DELETE: ClassVar[BrushKind]
+    COLOUR: ClassVar[BrushKind]
+    ORIENTATION: ClassVar[BrushKind]
+    ANIMATION: ClassVar[BrushKind]
+    WALK: ClassVar[BrushKind]
+    TAG: ClassVar[BrushKind]
+    UNTAG: ClassVar[BrushKind]
+    SCRIPT: ClassVar[BrushKind]
+    name: str
+    value: int
+
+
+class Selection:
+    """Screen area to individuals or points."""
+    POINT: ClassVar[Selection]
+    SPRAY: ClassVar[Selection]
+    ALL_IN_CIRCLE: ClassVar[Selection]
+    RECTANGLE: ClassVar[Selection]
+    name: str
+    value: int
+
+
+class Operator:
+    """How values vary over what is selected."""
+    UNIFORM: ClassVar[Operator]
+    RANDOM: ClassVar[Operator]
+    GRADIENT: ClassVar[Operator]
+    name: str
+    value: int
+
+
+class Facing:
+    """Which way: a direction, or after something."""
+    DIRECTION: ClassVar[Facing]
+    RANDOM: ClassVar[Facing]
+    ALONG_STROKE: ClassVar[Facing]
+    TOWARDS_POINT: ClassVar[Facing]
+    TOWARDS_VIEWER: ClassVar[Facing]
+    name: str
+    value: int
+
+
+class HeadingSettings:
+    """Which way people face. Radians."""
+    @property
+    def mode(self) -> Facing:
+        ...
+    @mode.setter
+    def mode(self, value: Facing) -> None:
+        ...
+    @property
+    def heading(self) -> float:
+        """Radians, 0 faces +Z."""
+    @heading.setter
+    def heading(self, value: float) -> None:
+        ...
+    @property
+    def spread(self) -> float:
+        """Radians to each side."""
+    @spread.setter
+    def spread(self, value: float) -> None:
+        ...
+    @property
+    def turn(self) -> float:
+        """Radians, added where the heading follows something else."""
+    @turn.setter
+    def turn(self, value: float) -> None:
+        ...
+    @property
+    def towards_point(self) -> Sequence[float]:
+        """World frame, metres."""
+    @towards_point.setter
+    def towards_point(self, value: Sequence[float]) -> None:
+        ...
+
+
+class SeatGridSettings:
+    """Which seats people come onto."""
+    @property
+    def is_on(self) -> bool:
+        """Create on free seats only."""
+    @is_on.setter
+    def is_on(self, value: bool) -> None:
+        ...
+    @property
+    def ranks(self) -> List[int]:
+        """Empty: all. Assign a whole list."""
+    @ranks.setter
+    def ranks(self, value: List[int]) -> None:
+        ...
+    @property
+    def wedges(self) -> List[int]:
+        """Empty: all. Assign a whole list."""
+    @wedges.setter
+    def wedges(self, value: List[int]) -> None:
+        ...
+
+
+class CreateSettings:
+    """Who is created, and how."""
+    @property
+    def mix(self) -> Dict[Any, Any]:
+        """Template (or its id) → weight."""
+    @mix.setter
+    def mix(self, value: Dict[Any, Any]) -> None:
+        ...
+    @property
+    def minimal_distance(self) -> float:
+        """Metres."""
+    @minimal_distance.setter
+    def minimal_distance(self, value: float) -> None:
+        ...
+    @property
+    def height(self) -> Tuple[float, float]:
+        """Scale, (lowest, highest)."""
+    @height.setter
+    def height(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def girth(self) -> Tuple[float, float]:
+        """Scale, (lowest, highest)."""
+    @girth.setter
+    def girth(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def palette(self) -> List[Sequence[int]]:
+        """List of (red, green, blue), 0–255. Assign a whole list."""
+    @palette.setter
+    def palette(self, value: List[Sequence[int]]) -> None:
+        ...
+    @property
+    def palette_strength(self) -> float:
+        """0–1."""
+    @palette_strength.setter
+    def palette_strength(self, value: float) -> None:
+        ...
+    @property
+    def varies_outfit(self) -> bool:
+        """Any material of each slot, else the first."""
+    @varies_outfit.setter
+    def varies_outfit(self, value: bool) -> None:
+        ...
+    @property
+    def varies_parts(self) -> bool:
+        """Each part worn or not, else as the template has them."""
+    @varies_parts.setter
+    def varies_parts(self, value: bool) -> None:
+        ...
+    @property
+    def phase(self) -> Tuple[float, float]:
+        ...
+    @phase.setter
+    def phase(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def clips(self) -> Dict[Any, Any]:
+        """Name → weight; empty: what suits the place."""
+    @clips.setter
+    def clips(self, value: Dict[Any, Any]) -> None:
+        ...
+    @property
+    def facing(self) -> HeadingSettings:
+        ...
+    @facing.setter
+    def facing(self, value: HeadingSettings) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """Persons per m², rectangles."""
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def seat_percent(self) -> float:
+        """Per cent, rectangles."""
+    @seat_percent.setter
+    def seat_percent(self, value: float) -> None:
+        ...
+    @property
+    def seats(self) -> SeatGridSettings:
+        ...
+    @seats.setter
+    def seats(self, value: SeatGridSettings) -> None:
+        ...
+
+
+class DeleteSettings:
+    """How many are removed."""
+    @property
+    def percent(self) -> float:
+        """Of those in the area."""
+    @percent.setter
+    def percent(self, value: float) -> None:
+        ...
+
+
+class ColourSettings:
+    """Tints of slots."""
+    @property
+    def slot(self) -> str:
+        """By name; empty: all tintable slots."""
+    @slot.setter
+    def slot(self, value: str) -> None:
+        ...
+    @property
+    def colors(self) -> List[Sequence[int]]:
+        """List of (red, green, blue), 0–255. Assign a whole list."""
+    @colors.setter
+    def colors(self, value: List[Sequence[int]]) -> None:
+        ...
+    @property
+    def strength(self) -> float:
+        """0–1."""
+    @strength.setter
+    def strength(self, value: float) -> None:
+        ...
+    @property
+    def blends(self) -> bool:
+        ...
+    @blends.setter
+    def blends(self, value: bool) -> None:
+        ...
+    @property
+    def each_slot_apart(self) -> bool:
+        ...
+    @each_slot_apart.setter
+    def each_slot_apart(self, value: bool) -> None:
+        ...
+
+
+class OrientationSettings:
+    """Which way people are turned."""
+    @property
+    def facing(self) -> HeadingSettings:
+        ...
+    @facing.setter
+    def facing(self, value: HeadingSettings) -> None:
+        ...
+
+
+class AnimationSettings:
+    """What people do."""
+    @property
+    def clips(self) -> Dict[Any, Any]:
+        """Name → weight; empty: unchanged."""
+    @clips.setter
+    def clips(self, value: Dict[Any, Any]) -> None:
+        ...
+    @property
+    def sets_phase(self) -> bool:
+        ...
+    @sets_phase.setter
+    def sets_phase(self, value: bool) -> None:
+        ...
+    @property
+    def phase(self) -> Tuple[float, float]:
+        ...
+    @phase.setter
+    def phase(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def sets_speed(self) -> bool:
+        ...
+    @sets_speed.setter
+    def sets_speed(self, value: bool) -> None:
+        ...
+    @property
+    def speed(self) -> Tuple[float, float]:
+        ...
+    @speed.setter
+    def speed(self, value: Tuple[float, float]) -> None:
+        ...
+
+
+class WalkSettings:
+    """Which path people follow, and how fast."""
+    @property
+    def sets_path(self) -> bool:
+        ...
+    @sets_path.setter
+    def sets_path(self, value: bool) -> None:
+        ...
+    @property
+    def path(self) -> int:
+        """Id of a path; 0: follow none."""
+    @path.setter
+    def path(self, value: int) -> None:
+        ...
+    @property
+    def sets_speed(self) -> bool:
+        ...
+    @sets_speed.setter
+    def sets_speed(self, value: bool) -> None:
+        ...
+    @property
+    def speed(self) -> Tuple[float, float]:
+        """m/s, (lowest, highest)."""
+    @speed.setter
+    def speed(self, value: Tuple[float, float]) -> None:
+        ...
+
+
+class Brush:
+    """A brush with the editor's own settings."""
+    def __init__(self, kind: BrushKind) -> None:
+        ...
+    def copy(self) -> Brush:
+        """Another one, set the same."""
+    def __eq__(self, other: Any) -> bool:
+        ...
+    def __hash__(self) -> int: ...
+    @property
+    def kind(self) -> BrushKind:
+        ...
+    @kind.setter
+    def kind(self, value: BrushKind) -> None:
+        ...
+    @property
+    def selection(self) -> Selection:
+        ...
+    @selection.setter
+    def selection(self, value: Selection) -> None:
+        ...
+    @property
+    def operator(self) -> Operator:
+        ...
+    @operator.setter
+    def operator(self, value: Operator) -> None:
+        ...
+    @property
+    def radius(self) -> float:
+        """Logical pixels."""
+    @radius.setter
+    def radius(self, value: float) -> None:
+        ...
+    @property
+    def rate(self) -> float:
+        """Spray: points a second."""
+    @rate.setter
+    def rate(self, value: float) -> None:
+        ...
+    @property
+    def through(self) -> bool:
+        """Also those hidden behind others."""
+    @through.setter
+    def through(self, value: bool) -> None:
+        ...
+    @property
+    def build_up(self) -> bool:
+        ...
+    @build_up.setter
+    def build_up(self, value: bool) -> None:
+        ...
+    @property
+    def flow(self) -> float:
+        ...
+    @flow.setter
+    def flow(self, value: float) -> None:
+        ...
+    @property
+    def pressure_size(self) -> bool:
+        ...
+    @pressure_size.setter
+    def pressure_size(self, value: bool) -> None:
+        ...
+    @property
+    def pressure_rate(self) -> bool:
+        ...
+    @pressure_rate.setter
+    def pressure_rate(self, value: bool) -> None:
+        ...
+    @property
+    def distribution(self) -> Sequence[float]:
+        """16 weights over the range, for the random operator."""
+    @distribution.setter
+    def distribution(self, value: Sequence[float]) -> None:
+        ...
+    @property
+    def create(self) -> CreateSettings:
+        ...
+    @create.setter
+    def create(self, value: CreateSettings) -> None:
+        ...
+    @property
+    def removal(self) -> DeleteSettings:
+        ...
+    @removal.setter
+    def removal(self, value: DeleteSettings) -> None:
+        ...
+    @property
+    def colour(self) -> ColourSettings:
+        ...
+    @colour.setter
+    def colour(self, value: ColourSettings) -> None:
+        ...
+    @property
+    def orientation(self) -> OrientationSettings:
+        ...
+    @orientation.setter
+    def orientation(self, value: OrientationSettings) -> None:
+        ...
+    @property
+    def animation(self) -> AnimationSettings:
+        ...
+    @animation.setter
+    def animation(self, value: AnimationSettings) -> None:
+        ...
+    @property
+    def walk(self) -> WalkSettings:
+        ...
+    @walk.setter
+    def walk(self, value: WalkSettings) -> None:
+        ...
+    @property
+    def tag(self) -> int:
+        """Of the tag brushes: the bit, 0–63."""
+    @tag.setter
+    def tag(self, value: int) -> None:
+        ...
+
+
+class Range:
+    """Limits of a setting: speed: Annotated[float, crowdbrush.Range(0, 4, step=0.1)] = 1.0"""
+    low: float
+    high: float
+    step: Optional[float]
+    def __init__(self, low: float, high: float, step: Optional[float] = ...) -> None:
+        ...
+
+
+class Selected:
+    """Whom a dab of a stroke reaches: what apply(selection) of a brush gets.
+    
+    scene: the scene; all that is done to it belongs to the stroke. ids: uint32, ascending, alive.
+    seed: a number of this dab. start, end: of the way so far, (x, y) in logical pixels; heading: of
+    the way on the ground, radians, or None."""
+    scene: Scene
+    ids: _Array
+    seed: int
+    start: Tuple[float, float]
+    end: Tuple[float, float]
+    heading: Optional[float]
+    def __init__(self, scene: Scene, ids: _Array, seed: int, start: Tuple[float, float], end: Tuple[float, float], heading: Optional[float], report: Callable[[float], None]) -> None:
+        ...
+    def __len__(self) -> int:
+        ...
+    @property
+    def random(self) -> numpy.random.Generator:
+        """A NumPy generator that gives the same numbers for the same stroke, dab by dab."""
+    def column(self, name: str) -> _Array:
+        """A copy of a column of these individuals, in the order of ids."""
+    def change(self, **columns: Array) -> None:
+        """scene.change for these individuals: columns by keyword, one value for all or one each."""
+    def remove(self) -> None:
+        """scene.remove for these individuals."""
+    def progress(self, done: float) -> None:
+        """Says how much of this dab is done, 0 to 1: shown over the picture when it takes long."""
+
+
+class Scene:
+    """A document: people, templates, stages, cameras, history."""
+    def __init__(self) -> None:
+        """An empty scene."""
+    def save(self, path: Path = ...) -> None:
+        """Writes a .crowd file, whole or not at all. Without a path: where it was opened or
+        saved last. Raises Error where the file cannot be written."""
+    @property
+    def path(self) -> str:
+        """The file that it was opened from or saved to; empty: none."""
+    @property
+    def modified(self) -> bool:
+        """Whether there is something to save."""
+    def undo(self) -> bool:
+        """Takes the last step back; False when there was nothing to undo. Raises Error inside an
+        edit."""
+    def redo(self) -> bool:
+        """False when there was nothing to redo."""
+    @property
+    def history(self) -> List[str]:
+        """Texts of all steps, oldest first."""
+    @property
+    def history_index(self) -> int:
+        """How many steps are done."""
+    def edit(self, name: str) -> Edit:
+        """with scene.edit("name"): all changes become one undo step; an exception takes them back."""
+    def __len__(self) -> int:
+        ...
+    @property
+    def ids(self) -> _Array:
+        """N uint32, ascending."""
+    def column(self, name: str) -> _Array:
+        """A copy of a column for everybody, rows by ascending id: N numbers, N×3 float32 for
+        position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error
+        for an unknown name."""
+    def create(self, *, count: Optional[int] = ..., **columns: Array) -> _Array:
+        """create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or
+        one each; a seat brings position, heading and a sitting clip. count: how many, where
+        no column says so. Raises Error, and creates nobody, for wrong shapes, values that are
+        not finite, unknown templates and clips, seats that are taken."""
+    def remove(self, ids: Ids) -> None:
+        """By ids or by a mask over everybody. Raises Error for ids that are dead or named twice."""
+    def change(self, ids: Ids, **columns: Array) -> None:
+        """change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one each,
+        in the order of ids. Raises Error, and changes nothing, for dead ids, wrong shapes and
+        values that are not finite."""
+    @property
+    def seats(self) -> Dict[Any, Any]:
+        """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
+        (bool)."""
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ...) -> Picture:
+        """The picture as height × width × 4 uint8. Needs no display."""
+    @property
+    def templates(self) -> List[Template]:
+        """Characters to make copies of."""
+    def template(self, name: str) -> Template:
+        """The first one of that name."""
+    def add_template(self, path: Path, name: str = ..., *, id: int = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ...) -> Template:
+        """A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb. The rest is
+        what the import dialog asks for: a scale, a rotation (w, x, y, z), metres added to Y,
+        and ground speeds in m/s, clip by clip (None: the file's)."""
+    def change_template(self, template: Union[Template, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ...) -> None:
+        """By handle or id; what is not given stays. See add_template."""
+    def remove_template(self, template: Union[Template, int]) -> None:
+        """By handle or id; refused as long as somebody is of it."""
+    @property
+    def stages(self) -> List[Stage]:
+        """Geometry that people stand on, as it is placed."""
+    def add_stage(self, path: Path, name: str = ..., position: Sequence[float] = ..., heading: float = ..., scale: float = ..., *, id: int = ...) -> Stage:
+        """A .glb or .gltf file, or a built-in one such as builtin:stages/theatre.glb. Metres,
+        radians."""
+    def change_stage(self, stage: Union[Stage, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., position: Optional[Sequence[float]] = ..., heading: Optional[float] = ..., scale: Optional[float] = ...) -> None:
+        """By stage or id; what is not given stays."""
+    def remove_stage(self, stage: Union[Stage, int]) -> None:
+        """By stage or id."""
+    @property
+    def cameras(self) -> Dict[Any, Any]:
+        """Name → Camera."""
+    def set_camera(self, name: str, camera: Camera) -> None:
+        """Moves the one of that name, or adds it."""
+    def remove_camera(self, name: str) -> None:
+        """Raises Error where there is none of that name."""
+    def set_cameras(self, cameras: List[Tuple[str, Camera]]) -> None:
+        """All of them, as pairs of name and Camera, in this order."""
+    @property
+    def lighting(self) -> Lighting:
+        """As it is now; changed with set_lighting."""
+    def set_lighting(self, lighting: Lighting) -> None:
+        """Sun, sky and ground as given."""
+    @property
+    def environment(self) -> Any:
+        """A dict of lists as the project file has them: places, paths, tags, rules."""
+    def set_environment(self, environment: Union[str, Dict[str, Any]]) -> None:
+        """Lists of places, paths, tags and rules as in environment, or the same as JSON text;
+        what is not in it stays. Raises Error where a member is wrong."""
+    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
+        """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
+        y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
+        on screen, for all of them with time=."""
+
+
+class Edit:
+    """What scene.edit(name) gives: for `with`."""
+    def __enter__(self) -> Scene:
+        ...
+    def __exit__(self, arg0: Any, arg1: Any, arg2: Any) -> None:
+        ...
+
+
+class Camera:
+    """Where a picture is taken from. World frame, metres."""
+    def __init__(self, position: Sequence[float], target: Sequence[float], fov: float = ...) -> None:
+        """Looks from position to target, metres. fov: vertical, degrees."""
+    @staticmethod
+    def exact(position: Sequence[float], orientation: Sequence[float], *, orthographic: bool = ..., fov_radians: float = ..., height: float = ..., pivot_distance: float = ...) -> Camera:
+        """Just as the editor holds it: orientation is a quaternion (w, x, y, z) of a view along
+        -Z with Y up; height: metres from bottom to top, orthographic; pivot_distance: to the
+        point that orbiting turns around."""
+    @property
+    def position(self) -> Sequence[float]:
+        ...
+    @property
+    def target(self) -> Sequence[float]:
+        ...
+    @property
+    def orientation(self) -> Sequence[float]:
+        """Quaternion (w, x, y, z)."""
+    @property
+    def orthographic(self) -> bool:
+        ...
+    @property
+    def fov_radians(self) -> float:
+        """Vertical."""
+    @property
+    def height(self) -> float:
+        """Metres, orthographic."""
+    @property
+    def pivot_distance(self) -> float:
+        """Metres."""
+    def __eq__(self, other: Any) -> bool:
+        ...
+    def __hash__(self) -> int: ...
+
+
+class Picture(numpy.ndarray[Any, Any]):
+    """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
+    def save_png(self, path: Path) -> None:
+        """Writes the picture to a file, whole or not at all."""
+
+
+class Lighting:
+    """Sun, sky and ground. Angles in radians, colours sRGB 0–1."""
+    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ...) -> None:
+        ...
+    @property
+    def sun_azimuth(self) -> float:
+        """From +Z towards +X."""
+    @property
+    def sun_elevation(self) -> float:
+        ...
+    @property
+    def sun_color(self) -> Sequence[float]:
+        ...
+    @property
+    def sun_strength(self) -> float:
+        ...
+    @property
+    def ambient_color(self) -> Sequence[float]:
+        ...
+    @property
+    def ambient_strength(self) -> float:
+        ...
+    @property
+    def sky_zenith(self) -> Sequence[float]:
+        ...
+    @property
+    def sky_horizon(self) -> Sequence[float]:
+        ...
+    @property
+    def ground(self) -> Sequence[float]:
+        ...
+    @property
+    def ground_grid(self) -> bool:
+        ...
+
+
+class Stage:
+    """A stage as it is placed in a scene, for reading."""
+    @property
+    def id(self) -> int:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def path(self) -> str:
+        ...
+    @property
+    def position(self) -> Sequence[float]:
+        """World frame, metres."""
+    @property
+    def heading(self) -> float:
+        """Radians."""
+    @property
+    def scale(self) -> float:
+        ...
+
+
+class StrokeOutcome:
+    """What a stroke did."""
+    @property
+    def committed(self) -> bool:
+        """Whether it made an undo step."""
+    @property
+    def affected(self) -> int:
+        """Created, removed or changed."""
+    @property
+    def message(self) -> str:
+        """Why nothing happened; empty otherwise."""
+
+
+def register_brush(brush: _B, name: Optional[str] = ...) -> _B:
+    """Makes a brush known: in the editor it appears in the palette. Usable as a decorator.
+    
+    brush: a class with apply(selection), an instance of one, or a function. apply changes people;
+    what a function, or a method values(selection), returns is a dict of columns with one value for
+    all or one each. Public attributes with a type (bool, int, float, str, an Enum, a Literal, a
+    colour as tuple[int, int, int]) are settings; selection, radius, rate, through and build_up say
+    where it reaches at first. Returns the brush. Raises TypeError when it is none."""
+
+
+def open(path: Path) -> Scene:
+    """Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd. Raises
+    Error with the reason why it cannot be read."""

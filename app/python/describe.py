@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: MIT
+"""Describes the module crowdbrush as it is built: its stubs, or its page of the manual.
+
+    describe.py stubs > app/python/crowdbrush.pyi
+    describe.py manual > docs/python.md"""
+import enum
+import inspect
+import re
+import sys
+import textwrap
+
+import crowdbrush
+
+INDENT = "    "
+HEAD = '''# SPDX-License-Identifier: MIT
+# Written by app/python/describe.py from the module as it is built: ./dev describe
+"""{doc}"""
+import os
+from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
+
+import numpy
+import numpy.typing
+
+_Array = numpy.typing.NDArray[Any]
+Path = Union[str, "os.PathLike[str]"]
+Array = Any
+"""Whatever NumPy makes an array of: an array, a list, a number that stands for all."""
+Ids = Any
+"""Ids as an array or a list, or a mask with a bool for each individual."""
+_B = TypeVar("_B")
+
+brushes: Dict[str, Any]
+"""Brushes that register_brush made known, by name."""
+'''
+
+# What pybind11 writes of types, in words of typing.
+TYPES = [
+    (r"\bcrowdbrush\.", ""),
+    (r"\bos\.PathLike\b", "Path"),
+    (r"List\[(float|int)\[\d+\]\]", r"Sequence[\1]"),
+    (r"\bdict\b", "Dict[Any, Any]"),
+    (r"numpy\.ndarray\[[^\]]*\]", "numpy.ndarray"),
+    (r"\bnumpy\.ndarray\b", "_Array"),
+    (r"\bobject\b", "Any"),
+    (r"\bhandle\b", "Any"),
+    (r"\*\*kwargs", "**columns: Array"),
+]
+# What it takes where pybind11 says less than there is.
+ARGUMENTS = {
+    ("Scene", "remove", "ids"): "Ids",
+    ("Scene", "change", "ids"): "Ids",
+    ("Scene", "set_environment", "environment"): "Union[str, Dict[str, Any]]",
+    ("Scene", "stroke", "points"): "Array",
+    ("Scene", "stroke", "brush"): "Union[Brush, Any]",
+    ("Scene", "change_template", "template"): "Union[Template, int]",
+    ("Scene", "remove_template", "template"): "Union[Template, int]",
+    ("Scene", "change_stage", "stage"): "Union[Stage, int]",
+    ("Scene", "remove_stage", "stage"): "Union[Stage, int]",
+}
+ERROR_DOC = "What is wrong, as the editor would say it. Nothing has changed."
+RESULTS = {("Scene", "render"): "Picture", ("Edit", "__enter__"): "Scene"}
+
+
+def typed(text):
+    for pattern, by in TYPES:
+        text = re.sub(pattern, by, text)
+    return text.strip()
+
+
+def split_arguments(text):
+    """At commas that stand in no bracket."""
+    parts, depth, start = [], 0, 0
+    for i, letter in enumerate(text):
+        depth += (letter in "([{<") - (letter in ")]}>" and text[i - 1:i + 1] != "->")
+        if letter == "," and depth == 0:
+            parts.append(text[start:i].strip())
+            start = i + 1
+    return [part for part in parts + [text[start:].strip()] if part]
+
+
+def of_pybind(doc):
+    """(arguments, result, what it says) of a docstring that pybind11 began with a signature."""
+    first, _, rest = doc.partition("\n")
+    match = re.match(r"\w+\((.*)\) -> (.*)$", first)
+    return split_arguments(match[1]), match[2], rest.strip()
+
+
+def argument(owner, function, text):
+    name, colon, rest = text.partition(":")
+    if not colon:
+        return typed(text)
+    kind, equals, default = rest.partition(" = ")
+    kind = ARGUMENTS.get((owner, function, name), typed(kind))
+    if default == "None" and not kind.startswith(("Optional", "Union[None")) and kind != "Any":
+        kind = f"Optional[{kind}]"
+    return f"{name}: {kind}" + (" = ..." if equals else "")
+
+
+def plain(annotation, missing="Any"):
+    """An annotation of Python's own as text."""
+    if annotation is inspect.Signature.empty:
+        return missing
+    return typed(annotation.__name__ if isinstance(annotation, type) else str(annotation).strip("'\""))
+
+
+class Function:
+    def __init__(self, owner, name, value):
+        doc = value.__doc__ or ""
+        self.is_static = isinstance(inspect.getattr_static(getattr(crowdbrush, owner), name), staticmethod) if owner else False
+        if re.match(r"\w+\(.*\) -> ", doc.partition("\n")[0]):
+            arguments, result, self.doc = of_pybind(doc)
+            self.arguments = [argument(owner, name, each) for each in arguments]
+            if owner and self.arguments and self.arguments[0].startswith("self"):
+                self.arguments[0] = "self"
+            elif owner and not self.is_static and self.arguments:
+                self.arguments[0] = "self"
+            self.result = RESULTS.get((owner, name), typed(result))
+        else:
+            signature = inspect.signature(value)
+            self.arguments = [typed(re.sub(r" = .*", " = ...", str(each).replace("'", "")))
+                              for each in signature.parameters.values()]
+            self.result = plain(signature.return_annotation, "None")
+            self.doc = inspect.getdoc(value) or ""
+            if self.doc.startswith("Initialize self."):
+                self.doc = ""
+        if name in ("__eq__", "__ne__"):
+            self.arguments = ["self", "other: Any"]
+            self.result = "bool"
+
+    def line(self, name):
+        return f"def {name}({', '.join(self.arguments)}) -> {self.result}:"
+
+
+def documented(doc, indent):
+    if not doc:
+        return [f"{indent}..."]
+    if len(doc) > 90 and "\n" not in doc:
+        doc = "\n".join(textwrap.wrap(doc, 94 - len(indent), break_long_words=False))
+    return [f'{indent}"""{doc.replace(chr(10), chr(10) + indent)}"""']
+
+
+def members(cls):
+    skipped = {"__module__", "__dict__", "__weakref__", "__doc__", "__annotations__", "__new__",
+               "__match_args__", "__dataclass_fields__", "__dataclass_params__", "__setattr__",
+               "__delattr__", "__entries", "__members__"}
+    for name, value in vars(cls).items():
+        if name == "__init__" and "Initialize self." in (value.__doc__ or "") and not inspect.isfunction(value):
+            continue  # nobody makes one
+        is_wanted = not name.startswith("_") or name in (
+            "__init__", "__len__", "__eq__", "__hash__", "__enter__", "__exit__")
+        if name not in skipped and is_wanted and not name.startswith("_pybind"):
+            yield name, value
+
+
+def is_enum(cls):
+    return hasattr(cls, "__members__")
+
+
+def of_property(cls, name, value):
+    """(type, what it says, whether it can be set)."""
+    doc = value.fget.__doc__ or ""
+    if "->" in doc.partition("\n")[0]:
+        kind = typed(doc.partition("\n")[0].rpartition("->")[2])
+        said = value.__doc__ or ""
+        return kind, "" if "->" in said.partition("\n")[0] else said.strip(), value.fset is not None
+    return plain(inspect.signature(value.fget).return_annotation), inspect.getdoc(value) or "", \
+        value.fset is not None
+
+
+def class_lines(name, cls):
+    base = "numpy.ndarray[Any, Any]" if name == "Picture" else "RuntimeError" if name == "Error" else ""
+    lines = ["", "", f"class {name}({base}):" if base else f"class {name}:"]
+    doc = ERROR_DOC if name == "Error" else inspect.getdoc(cls) or ""
+    if is_enum(cls):
+        doc = doc.partition("\n\nMembers:")[0].strip()
+        doc = "" if doc.startswith("Members:") else doc
+    lines += documented(doc, INDENT) if doc else []
+    if name == "Error":
+        return lines
+    if is_enum(cls):
+        lines += [f"{INDENT}{each}: ClassVar[{name}]" for each in cls.__members__]
+        lines += [f"{INDENT}name: str", f"{INDENT}value: int"]
+        return lines
+    for field, kind in getattr(cls, "__annotations__", {}).items():
+        lines.append(f"{INDENT}{field}: {plain(kind)}")
+    for member, value in members(cls):
+        if isinstance(value, property):
+            kind, said, can_set = of_property(cls, member, value)
+            lines += [f"{INDENT}@property", f"{INDENT}def {member}(self) -> {kind}:"]
+            lines += documented(said, 2 * INDENT)
+            if can_set:
+                lines += [f"{INDENT}@{member}.setter", f"{INDENT}def {member}(self, value: {kind}) -> None:",
+                          f"{2 * INDENT}..."]
+        elif member == "__hash__":
+            lines.append(f"{INDENT}def __hash__(self) -> int: ...")
+        elif callable(getattr(cls, member)) and member in getattr(cls, "__annotations__", {}):
+            continue
+        elif callable(getattr(cls, member)):
+            function = Function(name, member, getattr(cls, member))
+            if function.is_static:
+                lines.append(f"{INDENT}@staticmethod")
+            lines.append(INDENT + function.line(member))
+            lines += documented(function.doc, 2 * INDENT)
+    return lines
+
+
+def public():
+    """Classes first, in the order of their making."""
+    everything = [(name, value) for name, value in vars(crowdbrush).items() if not name.startswith("_")]
+    classes = [each for each in everything if inspect.isclass(each[1])]
+    functions = [each for each in everything if callable(each[1]) and not inspect.isclass(each[1])]
+    return classes, functions
+
+
+def stubs():
+    classes, functions = public()
+    lines = [HEAD.format(doc=crowdbrush.__doc__).rstrip()]
+    for name, cls in classes:
+        lines += class_lines(name, cls)
+    for name, value in functions:
+        function = Function("", name, value)
+        lines += ["", "", function.line(name)] + documented(function.doc, INDENT)
+    return "\n".join(lines) + "\n"
+
+
+INTRODUCTION = """# Crowdbrush in Python
+
+{doc}
+
+Written by `app/python/describe.py` from the module itself; `./dev describe` writes it again.
+
+`import crowdbrush` works in the editor's console (**F12**, with the open document as `scene`), in
+`crowdbrush script FILE.py`, and in a plain `/usr/bin/python3` with `build/release/python` on its
+path. Neither of the last two needs a display. `tests/python/examples/` holds scripts to learn from.
+
+What is wrong raises `crowdbrush.Error` with the message that the editor would show, before anything
+changes. `with scene.edit("name"):` makes one undo step of what is in it, or none at all when an
+exception leaves it. `Array` stands for whatever NumPy makes an array of; a single value stands for
+all individuals.
+
+*Script > Record Script* in the editor writes down as Python what is done by hand.
+
+## Columns
+
+`scene.column(name)` gives a copy, rows by ascending id; `scene.create` and `scene.change` take the
+same names as keywords.
+
+| column | an individual | |
+|---|---|---|
+| `id` | uint32 | never used again while the scene lives; for reading |
+| `template` | uint16 | the id of a template, or a `Template` |
+| `position` | 3 × float32 | metres, world frame, Y up: the foot point |
+| `heading` | float32 | radians, 0 faces +Z, grows towards +X |
+| `height`, `girth` | float32 | scales, above zero |
+| `tint` | 8 × 4 uint8 | of each slot: red, green, blue (sRGB), strength; one colour for all slots where it is written |
+| `tint0` … `tint7` | 4 × uint8 | of one slot |
+| `choices` | 8 × uint8 | the material of each slot |
+| `parts` | uint32 | bit i shows part i of the template |
+| `clip` | uint16 | counts in `Template.clip_names`; names are taken too |
+| `phase` | float32 | 0 to 1 of the clip at time 0 |
+| `speed` | float32 | of playback |
+| `seat` | uint32 | one of `scene.seats["id"]`; 0xFFFFFFFF: none |
+| `tags` | uint64 | bits |
+| `group`, `seed` | uint32 | |
+| `path` | uint32 | the id of a path in `scene.environment`; 0: none |
+| `walkSpeed` | float32 | m/s; 0: the usual one |
+"""
+
+
+def manual_class(name, cls):
+    lines = ["", f"### {name}", ""]
+    doc = ERROR_DOC if name == "Error" else inspect.getdoc(cls) or ""
+    if is_enum(cls):
+        said = doc.partition("\n\nMembers:")[0].strip()
+        lines += [said, ""] if said and not said.startswith("Members:") else []
+        lines += ["`" + "`, `".join(cls.__members__) + "`"]
+        return lines
+    lines += [doc.replace("\n", " ")] if doc else []
+    for member, value in members(cls):
+        if isinstance(value, property):
+            kind, said, can_set = of_property(cls, member, value)
+            lines += ["", f"- `{member}: {kind}`" + ("" if can_set else " (for reading)") +
+                      (f" – {said}" if said else "")]
+        elif member.startswith("__") and member not in ("__init__", "__len__"):
+            continue
+        elif callable(getattr(cls, member)):
+            function = Function(name, member, getattr(cls, member))
+            arguments = ", ".join(a for a in function.arguments if a != "self")
+            shown = {"__init__": name, "__len__": "len"}.get(member, member)
+            said = function.doc.replace("\n", " ")
+            lines += ["", f"- `{shown}({arguments})`" +
+                      (f" → `{function.result}`" if function.result != "None" else "") +
+                      (f" – {said}" if said else "")]
+    return [line for i, line in enumerate(lines) if line or i == 0 or lines[i - 1]]
+
+
+def manual():
+    classes, functions = public()
+    lines = [INTRODUCTION.format(doc=crowdbrush.__doc__).rstrip(), "", "## Functions", ""]
+    for name, value in functions:
+        function = Function("", name, value)
+        lines.append(f"- `{name}({', '.join(function.arguments)})` → `{function.result}` – " +
+                     function.doc.replace("\n", " "))
+    lines += ["", "## Classes"]
+    for name, cls in classes:
+        lines += manual_class(name, cls)
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    sys.stdout.write({"stubs": stubs, "manual": manual}[sys.argv[1]]())

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "app/record/DeltaScript.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <numeric>
+
+#include "app/record/ScriptText.h"
+#include "model/project/EnvironmentText.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+constexpr std::size_t kIndent = 4;
+constexpr std::size_t kWidth = 92;
+/// Columns that a created individual gets from its template, its seat or its number where a script
+/// does not say.
+constexpr std::array kAlwaysSaid{ColumnId::Template, ColumnId::Position, ColumnId::Heading,
+                                 ColumnId::Clip,     ColumnId::Parts,    ColumnId::Seed};
+
+/// Arguments of a call, "name=value" each.
+class Call
+{
+public:
+    Call(std::string name, std::string first = {}) : m_name(std::move(name))
+    {
+        if (!first.empty()) {
+            m_arguments.push_back(std::move(first));
+        }
+    }
+    void add(std::string argument) { m_arguments.push_back(std::move(argument)); }
+    void add(const std::string& name, const std::string& value) { add(name + '=' + value); }
+    [[nodiscard]] bool hasArguments() const { return !m_arguments.empty(); }
+    [[nodiscard]] std::string line() const
+    {
+        std::string text = std::string(kIndent, ' ') + m_name + '(';
+        for (std::size_t i = 0; i < m_arguments.size(); ++i) {
+            const bool isLong = text.size() - text.rfind('\n') - 1 + m_arguments[i].size() > kWidth;
+            text += i == 0 ? "" : isLong ? ",\n" + std::string(2 * kIndent, ' ') : ", ";
+            text += m_arguments[i];
+        }
+        return text + ")\n";
+    }
+
+private:
+    std::string m_name;
+    std::vector<std::string> m_arguments;
+};
+
+/// One value where all are the same.
+std::vector<std::byte> folded(std::vector<std::byte> bytes, std::size_t stride)
+{
+    for (std::size_t at = stride; at < bytes.size(); at += stride) {
+        if (std::memcmp(bytes.data(), &bytes[at], stride) != 0) {
+            return bytes;
+        }
+    }
+    bytes.resize(std::min(bytes.size(), stride));
+    return bytes;
+}
+
+void addColumn(Call& call, ColumnId column, const std::vector<std::byte>& bytes)
+{
+    const ColumnInfo& info = columnInfo(column);
+    call.add(std::string(info.name), pythonColumn(column, folded(bytes, info.stride), 2 * kIndent));
+}
+
+/// Whether the seat of an added one would tell more than its absence.
+bool isSaid(ColumnId column, const IndividualRows& rows, const IndividualRows& usual)
+{
+    return std::ranges::find(kAlwaysSaid, column) != kAlwaysSaid.end() ||
+           rows.bytes[static_cast<std::size_t>(column)] !=
+               usual.bytes[static_cast<std::size_t>(column)];
+}
+
+std::string createCall(const IndividualRows& rows)
+{
+    const IndividualRows usual = IndividualRows::withDefaults(rows.ids);
+    Call call("scene.create");
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const auto column = static_cast<ColumnId>(c);
+        if (isSaid(column, rows, usual)) {
+            addColumn(call, column, rows.bytes[c]);
+        }
+    }
+    if (rows.ids.size() > 1) {
+        call.add("count", pythonText(rows.ids.size())); // all columns may hold one value for all
+    }
+    return call.line();
+}
+
+/// Ids that the edit gave out and took back: they are never given out again.
+std::string spentIds(IndividualId from, IndividualId to, const Scene& after)
+{
+    if (from >= to || after.templates.empty()) {
+        return {};
+    }
+    IndividualRows rows = IndividualRows::withDefaults(std::vector<IndividualId>(to - from));
+    std::ranges::fill(rows.column(columns::templateId), after.templates.front().id);
+    std::vector<IndividualId> ids(to - from);
+    std::iota(ids.begin(), ids.end(), from);
+    return createCall(rows) + Call("scene.remove", pythonIds(ids, kIndent)).line();
+}
+
+IndividualRows slice(const IndividualRows& rows, std::size_t from, std::size_t to)
+{
+    IndividualRows part;
+    part.ids.assign(rows.ids.begin() + static_cast<std::ptrdiff_t>(from),
+                    rows.ids.begin() + static_cast<std::ptrdiff_t>(to));
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
+        const auto begin = rows.bytes[c].begin();
+        part.bytes[c].assign(begin + static_cast<std::ptrdiff_t>(from * stride),
+                             begin + static_cast<std::ptrdiff_t>(to * stride));
+    }
+    return part;
+}
+
+std::string creations(const SceneDelta& delta, const Scene& after)
+{
+    std::string text;
+    IndividualId next = delta.nextIdBefore;
+    const auto& ids = delta.added.ids;
+    for (std::size_t from = 0; from < ids.size();) {
+        std::size_t to = from + 1;
+        while (to < ids.size() && ids[to] == ids[to - 1] + 1) {
+            ++to;
+        }
+        text += spentIds(next, ids[from], after) + createCall(slice(delta.added, from, to));
+        next = ids[to - 1] + 1;
+        from = to;
+    }
+    return text + spentIds(next, delta.nextIdAfter, after);
+}
+
+/// A clip counts within its template: where both change, they change in one call.
+std::vector<ColumnDelta> joined(const std::vector<ColumnDelta>& columns, const Scene& after)
+{
+    std::vector<ColumnDelta> result = columns;
+    std::vector<IndividualId> ids;
+    for (const ColumnDelta& each : columns) {
+        if (each.column == ColumnId::Template || each.column == ColumnId::Clip) {
+            std::vector<IndividualId> both;
+            std::ranges::set_union(ids, each.ids, std::back_inserter(both));
+            ids = std::move(both);
+        }
+    }
+    const bool hasTemplate =
+        std::ranges::find(columns, ColumnId::Template, &ColumnDelta::column) != columns.end();
+    for (ColumnDelta& each : result) {
+        if (hasTemplate && (each.column == ColumnId::Template || each.column == ColumnId::Clip)) {
+            each.ids = ids;
+            each.after = after.population.values(each.column, ids);
+        }
+    }
+    return result;
+}
+
+std::string changes(const SceneDelta& delta, const Scene& after)
+{
+    std::vector<ColumnDelta> left = joined(delta.columns, after);
+    std::string text;
+    while (!left.empty()) {
+        const std::vector<IndividualId> ids = left.front().ids;
+        Call call("scene.change", pythonIds(ids, 2 * kIndent));
+        for (const ColumnDelta& each : left) {
+            if (each.ids == ids) {
+                addColumn(call, each.column, each.after);
+            }
+        }
+        std::erase_if(left, [&ids](const ColumnDelta& each) { return each.ids == ids; });
+        text += call.line();
+    }
+    return text;
+}
+
+void addImport(Call& call, const ImportSettings& now, const ImportSettings& was)
+{
+    if (now.scale != was.scale) {
+        call.add("scale", pythonText(now.scale));
+    }
+    if (now.rotation != was.rotation) {
+        call.add("rotation", pythonText(now.rotation));
+    }
+    if (now.groundOffset != was.groundOffset) {
+        call.add("ground_offset", pythonText(now.groundOffset));
+    }
+    if (now.removeRootMotion != was.removeRootMotion) {
+        call.add("remove_root_motion", pythonText(now.removeRootMotion));
+    }
+}
+
+void addSpeeds(Call& call, const std::vector<float>& speeds)
+{
+    std::vector<std::string> items;
+    for (const float each : speeds) {
+        items.push_back(std::isnan(each) ? std::string("None") : pythonText(each));
+    }
+    call.add("clip_speeds", pythonList(items, 2 * kIndent));
+}
+
+std::string templateCall(const EntryDelta<TemplateEntry>& delta)
+{
+    if (!delta.after) {
+        return Call("scene.remove_template", pythonText(delta.before->id)).line();
+    }
+    const TemplateEntry& now = *delta.after;
+    const TemplateEntry was = delta.before.value_or(TemplateEntry{});
+    Call call = delta.before ? Call("scene.change_template", pythonText(now.id))
+                             : Call("scene.add_template", pythonText(now.path));
+    if (!delta.before) {
+        call.add("id", pythonText(now.id));
+    } else if (now.path != was.path) {
+        call.add("path", pythonText(now.path));
+    }
+    if (now.name != was.name) {
+        call.add("name", pythonText(now.name));
+    }
+    addImport(call, now.import, was.import);
+    if (now.clipSpeeds.size() != was.clipSpeeds.size() ||
+        std::memcmp(now.clipSpeeds.data(), was.clipSpeeds.data(),
+                    now.clipSpeeds.size() * sizeof(float)) != 0) {
+        addSpeeds(call, now.clipSpeeds);
+    }
+    return call.line();
+}
+
+std::string stageCall(const EntryDelta<StageEntry>& delta)
+{
+    if (!delta.after) {
+        return Call("scene.remove_stage", pythonText(delta.before->id)).line();
+    }
+    const StageEntry& now = *delta.after;
+    const StageEntry was = delta.before.value_or(StageEntry{});
+    Call call = delta.before ? Call("scene.change_stage", pythonText(now.id))
+                             : Call("scene.add_stage", pythonText(now.path));
+    if (!delta.before) {
+        call.add("id", pythonText(now.id));
+    } else if (now.path != was.path) {
+        call.add("path", pythonText(now.path));
+    }
+    if (now.name != was.name) {
+        call.add("name", pythonText(now.name));
+    }
+    if (now.position != was.position) {
+        call.add("position", pythonText(now.position));
+    }
+    if (now.headingRadians != was.headingRadians) {
+        call.add("heading", pythonText(now.headingRadians));
+    }
+    if (now.scale != was.scale) {
+        call.add("scale", pythonText(now.scale));
+    }
+    return call.line();
+}
+
+/// Templates and stages: those that come before the people who need them, the others after.
+std::string entries(const SceneDelta& delta, bool isComing)
+{
+    std::string text;
+    for (const auto& each : delta.templates) {
+        text += each.after.has_value() == isComing ? templateCall(each) : std::string();
+    }
+    for (const auto& each : delta.stages) {
+        text += each.after.has_value() == isComing ? stageCall(each) : std::string();
+    }
+    return text;
+}
+
+std::string cameras(const std::vector<NamedCamera>& all)
+{
+    std::string text = std::string(kIndent, ' ') + "scene.set_cameras([\n";
+    for (const NamedCamera& each : all) {
+        text += std::string(2 * kIndent, ' ') + '(' + pythonText(each.name) + ", " +
+                pythonText(each.camera) + "),\n";
+    }
+    return text + std::string(kIndent, ' ') + "])\n";
+}
+
+std::string lightingCall(const Lighting& now)
+{
+    Call call("light = crowdbrush.Lighting");
+    call.add("sun_azimuth", pythonText(now.sunAzimuthRadians));
+    call.add("sun_elevation", pythonText(now.sunElevationRadians));
+    call.add("sun_color", pythonText(now.sunColor));
+    call.add("sun_strength", pythonText(now.sunStrength));
+    call.add("ambient_color", pythonText(now.ambientColor));
+    call.add("ambient_strength", pythonText(now.ambientStrength));
+    call.add("sky_zenith", pythonText(now.skyZenith));
+    call.add("sky_horizon", pythonText(now.skyHorizon));
+    call.add("ground", pythonText(now.ground));
+    call.add("ground_grid", pythonText(now.showGroundGrid));
+    return call.line() + Call("scene.set_lighting", "light").line();
+}
+
+std::string environment(const SceneDelta& delta, const Scene& after)
+{
+    const EnvironmentParts changed{!delta.places.empty(), !delta.paths.empty(),
+                                   delta.tags.has_value(), delta.rules.has_value()};
+    if (!changed.places && !changed.paths && !changed.tags && !changed.rules) {
+        return {};
+    }
+    return Call("scene.set_environment", pythonText(environmentText(after, changed))).line();
+}
+
+} // namespace
+
+std::string deltaScript(const SceneDelta& delta, const QString& undoText, const Scene& after)
+{
+    std::string text = "with scene.edit(" + pythonText(undoText.toStdString()) + "):\n";
+    text += entries(delta, true) + environment(delta, after);
+    if (!delta.removed.ids.empty()) {
+        text += Call("scene.remove", pythonIds(delta.removed.ids, kIndent)).line();
+    }
+    text += creations(delta, after);
+    text += changes(delta, after);
+    text += entries(delta, false);
+    if (delta.cameras) {
+        text += cameras(delta.cameras->after);
+    }
+    if (delta.lighting) {
+        text += lightingCall(delta.lighting->after);
+    }
+    return text;
+}
+
+} // namespace crowd::app

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "app/record/Recorder.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+#include <QtCore/QSaveFile>
+
+#include "app/record/DeltaScript.h"
+#include "app/record/ScriptText.h"
+#include "model/project/ProjectFile.h"
+#include "model/project/ProjectWriter.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+/// Whatever language the editor speaks, scripts are in English.
+constexpr const char* kHead =
+    R"(# Recorded in Crowdbrush. Runs in the console of the editor, on the open scene, or without a window:
+#     crowdbrush script FILE.py [WHERE-TO-SAVE.crowd]
+)";
+constexpr const char* kFoot = R"(
+if len(sys.argv) > 1:
+    scene.save(sys.argv[1])
+)";
+constexpr const char* kNotExact =
+    "# A stroke that met people whose animations were not ready yet: what came of it.\n";
+
+std::string openingOf(const QString& startName, const QString& startPath, bool isEmpty)
+{
+    if (isEmpty) {
+        return "crowdbrush.Scene()";
+    }
+    if (!startName.isEmpty()) {
+        return "crowdbrush.open(pathlib.Path(__file__).with_name(" +
+               pythonText(startName.toStdString()) + "))";
+    }
+    return startPath.isEmpty() ? "crowdbrush.open(\"SCENE.crowd\")  # the scene as it was"
+                               : "crowdbrush.open(" + pythonText(startPath.toStdString()) + ')';
+}
+
+} // namespace
+
+Recorder::Recorder(SceneDocument& document, QObject* parent) : QObject(parent), m_document(document)
+{
+    connect(&document, &SceneDocument::stepCommitted, this, &Recorder::commit);
+    connect(&document, &SceneDocument::stepTaken, this, &Recorder::takeStep);
+    connect(&document, &SceneDocument::changed, this, &Recorder::followScene);
+}
+
+Recorder::~Recorder() = default;
+
+void Recorder::setRecording(bool isOn)
+{
+    if (m_isRecording == isOn) {
+        return;
+    }
+    m_isRecording = isOn;
+    if (isOn) {
+        m_index = m_document.undoStack().index();
+        begin();
+    }
+    Q_EMIT recordingChanged(isOn);
+}
+
+void Recorder::begin()
+{
+    m_start = std::make_unique<const Scene>(m_document.scene());
+    m_startPath = m_document.path();
+    m_strokes = {};
+    m_steps.clear();
+    m_first = m_index;
+    m_end = m_index;
+    Q_EMIT started();
+}
+
+void Recorder::add(std::string text)
+{
+    m_steps.push_back(std::move(text));
+    Q_EMIT added(QString::fromStdString(m_steps.back()));
+}
+
+void Recorder::commit(const StepCommitted& step)
+{
+    if (!m_isRecording) {
+        return;
+    }
+    m_index = m_document.undoStack().index() + 1;
+    m_end = m_index;
+    const bool isStroke = step.stroke != nullptr && step.stroke->settings.kind != BrushKind::Script;
+    if (isStroke && step.stroke->isExact) {
+        add(m_strokes.write(*step.stroke));
+    } else {
+        add((isStroke ? kNotExact : "") + deltaScript(*step.delta, step.text, m_document.scene()));
+    }
+}
+
+void Recorder::takeStep(bool isUndo)
+{
+    if (!m_isRecording) {
+        return;
+    }
+    const int step = isUndo ? m_index - 1 : m_index;
+    m_index += isUndo ? -1 : 1;
+    if (step >= m_first && step < m_end) {
+        add(isUndo ? "scene.undo()\n" : "scene.redo()\n");
+        return;
+    }
+    // A script cannot take back what it did not do: it starts from what is there now.
+    begin();
+    Q_EMIT remarked(tr("The recording starts anew: this step was done before it began."));
+}
+
+void Recorder::followScene(const SceneChange& change)
+{
+    if (m_isRecording && std::holds_alternative<SceneReplaced>(change)) {
+        setRecording(false);
+        Q_EMIT remarked(tr("The recording ended: another scene is open now."));
+    }
+}
+
+bool Recorder::startsEmpty() const
+{
+    const auto text = projectToText(*m_start);
+    const auto empty = projectToText(Scene());
+    return text && empty && text.value() == empty.value();
+}
+
+std::string Recorder::script(const QString& startName) const
+{
+    if (!m_start) {
+        return {};
+    }
+    std::string text = std::string(kHead) + "import pathlib\nimport sys\n\nimport crowdbrush\n\n" +
+                       "if \"scene\" not in globals():\n    scene = " +
+                       openingOf(startName, m_startPath, startsEmpty()) + "\n\n";
+    for (const std::string& step : m_steps) {
+        text += step;
+    }
+    return text + kFoot;
+}
+
+Result<void> Recorder::save(const QString& path) const
+{
+    const QFileInfo file(path);
+    const QString start = file.completeBaseName() + QStringLiteral("-start.crowd");
+    const std::string text = script(start);
+    if (m_start && !startsEmpty()) {
+        if (auto saved = saveProject(*m_start, file.dir().filePath(start)); !saved) {
+            return saved;
+        }
+    }
+    QSaveFile out(path);
+    const auto size = static_cast<qint64>(text.size());
+    if (!out.open(QIODevice::WriteOnly) || out.write(text.data(), size) != size || !out.commit()) {
+        return Error{path.toStdString() + ": " + out.errorString().toStdString()};
+    }
+    return {};
+}
+
+} // namespace crowd::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "model/base/Result.h"
+#include "model/scene/Scene.h"
+
+/// Places, paths, tags and rules apart from the rest of a project, for scripts.
+namespace crowd::model {
+
+/// Which of them are meant.
+struct EnvironmentParts
+{
+    bool places = true;
+    bool paths = true;
+    bool tags = true;
+    bool rules = true;
+};
+
+/// A JSON object with the members "places", "paths", "tags", "rules" as the project file has them;
+/// those that are meant, also where they are empty.
+[[nodiscard]] std::string environmentText(const Scene& scene, const EnvironmentParts& parts = {});
+
+/// Puts what the text holds in the place of what the scene has; members that are not there stay.
+/// A problem names the member that is wrong, and the scene is as before.
+[[nodiscard]] Result<void> readEnvironmentText(const std::string& text, Scene& scene);
+
+} // namespace crowd::model

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include <QtCore/QProcess>
+#include <QtCore/QSettings>
+#include <QtCore/QStandardPaths>
+#include <QtGui/QClipboard>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QToolButton>
+
+#include "app/console/ConsoleDock.h"
+#include "model/brush/IndividualEdits.h"
+#include "model/document/SceneEdit.h"
+#include "tests/gui/Editor.h"
+#include "tests/widgets/Desk.h"
+#include "widgets/docks/IndividualDock.h"
+#include "widgets/docks/NumberField.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::copyOfTheatre;
+using crowd::testing::Editor;
+
+namespace {
+
+constexpr int kPatienceMs = 120'000;
+
+QByteArray contentsOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Runs a script in an interpreter of its own, without a display; what it printed as errors.
+QString runAlone(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("PYTHONPATH"), QStringLiteral(CROWD_PYTHON_FOLDER));
+    environment.remove(QStringLiteral("DISPLAY"));
+    process.setProcessEnvironment(environment);
+    process.start(program, arguments);
+    if (!process.waitForFinished(kPatienceMs)) {
+        return QStringLiteral("it does not end");
+    }
+    const QString said = QString::fromUtf8(process.readAllStandardError());
+    return process.exitCode() == 0 ? said : said + QStringLiteral("failed");
+}
+
+/// A session with mouse and keys: every kind of brush, some of it while it plays, the selection,
+/// the individual panel, undo and redo.
+class Session
+{
+public:
+    explicit Session(Editor& editor) : m_editor(editor), m_size(editor.view().size()) {}
+
+    void clearTheMiddle()
+    {
+        brush(model::BrushKind::Delete, model::BrushSelection::Rectangle);
+        m_editor.drag(at(0.2, 0.2), at(0.8, 0.8));
+    }
+    void paint()
+    {
+        auto settings = brush(model::BrushKind::Create, model::BrushSelection::AllInCircle);
+        settings.radiusPixels = 31.7F;
+        m_editor.state().setBrush(settings);
+        for (const double y : {0.35, 0.45, 0.55, 0.65}) {
+            m_editor.drag(at(0.15, y), at(0.85, y + 0.03));
+        }
+        settings.selection = model::BrushSelection::Spray;
+        settings.ratePerSecond = 120.0F;
+        m_editor.state().setBrush(settings);
+        m_editor.drag(at(0.5, 0.7), at(0.3, 0.4));
+    }
+    void recolour()
+    {
+        auto settings = brush(model::BrushKind::Colour, model::BrushSelection::AllInCircle);
+        settings.op = model::BrushOperator::Random;
+        settings.colour.colors = {{200, 30, 60}, {20, 120, 220}};
+        settings.colour.strength = 0.73F;
+        settings.colour.blends = true;
+        m_editor.state().setBrush(settings);
+        m_editor.drag(at(0.2, 0.5), at(0.8, 0.55));
+    }
+    void rotate()
+    {
+        brush(model::BrushKind::Orientation, model::BrushSelection::AllInCircle);
+        m_editor.drag(at(0.3, 0.6), at(0.7, 0.4));
+    }
+    void animate()
+    {
+        auto settings = brush(model::BrushKind::Animation, model::BrushSelection::Rectangle);
+        settings.animation.clips = {{"sit_clap", 1.0F}, {"sit_cheer", 0.3F}};
+        m_editor.state().setBrush(settings);
+        m_editor.drag(at(0.4, 0.4), at(0.7, 0.6));
+    }
+    void remove()
+    {
+        m_editor.state().setTool(ToolId::Select);
+        const auto ids = m_editor.window.document().scene().population.ids();
+        m_editor.state().selection().set(std::array{ids[3], ids[7], ids[8]});
+        QTest::keyClick(&m_editor.view(), Qt::Key_Delete);
+    }
+    /// With the individual panel, by numbers.
+    void move()
+    {
+        auto* panel = m_editor.window.findChild<IndividualDock*>();
+        panel->show();
+        panel->raise();
+        const auto ids = m_editor.window.document().scene().population.ids();
+        m_editor.state().selection().set(std::array{ids[5], ids[6]});
+        NumberField* height = nullptr;
+        QTRY_VERIFY((height = testing::fieldBeside<NumberField>(*panel, QStringLiteral("Height"))));
+        testing::type(*height, QLocale().toString(1.25, 'f', 2));
+        m_editor.state().selection().set(std::array{ids[5]});
+        NumberField* x = nullptr;
+        for (NumberField* each : panel->findChildren<NumberField*>()) {
+            x = each->toolTip().endsWith(QStringLiteral("along X")) ? each : x;
+        }
+        QVERIFY(x != nullptr);
+        testing::type(*x, QLocale().toString(1.1, 'f', 1));
+        panel->hide();
+    }
+    void act(const char* action) { m_editor.window.actions().action(action)->trigger(); }
+
+private:
+    model::BrushSettings brush(model::BrushKind kind, model::BrushSelection selection)
+    {
+        model::BrushSettings settings = m_editor.state().brush(kind);
+        settings.selection = selection;
+        settings.through = true;
+        m_editor.state().setBrush(settings);
+        m_editor.state().setTool(toolOf(kind));
+        return settings;
+    }
+    [[nodiscard]] QPoint at(double x, double y) const
+    {
+        return {qRound(m_size.width() * x), qRound(m_size.height() * y)};
+    }
+
+    Editor& m_editor;
+    QSize m_size;
+};
+
+} // namespace
+
+class TestRecording : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void aSessionIsReplayedToTheSameBytesAndPicture();
+    void everyKindOfEditHasItsLines();
+    void undoingWhatCameBeforeStartsAnew();
+    void anotherSceneEndsIt();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestRecording::init()
+{
+    QVERIFY(m_folder.isValid());
+}
+
+void TestRecording::aSessionIsReplayedToTheSameBytesAndPicture()
+{
+    const QString path = copyOfTheatre(m_folder);
+    const QString script = m_folder.filePath(QStringLiteral("session.py"));
+    QImage painted;
+    {
+        Editor editor;
+        QVERIFY(editor.open(path));
+        (void)editor.picture(); // all animations are there
+        editor.window.actions().action("script-record")->trigger();
+        QVERIFY(editor.window.recorder().isRecording());
+        Session session(editor);
+        session.clearTheMiddle();
+        session.paint();
+        (void)editor.picture();
+        editor.state().transport().setPlaying(true); // people move while they are painted
+        QTest::qWait(120);
+        session.recolour();
+        editor.state().transport().setPlaying(false);
+        session.rotate();
+        session.animate();
+        session.remove();
+        session.move();
+        session.act("camera-add");
+        session.act("undo");
+        session.act("undo");
+        session.act("undo");
+        session.act("redo");
+        session.act("redo");
+        auto* view = editor.window.findChild<QPlainTextEdit*>(QStringLiteral("recordedScript"));
+        QVERIFY(view != nullptr);
+        const QString shown = view->toPlainText();
+        for (const char* part : {"scene.stroke(create_brush", "scene.stroke(colour_brush",
+                                 "scene.stroke(orientation_brush", "scene.remove(", "height=1.25",
+                                 "scene.undo()", "scene.redo()"}) {
+            QVERIFY2(shown.contains(QLatin1String(part)), part);
+        }
+        editor.window.actions().action("script-record")->trigger();
+        QVERIFY(!editor.window.recorder().isRecording());
+        const auto saved = editor.window.recorder().save(script);
+        QVERIFY2(saved, saved ? "" : saved.error().message.c_str());
+        QVERIFY(editor.window.files().save());
+        editor.state().selection().clear();
+        editor.state().setTool(ToolId::BrushCreate);
+        editor.state().transport().rewind();
+        editor.window.console().hide(); // as it is in another window
+        painted = editor.picture();
+    }
+    const QByteArray wanted = contentsOf(path);
+    QVERIFY(!wanted.isEmpty());
+    const QString plain = m_folder.filePath(QStringLiteral("plain.crowd"));
+    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QVERIFY2(contentsOf(plain) == wanted, "plain python3 gives another scene");
+    const QString own = m_folder.filePath(QStringLiteral("own.crowd"));
+    QCOMPARE(runAlone(QStringLiteral(CROWD_PROGRAM), {QStringLiteral("script"), script, own}),
+             QString());
+    QVERIFY2(contentsOf(own) == wanted, "crowdbrush script gives another scene");
+    Editor replayed;
+    QVERIFY(replayed.open(plain));
+    replayed.state().setTool(ToolId::BrushCreate);
+    const QImage again = replayed.picture();
+    QCOMPARE(again.size(), painted.size());
+    QVERIFY2(again == painted, "the replayed scene looks different");
+}
+
+/// Edits as the editor's parts make them, and odd ones: ids given out and taken back, seats and
+/// templates exchanged, everything in one step.
+void TestRecording::everyKindOfEditHasItsLines()
+{
+    const QString path = copyOfTheatre(m_folder);
+    const QString script = m_folder.filePath(QStringLiteral("edits.py"));
+    Editor editor;
+    QVERIFY(editor.open(path));
+    model::SceneDocument& document = editor.window.document();
+    const model::Scene& scene = document.scene();
+    editor.window.recorder().setRecording(true);
+    const auto edit = [&document](const char* text, const auto& work) {
+        const auto open = document.beginEdit();
+        work(*open);
+        QVERIFY2(open->commit(QLatin1String(text)), text);
+    };
+    const auto ids = std::vector(scene.population.ids().begin(), scene.population.ids().end());
+    const std::array two{ids[2], ids[9]};
+    edit("Two seats exchanged", [&](model::SceneEdit& open) {
+        const model::IndividualRows rows = scene.population.rows(two);
+        for (const auto column : {model::ColumnId::Seat, model::ColumnId::Position}) {
+            auto bytes = rows.bytes[static_cast<std::size_t>(column)];
+            std::rotate(bytes.begin(), bytes.begin() + static_cast<long>(bytes.size() / 2),
+                        bytes.end());
+            open.setColumn(column, two, bytes);
+        }
+    });
+    edit("Another \"template\" \\ and clip", [&](model::SceneEdit& open) {
+        for (const model::TemplateEntry& entry : scene.templates) {
+            model::changeTemplate(open, std::span(ids).subspan(20, 5), entry.id);
+        }
+        const std::uint16_t clip = 1;
+        open.setColumn(model::columns::clip, std::span(ids).subspan(22, 6),
+                       std::span<const std::uint16_t>(&clip, 1));
+    });
+    edit("Ids with holes", [&](model::SceneEdit& open) {
+        const auto made = open.addIndividuals(scene.population.rows(std::span(ids).first(6)));
+        const model::SeatId none = model::kNoSeat;
+        open.setColumn(model::columns::seat, made, std::span<const model::SeatId>(&none, 1));
+        open.removeIndividuals(std::array{made[0], made[3], made[5]});
+    });
+    edit("Tags, groups, tints", [&](model::SceneEdit& open) {
+        const std::uint64_t tags = 1ULL << 63U | 5U;
+        open.setColumn(model::columns::tags, two, std::span<const std::uint64_t>(&tags, 1));
+        const std::uint32_t group = 4'000'000'000U;
+        open.setColumn(model::columns::group, std::span(ids).first(50),
+                       std::span<const std::uint32_t>(&group, 1));
+        const model::Tint tint{1, 2, 3, 4};
+        open.setColumn(model::columns::tint(6), std::span(ids).subspan(3, 40),
+                       std::span<const model::Tint>(&tint, 1));
+    });
+    edit("Template", [&](model::SceneEdit& open) {
+        model::TemplateEntry entry = scene.templates.front();
+        entry.id = 0;
+        entry.name = "copy of 男";
+        (void)open.addTemplate(entry);
+    });
+    edit("Template renamed", [&](model::SceneEdit& open) {
+        model::TemplateEntry entry = scene.templates.back();
+        entry.name = "renamed";
+        open.changeTemplate(entry);
+    });
+    edit("Stage moved", [&](model::SceneEdit& open) {
+        model::StageEntry entry = scene.stages.front();
+        entry.name = "moved";
+        entry.position = {0.1F, 0.2F, -1e-7F};
+        entry.headingRadians = 0.333F;
+        open.changeStage(entry);
+    });
+    edit("Second stage", [&](model::SceneEdit& open) {
+        model::StageEntry entry = scene.stages.front();
+        entry.id = 0;
+        (void)open.addStage(entry);
+    });
+    edit("First stage away",
+         [&](model::SceneEdit& open) { open.removeStage(scene.stages.back().id); });
+    edit("Light and cameras", [&](model::SceneEdit& open) {
+        model::Lighting light = scene.lighting;
+        light.sunStrength = 0.1F;
+        light.ground = {0.7F, 1.0F / 3.0F, 0.0F};
+        light.showGroundGrid = !light.showGroundGrid;
+        open.setLighting(light);
+        auto cameras = scene.cameras;
+        std::reverse(cameras.begin(), cameras.end());
+        cameras.push_back({"flat", cameras.front().camera});
+        cameras.back().camera.projection = model::Projection::Orthographic;
+        open.setCameras(cameras);
+    });
+    edit("Places and a path", [&](model::SceneEdit& open) {
+        model::Path round;
+        for (const float x : {0.1F, 4.7F, 9.3F}) {
+            model::Place place;
+            place.name = "place \"" + std::to_string(x) + '"';
+            place.position = {x, 0.0F, x * 0.3F};
+            round.places.push_back(open.addPlace(place));
+        }
+        const model::PathId id = open.addPath(round);
+        open.setColumn(model::columns::path, two, std::span<const model::PathId>(&id, 1));
+        open.setTags({{3, "happy", {1, 2, 3}}});
+        model::Rule rule;
+        rule.id = 1;
+        rule.name = "cheer";
+        rule.actions.emplace_back().seconds = 0.7F;
+        open.setRules({rule});
+    });
+    edit("A place away",
+         [&](model::SceneEdit& open) { open.removePlace(scene.paths.front().places.front()); });
+    edit("The path away", [&](model::SceneEdit& open) { open.removePath(scene.paths.front().id); });
+    edit("Everybody moved", [&](model::SceneEdit& open) {
+        auto all = std::vector(scene.population.ids().begin(), scene.population.ids().end());
+        auto rows = scene.population.rows(all);
+        for (glm::vec3& each : rows.column(model::columns::position)) {
+            each = each * 1.0001F + glm::vec3(0.1F, 0.0F, 1e-9F);
+        }
+        open.setColumn(model::columns::position, all,
+                       std::span<const glm::vec3>(rows.column(model::columns::position)));
+    });
+    editor.window.recorder().setRecording(false);
+    QVERIFY(editor.window.recorder().save(script));
+    QVERIFY(editor.window.files().save());
+    const QString plain = m_folder.filePath(QStringLiteral("edits.crowd"));
+    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QVERIFY(contentsOf(plain) == contentsOf(path));
+}
+
+void TestRecording::undoingWhatCameBeforeStartsAnew()
+{
+    const QString path = copyOfTheatre(m_folder);
+    const QString script = m_folder.filePath(QStringLiteral("anew.py"));
+    Editor editor;
+    QVERIFY(editor.open(path));
+    Session session(editor);
+    session.clearTheMiddle();
+    session.act("script-record");
+    session.remove();
+    session.act("undo");
+    session.act("undo"); // of what was done before
+    QVERIFY(editor.window.recorder().isRecording());
+    QVERIFY(editor.window.recorder().isEmpty());
+    session.remove();
+    session.act("script-record");
+    QVERIFY(editor.window.recorder().save(script));
+    QVERIFY(editor.window.files().save());
+    const QString plain = m_folder.filePath(QStringLiteral("anew.crowd"));
+    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QVERIFY(contentsOf(plain) == contentsOf(path));
+}
+
+void TestRecording::anotherSceneEndsIt()
+{
+    const QString path = copyOfTheatre(m_folder);
+    Editor editor;
+    QVERIFY(editor.open(path));
+    Session session(editor);
+    session.act("script-record");
+    session.remove();
+    editor.window.document().undoStack().setClean();
+    QVERIFY(editor.open(path));
+    QVERIFY(!editor.window.recorder().isRecording());
+    QVERIFY2(!editor.window.recorder().isEmpty(), "what was recorded stays");
+    const auto buttons = editor.window.console().findChildren<QToolButton*>();
+    const auto copy = std::find_if(buttons.begin(), buttons.end(), [](const QToolButton* button) {
+        return button->text() == QStringLiteral("Copy");
+    });
+    QVERIFY(copy != buttons.end());
+    (*copy)->click();
+    QVERIFY(QApplication::clipboard()->text().contains(QStringLiteral("scene.remove(")));
+}
+
+int main(int argc, char** argv)
+{
+    QStandardPaths::setTestModeEnabled(true); // the artist's own settings stay out of it
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("CrowdbrushTests"));
+    QApplication::setApplicationName(QStringLiteral("tst_Recording"));
+    QSettings().clear();
+    qputenv("CROWDBRUSH_RESOURCES", CROWD_RESOURCES);
+    TestRecording test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_Recording.moc"

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""Templates, stages, cameras and light by script; strokes with the time that was shown."""
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import crowdbrush
+
+MAN = "builtin:templates/man.glb"
+
+
+def saved(scene):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "scene.crowd"
+        scene.save(path)
+        return path.read_bytes()
+
+
+class Contents(unittest.TestCase):
+    def undone_and_redone(self, scene, change):
+        before = saved(scene)
+        change()
+        after = saved(scene)
+        self.assertNotEqual(before, after)
+        scene.undo()
+        self.assertEqual(saved(scene), before)
+        scene.redo()
+        self.assertEqual(saved(scene), after)
+
+    def test_templates_come_change_and_go(self):
+        scene = crowdbrush.Scene()
+        self.undone_and_redone(scene, lambda: scene.add_template(MAN, "tall", scale=1.5, id=7))
+        tall = scene.template("tall")
+        self.assertEqual(tall.id, 7)
+        plain = scene.add_template(MAN)
+        self.assertAlmostEqual(tall.height_m, 1.5 * plain.height_m, places=3)
+        self.undone_and_redone(scene, lambda: scene.change_template(tall, name="huge", scale=2.0))
+        self.assertAlmostEqual(scene.template("huge").height_m, 2 * plain.height_m, places=3)
+        speeds = [None] * len(tall.clips)
+        speeds[1] = 2.25
+        self.undone_and_redone(scene, lambda: scene.change_template(7, clip_speeds=speeds))
+        self.assertEqual(tall.clips[1].speed, 2.25)
+        scene.create(template=plain, position=[0, 0, 0])
+        with self.assertRaisesRegex(crowdbrush.Error, "remove them first"):
+            scene.remove_template(plain)
+        self.undone_and_redone(scene, lambda: scene.remove_template(tall))
+        for call in (lambda: scene.remove_template(99), lambda: scene.change_template(99, name="x"),
+                     lambda: scene.add_template(MAN, id=plain.id),
+                     lambda: scene.change_template(plain, scale=0),
+                     lambda: scene.change_template(plain, path="/none.glb")):
+            steps = len(scene.history)
+            with self.assertRaises(crowdbrush.Error):
+                call()
+            self.assertEqual(len(scene.history), steps)
+
+    def test_stages_come_change_and_go(self):
+        scene = crowdbrush.Scene()
+        self.undone_and_redone(scene, lambda: scene.add_stage("builtin:stages/theatre.glb"))
+        stage = scene.stages[0]
+        self.undone_and_redone(
+            scene, lambda: scene.change_stage(stage, name="Big", position=(1, 0, 2), scale=1.25))
+        self.assertEqual((scene.stages[0].name, scene.stages[0].position), ("Big", [1, 0, 2]))
+        self.undone_and_redone(scene, lambda: scene.remove_stage(stage))
+        with self.assertRaises(crowdbrush.Error):
+            scene.remove_stage(stage)
+
+    def test_cameras_and_light(self):
+        scene = crowdbrush.Scene()
+        one = crowdbrush.Camera((0, 5, 10), (0, 0, 0))
+        two = crowdbrush.Camera.exact((1, 2, 3), (1, 0, 0, 0), orthographic=True, height=7.5,
+                                      fov_radians=0.5, pivot_distance=3.25)
+        self.undone_and_redone(scene, lambda: scene.set_cameras([("b", one), ("a", two)]))
+        self.assertEqual(list(scene.cameras), ["b", "a"])
+        self.assertEqual(scene.cameras["a"], two)
+        again = scene.cameras["b"]
+        self.assertEqual(again, crowdbrush.Camera.exact(
+            again.position, again.orientation, orthographic=again.orthographic,
+            fov_radians=again.fov_radians, height=again.height, pivot_distance=again.pivot_distance))
+        self.undone_and_redone(scene, lambda: scene.remove_camera("b"))
+        self.undone_and_redone(scene, lambda: scene.set_lighting(
+            crowdbrush.Lighting(sun_strength=0.25, sky_zenith=(0.1, 0.2, 0.3), ground_grid=False)))
+        self.assertEqual(scene.lighting.sun_strength, 0.25)
+        with self.assertRaises(crowdbrush.Error):
+            scene.remove_camera("b")
+        with self.assertRaises(crowdbrush.Error):
+            crowdbrush.Camera.exact((0, 0, 0), (2, 0, 0, 0))
+        with self.assertRaises(crowdbrush.Error):
+            crowdbrush.Lighting(sun_strength=float("nan"))
+
+    def test_places_paths_tags_and_rules(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template(MAN)
+        scene.create(template=man, position=np.zeros((3, 3)), count=3)
+        places = [{"id": i, "name": f"p{i}", "position": [i, 0, 0.1], "radius": 1.5} for i in (1, 2, 3)]
+        paths = [{"id": 4, "name": "round", "kind": "cyclic", "places": [1, 2, 3]}]
+        self.undone_and_redone(scene, lambda: scene.set_environment({"places": places, "paths": paths}))
+        self.assertEqual([p["id"] for p in scene.environment["places"]], [1, 2, 3])
+        self.undone_and_redone(scene, lambda: scene.change([2], path=4, walkSpeed=1.25))
+        self.undone_and_redone(scene, lambda: scene.set_environment({"paths": []}))
+        np.testing.assert_array_equal(scene.column("path"), [0, 0, 0])
+        scene.undo()
+        same = scene.environment
+        steps = len(scene.history)
+        scene.set_environment(same)
+        self.assertEqual(len(scene.history), steps)
+        for wrong in ({"places": 3}, {"people": []}, "[", {"places": [{"id": 1}, {"id": 1}]},
+                      {"paths": [{"id": 4, "places": [99]}]}):
+            with self.subTest(wrong=wrong), self.assertRaises(crowdbrush.Error):
+                scene.set_environment(wrong)
+        for column, value in (("path", 77), ("walkSpeed", -1.0), ("walkSpeed", 99.0)):
+            with self.assertRaises(crowdbrush.Error):
+                scene.change([1], **{column: value})
+        self.assertEqual(scene.environment, same)
+
+    def test_walk_and_tag_brushes(self):
+        scene = crowdbrush.open("builtin:scenes/theatre.crowd")
+        scene.set_environment({"places": [{"id": k, "position": [k, 0, 0]} for k in (1, 2)],
+                               "paths": [{"id": 1, "places": [1, 2]}]})
+        walk = crowdbrush.Brush(crowdbrush.BrushKind.WALK)
+        walk.selection = crowdbrush.Selection.RECTANGLE
+        walk.walk.path = 1
+        walk.walk.speed = (2.0, 2.0)
+        self.assertGreater(scene.stroke(walk, [(0, 0), (640, 360)], size=(640, 360)).affected, 10)
+        self.assertGreater(np.count_nonzero(scene.column("walkSpeed") == 2), 10)
+        tag = crowdbrush.Brush(crowdbrush.BrushKind.TAG)
+        tag.selection = crowdbrush.Selection.RECTANGLE
+        tag.tag = 5
+        done = scene.stroke(tag, [(0, 0), (640, 360)], size=(640, 360))
+        self.assertEqual(np.count_nonzero(scene.column("tags") & np.uint64(1 << 5)), done.affected)
+
+    def test_shown_seconds_decide_who_is_under_the_brush(self):
+        def painted(points, **more):
+            scene = crowdbrush.Scene()
+            scene.set_camera("c", crowdbrush.Camera((0, 1, 6), (0, 1, 0)))
+            man = scene.add_template(MAN)
+            scene.create(template=man, position=[[x, 0, 0] for x in (-1, 0, 1)], clip="walk")
+            brush = crowdbrush.Brush(crowdbrush.BrushKind.COLOUR)
+            brush.selection = crowdbrush.Selection.POINT
+            scene.stroke(brush, points, size=(320, 240), **more)
+            return saved(scene)
+
+        way = np.array([(60 + 2 * i, 150, 1, i / 60) for i in range(100)])
+        late = np.column_stack([way, np.full(100, 0.4)])
+        self.assertEqual(painted(way, time=0.4), painted(late))
+        self.assertEqual(painted(late, time=0.9), painted(late))
+        with self.assertRaises(crowdbrush.Error):
+            painted(np.column_stack([way, np.full(100, np.nan)]))
+        with self.assertRaises(crowdbrush.Error):
+            painted(np.column_stack([late, way]))
+
+    def test_create_counts_where_no_column_does(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template(MAN)
+        self.assertEqual(len(scene.create(template=man, position=(0, 0, 0), count=3)), 3)
+        with self.assertRaises(crowdbrush.Error):
+            scene.create(template=man, position=np.zeros((2, 3)), count=3)
+
+
+if __name__ == "__main__":
+    unittest.main()
