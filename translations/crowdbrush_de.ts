@@ -575,6 +575,22 @@
         <source>&amp;Untag</source>
         <translation>Marke &amp;nehmen</translation>
     </message>
+    <message>
+        <source>R&amp;ecord Script</source>
+        <translation>Skript auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Write down as Python what is done by hand from now on</source>
+        <translation>Ab jetzt als Python aufschreiben, was von Hand getan wird</translation>
+    </message>
+    <message>
+        <source>Paint with a brush that a script brought along</source>
+        <translation>Mit einem Pinsel malen, den ein Skript mitgebracht hat</translation>
+    </message>
+    <message>
+        <source>Scri&amp;pt</source>
+        <translation>Skri&amp;pt</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -854,6 +870,21 @@
         <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
         <translation>Rechte Taste: Pinsel · Alt oder Leertaste und ziehen: bewegen · [ ]: Größe</translation>
     </message>
+    <message numerus="yes">
+        <source>%n people changed</source>
+        <translation>
+            <numerusform>Eine Person geändert</numerusform>
+            <numerusform>%n Personen geändert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let the script change people · Escape: take it back</source>
+        <translation>Ziehen: das Skript Personen ändern lassen · Esc: zurücknehmen</translation>
+    </message>
+    <message>
+        <source>No script brush is there yet: a script brings one along with crowdbrush.register_brush.</source>
+        <translation>Noch ist kein Skriptpinsel da: Ein Skript bringt einen mit crowdbrush.register_brush mit.</translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1014,6 +1045,17 @@
     <message>
         <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
         <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Personen einen Weg geben und auf Abspielen drücken</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n individual(s)</source>
+        <translation>
+            <numerusform>%1: eine Person</numerusform>
+            <numerusform>%1: %n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The script brush changed nothing</source>
+        <translation>Der Skriptpinsel hat nichts geändert</translation>
     </message>
 </context>
 <context>
@@ -1648,6 +1690,38 @@
         <source>Change People</source>
         <translation>Personen ändern</translation>
     </message>
+    <message>
+        <source>Change Template</source>
+        <translation>Vorlage wechseln</translation>
+    </message>
+    <message>
+        <source>Remove Template</source>
+        <translation>Vorlage entfernen</translation>
+    </message>
+    <message>
+        <source>Change Stage</source>
+        <translation>Bühne ändern</translation>
+    </message>
+    <message>
+        <source>Remove Stage</source>
+        <translation>Bühne entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Camera</source>
+        <translation>Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Set Cameras</source>
+        <translation>Kameras setzen</translation>
+    </message>
+    <message>
+        <source>Set Lighting</source>
+        <translation>Licht setzen</translation>
+    </message>
+    <message>
+        <source>Set Environment</source>
+        <translation>Umgebung setzen</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -1737,6 +1811,10 @@
     <message>
         <source>Untag Brush</source>
         <translation>Pinsel, der Marken nimmt</translation>
+    </message>
+    <message>
+        <source>Script Brush</source>
+        <translation>Skriptpinsel</translation>
     </message>
 </context>
 <context>
@@ -1935,6 +2013,14 @@
 </source>
         <translation>… %1 Zeichen sind ausgelassen …
 </translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gesichert als %1</translation>
+    </message>
+    <message>
+        <source>Record what is done by hand as a script</source>
+        <translation>Als Skript aufzeichnen, was von Hand getan wird</translation>
     </message>
 </context>
 <context>
@@ -2443,6 +2529,68 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::app::RecordPanel</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole script</source>
+        <translation>Das ganze Skript kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern …</translation>
+    </message>
+    <message>
+        <source>Save the script, with the scene that it starts from</source>
+        <translation>Das Skript sichern, samt der Szene, mit der es anfängt</translation>
+    </message>
+    <message>
+        <source>What you do by hand appears here as Python.</source>
+        <translation>Was von Hand getan wird, erscheint hier als Python.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recorded script</source>
+        <translation>Aufgezeichnetes Skript</translation>
+    </message>
+    <message>
+        <source>%1
+# … %2 more characters of this step are copied and saved …
+</source>
+        <translation>%1
+# … %2 weitere Zeichen dieses Schritts werden kopiert und gesichert …
+</translation>
+    </message>
+    <message>
+        <source>Save Recorded Script</source>
+        <translation>Aufgezeichnetes Skript sichern</translation>
+    </message>
+    <message>
+        <source>recorded.py</source>
+        <translation>aufgezeichnet.py</translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation>Python-Skripte (*.py)</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::Recorder</name>
+    <message>
+        <source>The recording starts anew: this step was done before it began.</source>
+        <translation>Die Aufzeichnung beginnt neu: Dieser Schritt geschah vor ihrem Anfang.</translation>
+    </message>
+    <message>
+        <source>The recording ended: another scene is open now.</source>
+        <translation>Die Aufzeichnung ist zu Ende: Jetzt ist eine andere Szene offen.</translation>
+    </message>
+</context>
+<context>
     <name>crowd::app::ScriptGuard</name>
     <message>
         <source>A script is running: wait for it, or stop it in the console.</source>
@@ -2514,6 +2662,25 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Time of one picture: %1 triangles in %2 draws</source>
         <translation>Zeit eines Bildes: %1 Dreiecke in %2 Aufrufen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::StrokePainter</name>
+    <message>
+        <source>A script is running: wait for it, or stop it in the console.</source>
+        <translation>Ein Skript läuft: warten oder es in der Konsole anhalten.</translation>
+    </message>
+    <message>
+        <source>The stroke was taken back.</source>
+        <translation>Der Strich wurde zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>%1 stopped: %2</source>
+        <translation>%1 hielt an: %2</translation>
+    </message>
+    <message>
+        <source>%1 is at work</source>
+        <translation>%1 arbeitet</translation>
     </message>
 </context>
 <context>
@@ -2940,6 +3107,10 @@ Verworfen ist sie fort.</translation>
         <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
         <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg. Der nächste Klick beginnt einen neuen.</translation>
     </message>
+    <message>
+        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
+        <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -2976,6 +3147,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>This tool has no settings. Choose a brush to set it.</source>
         <translation>Dieses Werkzeug hat keine Einstellungen. Einen Pinsel wählen.</translation>
+    </message>
+    <message>
+        <source>Script Brush: %1</source>
+        <translation>Skriptpinsel: %1</translation>
     </message>
 </context>
 <context>
@@ -3995,6 +4170,10 @@ Drag over the ground: people come.</source>
     <message>
         <source>Finding out where people can walk</source>
         <translation>Herausfinden, wo man gehen kann</translation>
+    </message>
+    <message>
+        <source>Take it back (Esc)</source>
+        <translation>Zurücknehmen (Esc)</translation>
     </message>
 </context>
 <context>

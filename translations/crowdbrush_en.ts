@@ -575,6 +575,22 @@
         <source>&amp;Untag</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>R&amp;ecord Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write down as Python what is done by hand from now on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint with a brush that a script brought along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scri&amp;pt</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -854,6 +870,21 @@
         <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n people changed</source>
+        <translation>
+            <numerusform>%n person changed</numerusform>
+            <numerusform>%n people changed</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let the script change people · Escape: take it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No script brush is there yet: a script brings one along with crowdbrush.register_brush.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1013,6 +1044,17 @@
     </message>
     <message>
         <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n individual(s)</source>
+        <translation>
+            <numerusform>%1: %n individual</numerusform>
+            <numerusform>%1: %n individuals</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The script brush changed nothing</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1648,6 +1690,38 @@
         <source>Change People</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Change Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set Cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set Lighting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set Environment</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -1736,6 +1810,10 @@
     </message>
     <message>
         <source>Untag Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Script Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1933,6 +2011,14 @@
     <message>
         <source>… %1 characters are left out …
 </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record what is done by hand as a script</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2438,6 +2524,66 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::app::RecordPanel</name>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the whole script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the script, with the scene that it starts from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you do by hand appears here as Python.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+# … %2 more characters of this step are copied and saved …
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Recorded Script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded.py</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::Recorder</name>
+    <message>
+        <source>The recording starts anew: this step was done before it began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording ended: another scene is open now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::app::ScriptGuard</name>
     <message>
         <source>A script is running: wait for it, or stop it in the console.</source>
@@ -2508,6 +2654,25 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Time of one picture: %1 triangles in %2 draws</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::StrokePainter</name>
+    <message>
+        <source>A script is running: wait for it, or stop it in the console.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stroke was taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stopped: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is at work</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2935,6 +3100,10 @@ Thrown away, it is gone.</source>
         <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -2970,6 +3139,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>This tool has no settings. Choose a brush to set it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Script Brush: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3986,6 +4159,10 @@ Drag over the ground: people come.</source>
     </message>
     <message>
         <source>Finding out where people can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it back (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
