@@ -364,8 +364,7 @@ void addTools(MainWindow& window)
         QT_TRANSLATE_NOOP("Actions", "&Animation"), QT_TRANSLATE_NOOP("Actions", "&Path"),
         QT_TRANSLATE_NOOP("Actions", "&Walk"),      QT_TRANSLATE_NOOP("Actions", "En&vironment"),
         QT_TRANSLATE_NOOP("Actions", "&Event"),     QT_TRANSLATE_NOOP("Actions", "&Tag"),
-        QT_TRANSLATE_NOOP("Actions", "&Untag"),
-        QT_TRANSLATE_NOOP("Actions", "Scri&pt"),
+        QT_TRANSLATE_NOOP("Actions", "&Untag"),     QT_TRANSLATE_NOOP("Actions", "Scri&pt"),
     };
     std::size_t i = 0;
     for (const widgets::ToolInfo& info : widgets::toolTable()) {
