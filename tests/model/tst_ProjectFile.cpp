@@ -130,11 +130,11 @@ void tst_ProjectFile::keepsWhatItDoesNotKnow()
     std::string text = changed("\"seat\"]", "\"seat\",\"mood\"]");
     text.replace(text.find("4294967295]"), 11, "4294967295,{\"joy\":[1,2]}]");
     text.replace(text.find("16777217]"), 9, "16777217,null]");
-    text.replace(text.find("\"version\": 1,"), 13, "\"version\": 1, \"rules\": [{\"a\": 1}],");
+    text.replace(text.find("\"version\": 1,"), 13, "\"version\": 1, \"weather\": [{\"a\": 1}],");
     const Scene scene = projectFromText(text).value();
     const std::string written = projectToText(scene).value();
     QVERIFY(written.find("{\"joy\":[1,2]}") != std::string::npos);
-    QVERIFY(written.find("\"rules\": [\n{\"a\":1}") != std::string::npos);
+    QVERIFY(written.find("\"weather\": [\n{\"a\":1}") != std::string::npos);
     QCOMPARE(projectToText(projectFromText(written).value()).value(), written);
 }
 

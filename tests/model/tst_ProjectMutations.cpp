@@ -46,7 +46,7 @@ Scene seedScene()
     stage.path = "stage.glb";
     scene.stages.push_back(stage);
     scene.cameras.push_back({"Front", Camera{}});
-    scene.unknownMembers = "{\"rules\":[{\"when\":\"now\"}]}";
+    scene.unknownMembers = "{\"weather\":[{\"rain\":\"now\"}]}";
     scene.unknownTableMembers = "{\"sorted\":true}";
     IndividualRows rows = IndividualRows::withDefaults({1, 2, 3, 5, 8, 13, 21});
     for (std::size_t i = 0; i < rows.ids.size(); ++i) {
@@ -59,6 +59,9 @@ Scene seedScene()
     }
     scene.population.add(rows);
     scene.nextId = 22;
+    scene.places = {{.id = 1, .name = "door", .position = {1.0F, 0.0F, 2.0F}, .radius = 1.5F},
+                    {.id = 4, .name = "tree", .role = crowd::model::PlaceRole::Obstacle}};
+    scene.paths = {{.id = 1, .name = "way", .places = {1, 4}, .branches = {{4, 1, 0.5F}}}};
     scene.unknownColumns.push_back({"fear", {{1, "{\"of\":\"dogs\"}"}, {8, "2"}}});
     return scene;
 }
