@@ -60,7 +60,7 @@ class Examples(unittest.TestCase):
         wave = example("wave_brush")
         self.assertIn("Wave", crowdbrush.brushes)
         scene = crowdbrush.open("builtin:scenes/theatre.crowd")
-        outcome = scene.stroke(wave.WaveBrush(), [(640, 360)], size=(1280, 720))
+        outcome = scene.stroke(wave.WaveBrush(), [(200, 330), (300, 330)], size=(1280, 720))
         self.assertGreater(outcome.affected, 3)
         clips = scene.templates[0].clip_names
         self.assertIn("sit_cheer", [clips[c] for c in scene.column("clip")])
