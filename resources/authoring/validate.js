@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // NODE_PATH=FOLDER/node_modules node validate.js FILE.glb ...
-// after "npm install gltf-validator" in that FOLDER, outside the repository.
+// where FOLDER is build/gltf-validator after ./dev setup.
 // Runs the Khronos validator; exits with 1 on any error or warning.
 const validator = require("gltf-validator");
 const fs = require("fs");
