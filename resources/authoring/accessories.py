@@ -112,32 +112,41 @@ def _felt_cap(body, is_coarse):
     return _lathe(rings, 6 if is_coarse else 10)
 
 
+# Height in head sizes -> width of the veil, how far beyond the ears it reaches in degrees.
+VEIL = {1.155: (.30, 91), 1.12: (.58, 91), 1.04: (.86, 91), .97: (.96, 60), .84: (1.02, 50),
+        .50: (1.07, 44), .18: (1.05, 38), -.05: (1.10, 34), -.27: (1.42, 22)}
+COARSE_VEIL = (1.12, .97, .18, -.27)
+
+
 def _veil(body, is_coarse):
-    """A fold of the cloak drawn over the back of the head, open at the face."""
-    heights = (1.10, .80, .25, -.22) if is_coarse else (1.13, 1.02, .80, .45, .10, -.22)
-    widths = {1.13: .30, 1.10: .45, 1.02: .72, .80: 1.0, .45: 1.06, .25: 1.06, .10: 1.05,
-              -.22: 1.22}
-    columns = 6 if is_coarse else 9
+    """A fold of the cloak drawn over the head, open at the face, down to the shoulders."""
+    heights, columns = (COARSE_VEIL, 6) if is_coarse else (tuple(VEIL), 10)
     shape = Shape([], [])
     for z in heights:
-        centre, rx, ry = _head_oval(body, z, .012 if body.hair == "bald" else .030)
+        width, reach = VEIL[z]
+        centre, rx, ry = _head_oval(body, z, .046 if is_coarse else .032)
         centre = centre + vec(0, .10 * body.head.size * max(0, .3 - z), 0)
-        for i in range(columns):
-            t = math.radians(-38 + 256 * i / (columns - 1))
-            shape.vertices.append(centre + vec(rx * widths[z] * math.cos(t),
-                                               ry * widths[z] * math.sin(t), 0))
-    _add_both_sides(shape, len(heights), columns)
-    top = range(columns)
-    shape.faces += [tuple(top)[::-1], tuple(top)]
+        turns = [math.radians(-reach + (180 + 2 * reach) * i / (columns - 1))
+                 for i in range(columns)]
+        ends = [] if is_coarse else [0, -1]  # the border is turned in
+        points = [centre + vec(rx * math.cos(t), ry * math.sin(t), 0) * width for t in turns]
+        for i, k in zip(ends, (0, len(points) + 1)):
+            points.insert(k, points[i] + (centre - points[i]) * .16 + vec(0, .014, 0))
+        shape.vertices += points
+    _add_both_sides(shape, len(heights), columns if is_coarse else columns + 2,
+                    [tuple(range(columns if is_coarse else columns + 2))[::-1]])
     return shape
 
 
-def _add_both_sides(shape, rows, columns):
-    for k in range(rows - 1):
-        for i in range(columns - 1):
-            a = k * columns + i
-            quad = (a, a + 1, a + columns + 1, a + columns)
-            shape.faces += [quad, quad[::-1]]
+def _add_both_sides(shape, rows, columns, others=(), is_ring=False):
+    """Faces between rows of vertices, and others; copies of all for the side that faces inwards:
+    smooth normals need vertices of their own there."""
+    steps = [(i, (i + 1) % columns) for i in range(columns if is_ring else columns - 1)]
+    faces = [(k + i, k + j, k + columns + j, k + columns + i)
+             for k in range(0, (rows - 1) * columns, columns) for i, j in steps] + list(others)
+    count = len(shape.vertices)
+    shape.vertices += [v.copy() for v in shape.vertices]
+    shape.faces += faces + [tuple(count + i for i in face[::-1]) for face in faces]
 
 
 def _around_trunk(body, degrees, z, ease):
@@ -163,11 +172,12 @@ def _band(body, is_coarse, height_at, wide, ease):
     for k in range(rows):
         across = k / (rows - 1) - .5
         bulge = ease + (.016 if rows == 3 and k == 1 else 0)
-        for i in range(turns + 1):
+        for i in range(turns):
             degrees = 360 * i / turns
             point = _around_trunk(body, degrees, height_at(degrees) + across * wide, bulge)
-            shape.vertices.append(point + vec(0, 0, max(0, point[2] - body.trunk["shoulder"].z)))
-    _add_both_sides(shape, rows, turns + 1)
+            above = max(0, point[2] - body.trunk["shoulder"].z)
+            shape.vertices.append(point + vec(0, 0, .35 * above))
+    _add_both_sides(shape, rows, turns, is_ring=True)
     return shape
 
 

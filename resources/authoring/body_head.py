@@ -67,7 +67,18 @@ class HeadShape:
         return chart_v("head", .08 + .92 * (z - self.head.chin_z) / self.head.size)
 
 
-def add_head(surface, body, detail, trunk, hides_crown, has_ears):
+def _is_under_hair(hairline, low, high, left, right, is_coarsest):
+    """Whether nobody sees this face. hairline: its row per column, None where hair hangs."""
+    if high < CROWN or (high == CROWN and left < SIDE):
+        return False
+    if is_coarsest:
+        return left >= SIDE  # at the front the face goes on up to the top
+    ends = [hairline[c] for c in (left, right) if hairline[c] is not None]
+    return not ends or max(ends) <= low
+
+
+def add_head(surface, body, detail, trunk, hairline, has_ears):
+    """hairline: the lower edge of the hair as Style.edge has it, None for a bald head."""
     shape = HeadShape(body, detail)
     ids = {}
 
@@ -82,8 +93,8 @@ def add_head(surface, body, detail, trunk, hides_crown, has_ears):
     rows, columns = detail.head_rows, detail.head_columns
     for low, high in zip(rows[:-1], rows[1:]):
         for left, right in zip(columns[:-1], columns[1:]):
-            if hides_crown and (high > CROWN or (high == CROWN and left >= SIDE)):
-                continue  # hidden by the hair
+            if hairline and _is_under_hair(hairline, low, high, left, right, detail.level == 3):
+                continue
             corners = ((low, left), (low, right), (high, right), (high, left))
             surface.face([vertex(*c) for c in corners], "skin",
                          [(.5 + COLUMN_U[c], shape.v(shape.grid(r, c)[2])) for r, c in corners],

@@ -45,9 +45,11 @@ class Leg:
                        "shoe": ankle + .012}
         if detail.level == 3:
             self.places.update({"above knee": knee, "under shorts": knee})
-            if body.skirt:  # legs would show through so few triangles of cloth
-                self.places["under skirt"] = min(self.places["under skirt"],
-                                                 body.skirt.bottom_z + .06 * s)
+        if body.skirt and detail.level > 0:  # legs would show through so few triangles of cloth
+            top = body.skirt.bottom_z + (0, .15, .10, .06)[detail.level] * s
+            if detail.level == 1:
+                top = max(top, knee + .10 * s)  # robes are seen to bend at the knees
+            self.places["under skirt"] = min(self.places["under skirt"], top)
         bare = (knee + .050 * s, knee - .025 * s, knee - .13 * s)
         self.bends = (bare if body.legs in ("bare", "leggings", "shorts", "under coat") else
                       (hip - .150 * s, knee + .060 * s, knee - .005 * s, knee - .06 * s,

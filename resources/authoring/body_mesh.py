@@ -14,7 +14,8 @@ def build_body(body, level):
     surface, detail = Surface(), DETAILS[level]
     trunk = Trunk(surface, body, detail)
     style = STYLES[body.hair]
-    shape = add_head(surface, body, detail, trunk, not style.is_bald, style.has_ears)
+    shape = add_head(surface, body, detail, trunk, None if style.is_bald else style.edge,
+                     style.has_ears)
     HairShell(surface, body, detail, shape).add()
     Arm(surface, body, detail, trunk).add()
     Leg(surface, body, detail, trunk).add()

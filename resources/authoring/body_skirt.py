@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 """A skirt, or the lower part of a dress or coat: one tube around both legs, which follows the
-thighs, and below the knees the shins."""
+thighs, and below the knees the shins. A short one is gathered around the thighs of who sits, by
+joints of its own."""
 import math
 from dataclasses import dataclass
 
-from body_detail import trunk_angles
+from body_detail import DETAILS, trunk_angles
+from body_leg import LEG_TUBES, Leg
 from geometry import lerp, smoothstep, vec
 
 SHARES = ((0, .28, .62, 1), (0, .30, .65, 1), (0, .45, 1), (0, 1))
 BELOW_KNEE = ((0, .28, .52, .76, 1),) + SHARES[1:]
 LINING, LONG_LINING = .28, .72  # where the cloth's inner side ends
+GATHERED_EASE = vec(.018, .013, .014)  # of the hem of who sits: to the side, in front, behind
 LONG_SHARES = ((0, .15, .33, .52, .72, 1), (0, .25, .52, .76, 1), (0, .30, .60, 1), (0, .5, 1))
 
 
@@ -89,6 +92,35 @@ class Skirt:
         thigh = 1 - smoothstep(z, hip - .12 * s, hip + .05 * s)
         shin = (1 - smoothstep(z, knee - .13 * s, knee + .03 * s)) * self.cut.follow
         left = .5 + .5 * smoothstep(abs(point[0]), 0, self._leg_x() * .98)
-        return {"hips": 1 - thigh, "thigh_L": thigh * (1 - shin) * left,
-                "thigh_R": thigh * (1 - shin) * (1 - left), "shin_L": thigh * shin * left,
-                "shin_R": thigh * shin * (1 - left)}
+        # At most four bones for a point: all is gathered where the shins hold the cloth too, and
+        # between the legs nothing where the hips do.
+        low, high = max(self.cut.bottom_z, knee + .03 * s), hip - (.02 if left == 1 else .12) * s
+        own = 1 - smoothstep(z, low, high) if is_gathered(self.body) else 0
+        shares = {"hips": 1 - thigh}
+        for name, share in (("thigh", (1 - shin) * (1 - own)), ("skirt", (1 - shin) * own),
+                            ("shin", shin)):
+            shares[name + "_L"] = thigh * share * left
+            shares[name + "_R"] = thigh * share * (1 - left)
+        return {name: share for name, share in shares.items() if share > 0}
+
+
+def is_gathered(body):
+    """Whether the cloth has joints of its own; long robes hang over the knees by themselves."""
+    return bool(body.skirt) and body.skirt.bottom_z > body.knee[2] - .05
+
+
+def gathered(body):
+    """(offset, scale) of the joint skirt_L of who sits: the hem lies close around the thigh."""
+    cut, hem, z = body.skirt, body.trunk["hem"], body.skirt.bottom_z
+    leg = Leg(None, body, DETAILS[0], None)
+    centre, cloth = leg.centre(max(z, body.knee[2])), LEG_TUBES[body.legs][0][3]
+    side, front, back = (r + max(0, 2 * cloth) + ease
+                         for r, ease in zip(leg.radii(z), GATHERED_EASE))
+    front += .015 if z < body.knee[2] else 0  # which bends
+    wide = hem.half_width + cut.side
+    first, last = hem.centre_y - hem.front - cut.front, hem.centre_y + hem.back + cut.back
+    scale = vec(side / (wide - centre[0]), (front + back) / (last - first), 1)
+    # What is at the side and behind comes to lie next to the thigh; the joint is in the hip.
+    offset = vec(centre[0] - body.hip[0] - scale[0] * (centre[0] - body.hip[0]),
+                 centre[1] + back - body.hip[1] - scale[1] * (last - body.hip[1]), 0)
+    return offset, scale

@@ -26,7 +26,7 @@ def _man_in_coat():
                     Head(.002, .246, 1.0, .99, 1.04), hair="curly", legs="under coat",
                     wardrobe="man_2", accessories=("scarf",), arms_off=8.0, stance=1.35)
     return replace(body, sleeve=.50,
-                   skirt=SkirtCut("top", body.knee[2] + .16, .046, .030, .050))
+                   skirt=SkirtCut("top", body.knee[2] + .10, .052, .034, .056))
 
 
 def _woman_in_dress():

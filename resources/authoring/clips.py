@@ -33,7 +33,7 @@ class Clip:
 
     def __init__(self, name, frames, extras):
         self.name, self.frames, self.extras = name, frames, extras
-        self.local, self.hips, self.poses = {}, [], []
+        self.local, self.hips, self.gather, self.poses = {}, [], [], []
 
 
 def sample(name, frames, extras, bones, pose_at, loop=True):
@@ -44,6 +44,7 @@ def sample(name, frames, extras, bones, pose_at, loop=True):
         parent = lambda pose: pose.rotation[bone.parent] if bone.parent else np.eye(3)
         clip.local[bone_name] = [parent(pose).T @ pose.rotation[bone_name] for pose in clip.poses]
     clip.hips = [pose.position["hips"] for pose in clip.poses]
+    clip.gather = [pose.gather for pose in clip.poses]
     return clip
 
 

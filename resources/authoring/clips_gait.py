@@ -3,6 +3,7 @@
 on the ground when the person moves forward with it."""
 import math
 
+from clips_standing import relaxed_elbow
 from geometry import (FULL_TURN, hermite, lerp, periodic_curve, rot_x, rot_y, rot_z, smoothstep,
                       vec)
 from skeleton import SIDES, LegTarget, Pose, hanging_arm
@@ -149,11 +150,11 @@ def _move_trunk(pose, gait, is_walk, phase):
 
 def _walking_arm(pose, side, sign, phase):
     swing = math.cos(FULL_TURN * (phase - .02)) * (.35 + .65 * pose.body.energy)
-    bend = 8 + 15 * (.5 - .5 * math.cos(FULL_TURN * (phase - .06)))
+    bend = 13 + 18 * (.5 - .5 * math.cos(FULL_TURN * (phase - .06)))
     pose.local["shoulder_" + side] = rot_z(sign * 2.0 * swing)
     off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0) + pose.body.arms_off
     pose.local["upperarm_" + side] = hanging_arm(sign, 38 - off, 20 * swing + 5)
-    pose.local["forearm_" + side] = rot_z(sign * -6) @ rot_x(-bend)
+    pose.local["forearm_" + side] = relaxed_elbow(pose, sign) @ rot_z(sign * -6) @ rot_x(-bend)
     pose.local["hand_" + side] = rot_x(-4 - 5 * math.cos(FULL_TURN * (phase - .15)))
 
 

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from body_skirt import is_gathered
 from clips_standing import clap_hands, hang, raise_arm, sine, standing
 from geometry import FULL_TURN, lerp, rot_x, rot_y, rot_z, smoothstep, unit, vec
 from skeleton import SIDES, ArmTarget, LegTarget, Pose, plant_foot
@@ -53,7 +54,7 @@ def seated_trunk(body, bones, phase, lean, nod, look=9.0):
     """Legs and trunk that all seated clips share."""
     pose = Pose(body, bones)
     sway, breath = sine(phase), sine(phase, times=2)
-    pose.offset = seat_offset(body) + vec(.004 * sway, 0, 0)
+    pose.offset, pose.gather = seat_offset(body) + vec(.004 * sway, 0, 0), 1.0
     pose.local.update({
         "hips": rot_x(-9 + .6 * sway) @ rot_z(1.2 * sway),
         "spine": rot_x(8 + lean + 1.0 * breath) @ rot_z(-1 * sway),
@@ -69,7 +70,8 @@ def hand_on_thigh(pose, phase, side, sign, share=.58, inwards=0.0):
     knee, hip = pose.position["shin_" + side], pose.position["thigh_" + side]
     above = .108 * body.leg_girth
     if body.skirt:
-        above = body.trunk["hem"].front + .6 * body.skirt.front + .044
+        above = body.trunk["hem"].front + .6 * body.skirt.front \
+            + (.012 if is_gathered(body) else .044)
     wrist = hip + (knee - hip) * share + vec(sign * (.010 - inwards), 0,
                                              above + .002 * sine(phase, times=2))
     return ArmTarget(wrist, unit(knee - hip) + vec(-sign * .30, 0, -.10), vec(0, -.1, -1),
@@ -91,7 +93,8 @@ def sit_2_pose(body, bones, phase):
         knee = pose.position["shin_" + side]
         above = .075
         if body.skirt:
-            above = (body.trunk["hem"].front + .6 * body.skirt.front + .085) / body.size
+            above = (body.trunk["hem"].front + .6 * body.skirt.front
+                     + (.055 if is_gathered(body) else .085)) / body.size
         wrist = vec(sign * (.062 + .003 * sign) * body.size, knee[1] + .035 * body.size,
                     knee[2] + (above + .003 * sine(phase, times=2)) * body.size)
         pose.arms[side] = ArmTarget(wrist, vec(-sign * .50, -.80, -.28), vec(-sign * .55, .1, -.6),
@@ -150,7 +153,7 @@ def sitting_down_pose(body, bones, phase):
     pose = Pose(body, bones)
     pose.offset = lerp(stand.offset, seat.offset, down) \
         + vec(0, .05 * body.size * math.sin(math.pi * down), 0)
-    straight = lambda name: (stand if phase < .5 else seat).local[name]
+    pose.gather = down
     _mix(pose, stand, seat, smoothstep(phase, .35, 1))
     pose.local["hips"] = rot_x(bend * .8) @ pose.local["hips"]
     pose.local["spine"] = rot_x(bend * .3) @ pose.local["spine"]

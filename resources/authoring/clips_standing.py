@@ -57,8 +57,13 @@ def hang(pose, side, sign, lower, swing, bend):
     """An arm at the side; a wide trunk holds it off."""
     off = 150 * max(0, pose.body.belly - .02) + (4 if pose.body.skirt else 0) + pose.body.arms_off
     pose.local["upperarm_" + side] = hanging_arm(sign, lower - off, swing)
-    pose.local["forearm_" + side] = rot_z(sign * -8) @ rot_x(-bend)
+    pose.local["forearm_" + side] = relaxed_elbow(pose, sign) @ rot_z(sign * -8) @ rot_x(-bend)
     pose.local["hand_" + side] = rot_x(-5) @ rot_y(sign * 3)
+
+
+def relaxed_elbow(pose, sign):
+    """Forearms hang down again where upper arms stand off."""
+    return rot_y(sign * .6 * pose.body.arms_off)
 
 
 def turned(pose, name, rotation):

@@ -31,10 +31,11 @@ def thinned(rings, level):
 class Shape:
     """Vertices with a bone share each, and faces with a slot, at one level of detail.
 
-    Tubes get coarser by themselves; what is small is left out past the level "until"."""
+    Tubes get coarser by themselves; what is small is left out past the level "until". Edges that
+    turn by more than sharp_degrees are hard."""
 
-    def __init__(self, level=0):
-        self.level = level
+    def __init__(self, level=0, sharp_degrees=SHARP_DEGREES):
+        self.level, self.sharp_degrees = level, sharp_degrees
         self.positions, self.weights, self.faces = [], [], []
 
     def add(self, points, weights):
@@ -93,7 +94,7 @@ class Shape:
             for i in f:
                 around.setdefault(i, []).append(normal[f])
         rows, index, triangles = [], {}, []
-        limit = math.cos(math.radians(SHARP_DEGREES))
+        limit = math.cos(math.radians(self.sharp_degrees))
         for f in faces:
             own = normal[f] / max(np.linalg.norm(normal[f]), 1e-12)
             corner = []

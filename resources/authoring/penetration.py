@@ -3,7 +3,7 @@
 import numpy as np
 
 NEAR = .06   # metres; a hand cannot get deeper than this from one keyframe to the next
-BODY = ("hips", "spine", "chest", "shoulder", "neck", "head", "thigh", "shin", "foot")
+BODY = ("hips", "spine", "chest", "shoulder", "neck", "head", "thigh", "shin", "foot", "skirt")
 SHALLOW = .001
 AT_ONCE = 64
 AXIS = {"thigh": "shin", "shin": "foot"}

@@ -3,6 +3,7 @@
 import numpy as np
 
 import wardrobe
+from body_skirt import gathered
 from clips import FRAMES_PER_SECOND
 from geometry import srgb_to_linear, to_gltf
 from glb import INDICES, VERTICES, GlbWriter, vertex_attributes
@@ -183,7 +184,19 @@ class PersonWriter:
             offsets[-1] = offsets[0]
         if np.abs(offsets - to_gltf(self.bones["hips"].head)).max() > STILL_METRES:
             self._channel(animation, "hips", "translation", times, offsets, "VEC3", False)
+        if "skirt_L" in self.bones and max(clip.gather) > 0:
+            self._gather(animation, times, np.array(clip.gather)[:, None])
         self.glb.add("animations", animation)
+
+    def _gather(self, animation, times, share):
+        """Draws a short skirt around the thighs."""
+        offset, scale = gathered(self.body)
+        for side, sign in (("_L", 1), ("_R", -1)):
+            moved = to_gltf(share * offset * (sign, 1, 1)).astype(np.float32)
+            sized = 1 + share * (scale[[0, 2, 1]] - 1)
+            self._channel(animation, "skirt" + side, "translation", times, moved, "VEC3", False)
+            self._channel(animation, "skirt" + side, "scale", times, sized.astype(np.float32),
+                          "VEC3", False)
 
     def _channel(self, animation, bone, path, times, values, kind, normalized):
         if np.ptp(values.astype(float), axis=0).max() == 0:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from creature_file import LEVELS, CreatureWriter, Shape, about_x
 from geometry import FULL_TURN, hermite, rot_x, rot_z, vec
 
+SHARP_DEGREES = 70  # legs have few sides and are round all the same
 EYES = (("", (24, 20, 18)),)
 
 
@@ -71,7 +72,7 @@ class Quadruped:
                                                     vec(x, y + .02, h * .10) * s)
 
     def shape(self, level):
-        shape, m, s = Shape(level), self.m, self.size
+        shape, m, s = Shape(level, SHARP_DEGREES), self.m, self.size
         ring = lambda weights: lambda r: (vec(0, *r[:2]) * s, r[2] * s, r[3] * s, weights)
         shape.tube([ring({"body": 1})(r) for r in m.body][::-1], 11, "coat")
         count = len(m.neck) - 1
@@ -113,15 +114,19 @@ class Quadruped:
                            for part in ("", "_shin", "_foot"))
         upper, lower, paw = (f"{end}{part}_{side}" for part in ("", "_shin", "_foot"))
         sign = math.copysign(1, hip[0])
-        rings = [(vec(hip[0] - .3 * m.spread * sign, hip[1], hip[2] + .16), m.upper[end][0][1],
-                  m.upper[end][0][2], {"body": 1})]
+        # From within the trunk, so that the shoulder grows out of it.
+        _, wide, deep = m.upper[end][0]
+        rings = [(hip + vec(-.45 * m.spread * sign, 0, .24), wide, deep, {"body": 1})]
         for t, wide, deep in m.upper[end][1:]:
             weights = {upper: .7, "body": .3} if t < .1 else \
                 {upper: .5, lower: .5} if t == 1 else {upper: 1}
             rings.append((hip * (1 - t) + knee * t, wide, deep, weights))
         for t, wide, deep in m.lower:
             weights = {lower: .5, paw: .5} if t == 1 else {lower: 1}
-            rings.append((knee * (1 - t) + foot * t, wide, deep, weights))
+            place = knee * (1 - t) + foot * t
+            if t == 1 and shape.level > 1:
+                place[2] = 0  # there are no paws
+            rings.append((place, wide, deep, weights))
         scaled = lambda items: [(p * s, w * s, d * s, b) for p, w, d, b in items]
         shape.tube(scaled(rings[::-1]), 7, "coat", upright=True)
         shape.tube(scaled([(vec(foot[0], foot[1] + y, z), wide, deep, {paw: 1})
@@ -235,7 +240,7 @@ def horse():
               (-.36, 1.15, .235, .335), (-.08, 1.12, .255, .315), (.20, 1.13, .255, .30),
               (.44, 1.18, .250, .295), (.62, 1.20, .225, .27), (.76, 1.17, .15, .20),
               (.82, 1.14, .06, .10)),
-        neck=((-.50, 1.24, .15, .27), (-.68, 1.42, .115, .215), (-.82, 1.66, .095, .165),
+        neck=((-.48, 1.24, .17, .28), (-.68, 1.42, .130, .240), (-.82, 1.66, .105, .190),
               (-.89, 1.88, .085, .125), (-.90, 1.98, .055, .07)),
         head_joint=(-.86, 1.93),
         head=((.06, .02, .05, .07), (.0, 0, .095, .135), (-.10, -.055, .110, .150),
@@ -252,9 +257,9 @@ def horse():
                "hind": ((0, .08, .17), (.02, .125, .235), (.5, .100, .15), (1, .062, .078))},
         lower=((.35, .043, .050), (.75, .038, .042), (1, .046, .048)),
         paw=((0, .115, .046, .048), (-.015, .07, .056, .062), (-.035, 0, .068, .080)),
-        mane=((-.36, 1.50, .02, .03), (-.50, 1.56, .034, .09), (-.62, 1.74, .036, .11),
-              (-.72, 1.94, .036, .10), (-.82, 2.06, .034, .07), (-.97, 2.00, .026, .05),
-              (-1.03, 1.92, .010, .02)),
+        mane=((-.40, 1.49, .015, .03), (-.52, 1.54, .030, .09), (-.62, 1.61, .034, .11),
+              (-.74, 1.79, .036, .12), (-.86, 2.01, .034, .075),
+              (-.97, 2.00, .024, .05), (-1.03, 1.92, .010, .02)),
         leg=1.0, spread=.155)).writer(
         (1.6, 36, .62, .16, (0, .25, .5, .75), .012, .8, 3),
         (6.4, 18, .30, .34, (0, .55, .12, .68), .06, 4, 5))

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from body_skirt import is_gathered
 from geometry import frame, rot_x, rot_y, rot_z, unit, vec
 
 SIDES = (("L", 1), ("R", -1))
@@ -52,6 +53,8 @@ def make_bones(body):
             ("foot", "shin_" + side, body.ankle, ball),
             ("toe", "foot_" + side, ball, ball + vec(0, -.09, 0)),
         )
+        if is_gathered(body):
+            chains += (("skirt", "thigh_" + side, body.hip, body.knee),)
         for name, parent, head, tail in chains:
             bones[f"{name}_{side}"] = Bone(parent, head * mirror, tail * mirror)
     return bones
@@ -76,6 +79,7 @@ class Pose:
     def __init__(self, body, bones):
         self.body, self.bones = body, bones
         self.offset = vec(0, 0, 0)  # of the hips from rest
+        self.gather = 0.0           # how far a short skirt is drawn around the thighs
         self.local, self.legs, self.arms = {}, {}, {}
         self.rotation, self.position, self.reach = {}, {}, {}
 
