@@ -14,11 +14,13 @@ CITY = {"street": (112, 114, 120), "pavement": (186, 180, 170), "plaza": (206, 1
         "roof": (158, 88, 66), "stone": (196, 186, 166), "water": (96, 158, 186),
         "leaf": (92, 134, 72), "trunk": (98, 78, 60), "metal": (78, 82, 88),
         "awning": (190, 70, 58), "awning_light": (236, 222, 190), "sign": (52, 96, 150),
-        "grass": (132, 156, 92)}
+        "grass": (132, 156, 92), "hill": (128, 148, 108), "hill_far": (150, 166, 166)}
 STADIUM = {"concrete": (188, 186, 180), "dark": (128, 128, 132), "seat": (64, 92, 150),
            "seat_light": (210, 214, 222), "grass": (96, 146, 74), "grass_light": (110, 160, 84),
            "track": (178, 92, 66), "line": (240, 240, 236), "metal": (206, 208, 212),
-           "roof": (226, 228, 232), "board": (190, 62, 54), "board_light": (236, 196, 84)}
+           "roof": (226, 228, 232), "board": (190, 62, 54), "board_light": (236, 196, 84),
+        "lawn": (120, 150, 88), "leaf": (86, 126, 70), "trunk": (98, 78, 60),
+        "hill": (128, 148, 108), "hill_far": (150, 166, 166)}
 MEADOW = {"grass": (124, 158, 82), "path": (190, 166, 122), "leaf": (86, 128, 66),
           "leaf_light": (122, 156, 76), "trunk": (104, 82, 62), "wood": (146, 116, 84),
           "stone": (164, 160, 150), "water": (108, 164, 188), "hill": (134, 158, 122),
@@ -38,6 +40,24 @@ def tree(surface, x, y, z, height, leaf="leaf"):
                           (r * .7, z + height * .86), (.02, z + height)], 8, leaf)
 
 
+def ridges(surface, seed, rows, middle=0):
+    """Hills on the horizon, around y = middle. rows: (foot radius, crest radius, height, material),
+    near first. No further off than they must be: what can be walked on is measured over all."""
+    rng, steps = random.Random(seed), 48
+    for foot, crest, height, material in rows:
+        shifts = [rng.uniform(0, 2 * math.pi) for _ in range(3)]
+        low, high = [], []
+        for k in range(steps):
+            a = 2 * math.pi * k / steps
+            top = height * (.58 + sum(share * math.sin(times * a + shift) for share, times, shift
+                                      in zip((.22, .16, .08), (3, 7, 13), shifts)))
+            low.append(surface.point(foot * math.cos(a), middle + foot * math.sin(a), .01))
+            high.append(surface.point(crest * math.cos(a), middle + crest * math.sin(a), top))
+        for k in range(steps):
+            n = (k + 1) % steps
+            surface.face((low[n], low[k], high[k], high[n]), material, 1.0)
+
+
 # -- the city ------------------------------------------------------------------------------------
 PLAZA, STREET, BLOCK, CURB = 22.0, 5.0, 26.0, .15
 TERRACE = 1.5
@@ -50,7 +70,32 @@ def city():
     _blocks(surface, rng, details)
     _crossings(surface)
     _bridge(surface)
-    write_stage(surface, "city", smooth=("leaf",))
+    _outskirts(surface, details)
+    write_stage(surface, "city", smooth=("leaf", "hill", "hill_far"))
+
+
+def _outskirts(surface, rng):
+    """What the streets lead to: houses across their ends, woods and hills."""
+    for turn in range(4):
+        x = -34.0
+        while x < 34:
+            wide, storeys = rng.uniform(7, 12), rng.choice((2, 3, 3, 4))
+            _far_house(House(surface, turn, rng), rng, x, x + wide, 86 + rng.uniform(0, 1.5),
+                       storeys)
+            x += wide + rng.choice((0, 0, 0, 4))
+    ridges(surface, 3, ((97, 106, 9, "hill"), (101, 107, 19, "hill_far")))
+
+
+def _far_house(house, rng, x0, x1, edge, storeys):
+    top = 3.2 * storeys
+    wall = rng.choice(("wall_a", "wall_b", "wall_c", "wall_d", "wall_e"))
+    back = (2 + house.turn) % 4
+    house.box((x0, edge, 0), (x1, edge + 9, top), wall, back)
+    house.box((x0 - .3, edge - .3, top), (x1 + .3, edge + 9, top + 1.2), "roof", back)
+    for floor in range(storeys):
+        for k in range(2):
+            x = x0 + (x1 - x0) * (k + .5) / 2
+            house.pane(x - .55, x + .55, edge - .03, 3.2 * floor + .9, 3.2 * floor + 2.5, "window")
 
 
 def _plaza(surface):
@@ -105,10 +150,15 @@ class House:
     def __init__(self, surface, turn, details):
         self.surface, self.turn, self.details = surface, turn, details
 
-    def box(self, low, high, material):
+    def box(self, low, high, material, without=None):
         a, b = _turned(self.turn, low[0], low[1]), _turned(self.turn, high[0], high[1])
         self.surface.box((min(a[0], b[0]), min(a[1], b[1]), low[2]),
-                         (max(a[0], b[0]), max(a[1], b[1]), high[2]), material, bottom=True)
+                         (max(a[0], b[0]), max(a[1], b[1]), high[2]), material, bottom=True,
+                         without=without)
+
+    def on_wall(self, low, high, material):
+        """A box whose back nobody sees."""
+        self.box(low, high, material, (2 + self.turn) % 4)
 
     def pane(self, x0, x1, y, z0, z1, material):
         corners = ((x0, z0), (x1, z0), (x1, z1), (x0, z1))
@@ -142,8 +192,8 @@ def _house(house, rng, x0, x1, edge, is_arcade):
         base = CURB + floor * storey + .85
         for k in range(count):
             middle = x0 + (k + .5) * pitch
-            house.box((middle - .62, edge - .06, base - .12), (middle + .62, edge, base + 1.75),
-                      "trim")
+            house.on_wall((middle - .62, edge - .06, base - .12),
+                          (middle + .62, edge, base + 1.75), "trim")
             house.pane(middle - .50, middle + .50, edge - .07, base, base + 1.62, "window")
         if floor < 3 and house.details.random() < .25:
             k = house.details.randrange(count)
@@ -193,7 +243,7 @@ def _shop(house, rng, x0, x1, edge, storey):
     middle, low = (x0 + x1) / 2, CURB
     house.pane(x0 + .6, middle - .8, edge - .03, low + .7, low + 2.5, "window")
     house.pane(middle + .8, x1 - .6, edge - .03, low + .7, low + 2.5, "window")
-    house.box((middle - .6, edge - .08, low), (middle + .6, edge, low + 2.45), "trim")
+    house.on_wall((middle - .6, edge - .08, low), (middle + .6, edge, low + 2.45), "trim")
     house.pane(middle - .5, middle + .5, edge - .09, low + .02, low + 2.3, "door")
     if rng.random() < .6:
         house.box((x0 + .4, edge - 1.3, low + 2.62), (x1 - .4, edge, low + 2.74),
@@ -243,6 +293,10 @@ def stadium():
     width = BLOCKS * PER_BLOCK * PITCH + (BLOCKS + 1) * AISLE
     half = width / 2
     flat(surface, -75, -110, 75, FIRST_Y, 0, "track")
+    for x0, y0, x1, y1 in ((-120, -160, -75, 80), (75, -160, 120, 80), (-75, -160, 75, -110),
+                           (-75, FIRST_Y, 75, 80)):
+        flat(surface, x0, y0, x1, y1, 0, "lawn", 1.0)
+    _far_side(surface, half)
     for k in range(14):
         flat(surface, -52, -84 + 6 * k, 52, -78 + 6 * k, .02, ("grass", "grass_light")[k % 2])
     _pitch_lines(surface)
@@ -265,7 +319,26 @@ def stadium():
                 seats.append({"position": [round(x, 4), round(z, 4), round(-(y + .20), 4)],
                               "headingRadians": 0.0, "height": SEAT, "rank": rank, "wedge": block})
     _roof(surface, half)
-    write_stage(surface, "stadium", seats)
+    write_stage(surface, "stadium", seats, smooth=("leaf", "hill", "hill_far"))
+
+
+def _far_side(surface, half):
+    """An empty bank of steps across the pitch, boards before it, trees and hills."""
+    for step in range(9):
+        y = -92.5 - 1.6 * step
+        surface.box((-half, y - 1.6, 0), (half, y, .7 + .62 * step),
+                    "seat_light" if step % 3 == 2 else "seat", without=2 if step > 8 else None)
+    surface.box((-half, -107.6, 0), (half, -107.0, 8.6), "concrete")
+    for x in range(-8, 8):
+        surface.box((x * 3.6, -90.4, 0), (x * 3.6 + 3.5, -90.2, .95),
+                    ("metal", "board", "board_light")[x % 3])
+    rng = random.Random(15)
+    for k in range(46):
+        angle = 2 * math.pi * (k + rng.uniform(-.3, .3)) / 46
+        radius = 92 + rng.uniform(0, 16)
+        x, y = radius * 1.05 * math.cos(angle), radius * math.sin(angle) - 40
+        tree(surface, x, y, 0, rng.uniform(8, 13))
+    ridges(surface, 5, ((116, 145, 11, "hill"), (138, 180, 27, "hill_far")), -40)
 
 
 def _seat(surface, x, y, z, material):
@@ -302,7 +375,7 @@ def _roof(surface, half):
     p = surface.points(((-half, back - 14, top + 8.6), (half, back - 14, top + 8.6),
                         (half, back + .5, top + 6.8), (-half, back + .5, top + 6.8)))
     surface.face(p, "roof", 1.0)
-    surface.face(p[::-1], "roof", .8)
+    surface.face(p[::-1], "roof", 1.0)
     for k in range(8):
         x = -half + 1 + k * (2 * half - 2) / 7
         surface.box((x - .15, back - .5, top + 1), (x + .15, back, top + 7), "metal")

@@ -19,6 +19,7 @@ import numpy as np
 
 import silhouettes
 from baked import BakedTemplate
+from glb import read_glb
 from motion import balls, foot_slide, jerk, knee_acceleration, seam
 from penetration import Surfaces
 
@@ -40,6 +41,9 @@ MOST = {"seam": .0005, "jerk": .05, "slide": .002, "hand": .020, "hand in garmen
 PENETRATIONS = ("hand", "hand in garment", "leg")
 FEWEST_SKIN_TONES, FEWEST_LOOKS = 4, 2
 MOST_OVERLAP = .85
+ANY = (0, 30000)
+STAGE_TRIANGLES = {"theatre": (13000, 14500), "city": (15000, 16500)}
+SEATS = {"theatre": (650, 800), "stadium": (2000, 4000)}
 MOST_BYTES = 40 * 1024 * 1024
 HEIGHT_METRES, REACH_METRES = (.02, 6.0), 8.0
 COMMON_HEIGHT = 1.75
@@ -163,6 +167,22 @@ def check_silhouettes(templates):
     return faults
 
 
+def check_stages():
+    """Triangles near what was asked for, and enough seats."""
+    faults = []
+    for path in sorted(glob.glob(os.path.join(RESOURCES, "stages", "*.glb"))):
+        name, (document, _) = os.path.basename(path)[:-4], read_glb(path)
+        count = sum(document["accessors"][p["indices"]]["count"] // 3
+                    for mesh in document["meshes"] for p in mesh["primitives"])
+        seats = len(document["scenes"][0]["extras"]["seats"])
+        for what, value, (low, high) in (("triangles", count, STAGE_TRIANGLES.get(name, ANY)),
+                                         ("seats", seats, SEATS.get(name, ANY))):
+            if not low <= value <= high:
+                faults.append(f"stage {name} has {value} {what}, not {low} to {high}")
+        print(f"stage {name}: {count} triangles, {seats} seats")
+    return faults
+
+
 def check_scenes():
     """Nobody moves on the spot; several cameras; a picture for the welcome page."""
     faults = []
@@ -221,7 +241,7 @@ def main():
     faults = []
     for name, template in templates.items():
         faults += check(template, name, options.step)
-    faults += check_silhouettes(templates) + check_scenes() + check_size()
+    faults += check_silhouettes(templates) + check_stages() + check_scenes() + check_size()
     stages = [] if options.names else sorted(glob.glob(os.path.join(RESOURCES, "stages", "*.glb")))
     faults += validate(list(paths.values()) + stages)
     print("\n".join(faults))

@@ -33,7 +33,10 @@ DOWN = 14  # degrees that the camera looks down
 # Width, height and depth to leave for those who are not people, in metres.
 ROOM = {"beetle": (.16, .06, .20), "dog": (.9, .9, 1.6), "horse": (1.6, 2.2, 3.4),
         "helicopter": (9.5, 4.6, 11.0), "forklift": (2.2, 3.2, 4.2)}
-PERSON = (1.35, 2.15, 1.35)
+PERSON = (1.05, 2.0, 1.05)
+DAYLIGHT = {"sunAzimuth": .5, "sunElevation": .7, "sunColor": [1.0, .96, .9], "sunStrength": 1.1,
+            "ambientColor": [.75, .78, .84], "ambientStrength": .7, "skyZenith": [.42, .5, .6],
+            "skyHorizon": [.86, .9, .94], "ground": [.74, .75, .76], "groundGrid": False}
 
 
 class Figure:
@@ -73,6 +76,7 @@ def write_scene(path, templates, rows, room):
     entries = [dict(entry, id=k + 1) for k, (entry, _) in enumerate(templates.values())]
     scene = {"format": "crowdbrush-scene", "version": 1, "name": "Sheet", "seed": 1,
              "nextId": len(table) + 1, "templates": entries, "stages": [], "cameras": [view],
+             "lighting": DAYLIGHT,
              "individuals": {"columns": COLUMNS, "rows": table}}
     with open(path, "w", encoding="utf-8") as file:
         json.dump(scene, file)
@@ -168,7 +172,7 @@ class Studio:
             for k in range(40 if own else 0):
                 actor = own[k % len(own)]
                 figures.append(Figure(actor.name, actor.clips.index("idle"), rng.random(),
-                                      rng.uniform(-.5, .5), actor.dress(rng, palette)))
+                                      rng.uniform(-.5, .5), actor.fresh_dress(rng, palette)))
             rng.shuffle(figures)
             if figures:
                 self.draw(f"crowd_{name}", entries(own), [figures[k:k + 10]

@@ -5,6 +5,7 @@ Plain Python: reads the built-in .glb files, needs no Blender. The same bytes ea
 import json
 import math
 import os
+from collections import deque
 
 import numpy as np
 
@@ -34,6 +35,8 @@ DYES = [(206, 132, 92), (222, 176, 96), (150, 158, 108), (136, 154, 172), (178, 
 ANTIQUE = {"top": (UNDYED, DYES, .42), "shoes": (SHOES, SHOES, 0), "cloak": (UNDYED, DYES, .6),
            "scarf": (DYES, UNDYED, .4), "hat": (UNDYED, DYES, .2)}
 SKINS = ((0, 30), (1, 26), (2, 20), (3, 14), (4, 10))
+RED_ROBE_CHOICE, RED_ROBE = 2, (185, 80, 71)  # the look of a robe, and the tint of a veil like it
+FEWEST_DIFFERENCES, ALIKE_COLOURS, MOST_TRIES = 3, 36, 24
 HAIRS = ((0, 34), (1, 26), (2, 10), (3, 10), (4, 14))  # own, black, blond, auburn, grey
 
 
@@ -72,6 +75,7 @@ class Actor:
                 self.parts.append(node["extras"]["shown"])
         self.looks = {slot: sum(m["extras"]["slot"] == slot for m in materials)
                       for slot in self.slots}
+        self.worn = deque(maxlen=40)
         self.is_old = name in ("old_man", "old_woman", "priest")
 
     def entry(self):
@@ -89,22 +93,44 @@ class Actor:
             if slot == "hair" and not self.is_old:
                 choices[i] = weighted(HAIRS, rng) if skin < 3 else rng.choice((0, 1, 1, 1, 4))
             rgb = WHITE
-            if slot in palette:
+            if slot in palette and not (slot == "cloak" and self.name == "priest"):
                 often, seldom, share = palette[slot]
                 rgb = rng.choice(seldom if rng.random() < share else often)
                 if self.looks[slot] > 1 and rng.random() < .42 and not (top and slot == "top"):
                     choices[i] = rng.randrange(1, self.looks[slot])
                     rgb = WHITE if slot == "bottom" else tuple(c + (255 - c) * .55 for c in rgb)
-            if slot == "cloak" and self.name == "priest":
-                rgb, choices[i] = rng.choice(UNDYED), 0  # it is drawn from his robe
+            if slot == "cloak" and self.name == "priest":  # it is drawn from his robe
+                rgb = RED_ROBE if choices[top_slot] == RED_ROBE_CHOICE else robe
             elif slot not in ("skin", "hair", "", *palette) and self.looks[slot] > 1:
                 choices[i] = rng.randrange(self.looks[slot])
-            if slot == "top" and top:
-                rgb = top
+            if slot == "top":
+                rgb = top or rgb
+                robe, top_slot = rgb, i
             tints.append(tint(rgb, rng))
         shown = sum(1 << k for k, usual in enumerate(self.parts)
                     if rng.random() < (.8 if usual else .35))
         return tints, "".join(f"{c:02x}" for c in choices), shown
+
+    def fresh_dress(self, rng, palette, top=None):
+        """A dress that cannot be taken for one of the last that this was asked for."""
+        for _ in range(MOST_TRIES):
+            dress = self.dress(rng, palette, top)
+            if not any(self._are_alike(dress, other) for other in self.worn):
+                break
+        self.worn.append(dress)
+        return dress
+
+    def _are_alike(self, first, second):
+        """The top, which one sees first, counts twice; shoes do not."""
+        differing = first[2] != second[2]
+        for i, slot in enumerate(self.slots[:6]):
+            colours = ([int(tints[i][k:k + 2], 16) for k in (1, 3, 5)]
+                       for tints in (first[0], second[0]))
+            look = slice(2 * i, 2 * i + 2)
+            if slot != "shoes" and (first[1][look] != second[1][look] or max(
+                    abs(a - b) for a, b in zip(*colours)) > ALIKE_COLOURS):
+                differing += 2 if slot == "top" else 1
+        return differing < FEWEST_DIFFERENCES
 
 
 class Crowd:
@@ -117,7 +143,7 @@ class Crowd:
     def add(self, name, position, heading, clip, seat=NO_SEAT, palette=TODAY, top=None, speed=None,
             size=1.0, phase=None):
         rng, actor = self.rng, self.actors[name]
-        tints, choices, parts = actor.dress(rng, palette, top)
+        tints, choices, parts = actor.fresh_dress(rng, palette, top)
         height = size * min(1.05, max(.96, rng.gauss(1.0, .022)))
         girth = min(1.12, max(.92, rng.gauss(1.0, .040))) * height
         self.rows.append([

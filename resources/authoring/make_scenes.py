@@ -41,8 +41,8 @@ def city():
     _pavements(crowd, rng)
     crowd.write("city.crowd", "City", "city", [
         camera("Square", (4.5, 6.2, 20.5), (-2.0, 1.4, -4.0), 44),
-        camera("Fountain", (-6.5, 2.4, 9.0), (1.5, 1.3, -1.5), 42),
-        camera("From the bridge", (37.5, 6.2, 1.5), (0, 1.0, -2.0), 46),
+        camera("Fountain", (-7.4, 3.0, 10.6), (1.5, 1.3, -1.5), 42),
+        camera("From the bridge", (37.5, 6.2, 2.8), (0, 1.0, -3.0), 46),
         camera("Above", (34, 36, 40), (0, 0, 0), 42),
         camera("Eye to eye", (3.5, 1.75, 12.5), (-4.5, 1.2, 2.0), 46)], DAY)
 
@@ -111,11 +111,12 @@ def stadium():
         crowd.add(rng.choice(TODAY), seat["position"], rng.gauss(-x / width * .25, .06), clip,
                   STAGE_ID << 24 | index, top=top)
     crowd.write("stadium.crowd", "Stadium", "stadium", [
-        camera("Stand", (0, 12.5, 22.0), (0, 8.6, -24), 42),
+        camera("Stand", (0, 13.0, 18.5), (0, 9.4, -24), 43),
         camera("Close", (9.5, 5.4, -6.4), (4.0, 4.6, -17.0), 44),
         camera("From the side", (-33, 9, -4), (4, 6.0, -24), 48),
         camera("From the top row", (-16, 16.3, -36.2), (8, 1.5, 2), 56),
-        camera("Pitch", (27, 14, 34), (1, 6.0, -22), 44)], dict(DAY, sunAzimuth=.35))
+        camera("Pitch", (27, 14, 34), (1, 6.0, -22), 44)],
+        dict(DAY, sunAzimuth=.35, ground=[.70, .71, .66]))
 
 
 def place(x, z):
@@ -145,13 +146,13 @@ def meadow():
                       "idle", size=rng.uniform(.8, 1.3))
     crowd.add("helicopter", (20, LEVEL + .14, -10), -.7, "idle", speed=1.0)
     crowd.add("helicopter", (-8, LEVEL + 11.5, -26), .9, "hover", speed=1.0)
-    for x, z, turn in ((13.0, -4.5, .8), (17.6, -3.4, -1.2), (12.0, -9.0, 1.6)):
+    for x, z, turn in ((19.5, -1.3, .8), (16.8, -15.4, -1.2), (12.6, -9.4, 1.6)):
         crowd.add("forklift", place(x, z), turn, "lift")
     crowd.write("meadow.crowd", "Meadow", "meadow", [
-        camera("Meadow", (3.5, LEVEL + 4.0, 18.5), (-.5, LEVEL + 1.2, -4.0), 44),
+        camera("Meadow", (3.5, LEVEL + 4.0, 18.5), (2.6, LEVEL + 1.2, -4.0), 46),
         camera("Horses", (-4.6, LEVEL + 3.2, -2.6), (-8.4, LEVEL + .4, -17.0), 46),
         camera("Beetles", (.5, here(.5, 11.9) + .42, 11.9), (0, here(0, 10.6), 10.6), 38),
-        camera("Machines", (8.6, LEVEL + 3.2, -.6), (16.6, LEVEL + 1.1, -8.2), 48),
+        camera("Machines", (8.6, LEVEL + 3.2, -.6), (17.6, LEVEL + 1.1, -7.0), 48),
         camera("Above", (26, LEVEL + 26, 32), (0, LEVEL, -4), 42)],
         dict(DAY, ground=[.46, .56, .34], skyHorizon=[.88, .92, .92]))
 

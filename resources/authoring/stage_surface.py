@@ -12,6 +12,8 @@ MATERIALS = {  # 0..255 sRGB; weathered limestone and earth
     "banner_light": (222, 178, 86)}
 ROUNDED = ("leaf", "trunk", "pine", "hill", "hill_far")
 
+TIP = .02  # metres; a thinner end of a lathe shape is a point
+
 
 def polar(radius, angle, z):
     """Angle 0 is the middle of the audience (+Y), growing towards +X."""
@@ -50,25 +52,30 @@ class StageSurface:
                 self.face((rows[k][i], rows[k][i + 1], rows[k + 1][i + 1], rows[k + 1][i]),
                           material, 1.0 if material in ("earth", "sand") else None)
 
-    def box(self, low, high, material, bottom=False):
+    def box(self, low, high, material, bottom=False, without=None):
+        """without: a side that nobody sees; 0 looks along -Y, 1 +X, 2 +Y, 3 -X."""
         (x0, y0, z0), (x1, y1, z1) = low, high
         p = self.points((x, y, z) for z in (z0, z1)
                         for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
         sides = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6, 7)]
         tone = self.tone()
-        for side in sides + ([(3, 2, 1, 0)] if bottom else []):
-            self.face([p[i] for i in side], material, tone)
+        for k, side in enumerate(sides + ([(3, 2, 1, 0)] if bottom else [])):
+            if k != without:
+                self.face([p[i] for i in side], material, tone)
 
     def turned(self, x, y, profile, sides, material):
-        """A lathe shape around a vertical axis from (radius, z) points, bottom first."""
+        """A lathe shape around a vertical axis from (radius, z) points, bottom first. Where it ends
+        in the axis, a triangle a side does."""
         turns = [2 * math.pi * i / sides for i in range(sides)]
+        radii = [0 if radius <= TIP else radius for radius, _ in profile]
         rows = [self.points((x + r * math.cos(a), y + r * math.sin(a), z) for a in turns)
-                for r, z in profile]
+                for r, (_, z) in zip(radii, profile)]
         tone = self.tone()
-        for below, above in zip(rows[:-1], rows[1:]):
+        for below, above, radius in zip(rows[:-1], rows[1:], radii[1:]):
             for i in range(sides):
                 j = (i + 1) % sides
-                self.face((below[i], below[j], above[j], above[i]), material, tone)
+                corners = (below[i], below[j], above[j], above[i])
+                self.face(corners if radius else corners[:3], material, tone)
 
     def prism(self, outline, other, sides_material, cap_material, flip):
         """Two equal outlines joined by quads, both ends closed by fans."""

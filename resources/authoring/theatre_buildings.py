@@ -16,7 +16,7 @@ ARCHES = 26
 
 def add_ground(surface):
     surface.arc([(7.6, .015), (OUTER_RADIUS, .015), (OUTER_RADIUS + 3, .015), (62, .015)],
-                -math.pi, math.pi, 48, ["earth"] * 3)
+                -math.pi, math.pi, 36, ["earth"] * 3)
     surface.arc([(.8, .04), (1.6, .04), (6.4, .04), (7.2, .04)], -math.pi, math.pi, 40,
                 ["sand"] * 3)
     surface.arc([(7.2, .04), (7.2, .10), (FIRST_RADIUS, .10)], -HALF_ANGLE, HALF_ANGLE, 40,
@@ -93,7 +93,7 @@ def add_stage_building(surface):
     for i in range(13):
         x = -w + .3 + i * (2 * w - .6) / 12
         surface.box((x - .18, STAGE_FRONT, 0), (x + .18, STAGE_FRONT + .2, STAGE_HEIGHT - .08),
-                    "marble")
+                    "marble", without=0)
     for side in (-1, 1):
         x = side * (w - 2.2)
         for step in range(6):
@@ -164,24 +164,24 @@ def add_trees(surface):
 def _add_cypress(surface, place, random):
     x, y, _ = place
     height, girth = random.uniform(7, 11), random.uniform(.85, 1.15)
-    surface.turned(x, y, [(.18, 0), (.15, 1.1)], 5, "trunk")
-    outline = ((.30, .08), (.95, .17), (1.08, .34), (.92, .58), (.55, .80), (.22, .94), (.02, 1))
-    surface.turned(x, y, [(r * girth, z * height) for r, z in outline], 7, "leaf")
+    surface.turned(x, y, [(.18, 0), (.15, 1.1)], 4, "trunk")
+    outline = ((.30, .08), (1.0, .20), (1.06, .38), (.74, .70), (.30, .91), (.02, 1))
+    surface.turned(x, y, [(r * girth, z * height) for r, z in outline], 6, "leaf")
 
 
 def _add_pine(surface, place, random):
     x, y, _ = place
     height, girth = random.uniform(8, 12), random.uniform(2.4, 3.6)
-    surface.turned(x, y, [(.28, 0), (.20, height * .74)], 5, "trunk")
-    outline = ((.05, .62), (.72, .66), (1.0, .75), (.90, .86), (.52, .96), (.02, 1))
+    surface.turned(x, y, [(.28, 0), (.20, height * .74)], 4, "trunk")
+    outline = ((.05, .62), (.76, .66), (1.0, .76), (.72, .91), (.02, 1))
     surface.turned(x, y, [(r * girth, z * height) for r, z in outline], 8, "pine")
 
 
 def add_hills(surface):
     """Two ridges on the horizon."""
     random = np.random.default_rng(11)
-    for radius, start, height, material in ((150, 61, 16, "hill"), (270, 130, 46, "hill_far")):
-        steps = 56
+    for radius, start, height, material in ((100, 61, 11, "hill"), (145, 92, 25, "hill_far")):
+        steps = 48
         waves = random.uniform(0, 2 * math.pi, 4)
         heights = [height * (.55 + .22 * math.sin(3 * a + waves[0])
                              + .16 * math.sin(7 * a + waves[1])
@@ -203,7 +203,7 @@ def add_banners(surface):
     for i in range(count):
         angle = -HALF_ANGLE + 2 * HALF_ANGLE * (i + .5) / count
         x, y, z = polar(OUTER_RADIUS - .25, angle, TOP_LEVEL + .9)
-        surface.turned(x, y, [(.06, z), (.05, z + 3.6)], 5, "trunk")
+        surface.turned(x, y, [(.06, z), (.05, z + 3.6)], 4, "trunk")
         cloth = []
         for side, level in ((-.55, 3.4), (.55, 3.4), (.55, 1.5), (0, 1.15), (-.55, 1.5)):
             px, py, _ = polar(OUTER_RADIUS - .36, angle + side / OUTER_RADIUS, 0)
