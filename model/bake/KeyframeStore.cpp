@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "model/bake/ClipBaker.h"
+#include "model/bake/SharedClips.h"
 
 namespace crowd::model {
 
@@ -85,9 +86,15 @@ void KeyframeStore::Private::forgetExpired()
     });
 }
 
-/// A clip that needs no more than its first keyframe is complete with it.
+/// A clip that needs no more than its first keyframe is complete with it, and so is one that
+/// somebody else has baked: that takes no more memory.
 Kept KeyframeStore::Private::addFirstKeyframe(const TemplatePtr& asset, int clipIndex)
 {
+    if (BakedClipPtr shared = findSharedClip(asset, clipIndex)) {
+        const std::size_t bytes = shared->bytes();
+        reservedBytes += bytes;
+        return {asset, std::move(shared), true, false, bytes, bytes};
+    }
     Kept entry{asset, bakeClip(*asset, clipIndex, 1)};
     entry.fullBytes = bakedBytes(*asset, clipIndex);
     entry.reservedBytes = entry.clip->bytes();
@@ -136,8 +143,14 @@ bool KeyframeStore::Private::runOne(std::unique_lock<std::mutex>& lock)
     ++running;
     lock.unlock();
     const Clip& clip = job.asset->clips[static_cast<std::size_t>(job.clipIndex)];
-    BakedClipPtr baked = bakeClip(*job.asset, job.clipIndex, clip.keyframeCount(),
-                                  [this] { return isStopping.load() || isPaused.load(); });
+    BakedClipPtr baked = findSharedClip(job.asset, job.clipIndex);
+    if (!baked) {
+        baked = bakeClip(*job.asset, job.clipIndex, clip.keyframeCount(),
+                         [this] { return isStopping.load() || isPaused.load(); });
+        if (baked) {
+            shareClip(job.asset, job.clipIndex, baked);
+        }
+    }
     lock.lock();
     --running;
     const auto found = kept.find({job.asset.get(), job.clipIndex});

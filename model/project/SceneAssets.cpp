@@ -2,6 +2,7 @@
 #include "model/project/SceneAssets.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include <QtCore/QFileInfo>
 
@@ -93,13 +94,60 @@ Result<std::string> fileOf(const std::string& path)
     return file.toStdString();
 }
 
+/// Built-in templates, which do not change while the program runs: scenes share them, and with them
+/// what is baked of them, for as long as somebody keeps one.
+class BuiltinTemplates
+{
+public:
+    TemplatePtr find(const std::string& file, const ImportSettings& import)
+    {
+        const std::lock_guard<std::mutex> guard(m_mutex);
+        for (const Known& known : m_known) {
+            if (TemplatePtr asset = known.asset.lock();
+                asset && known.file == file && known.import == import) {
+                return asset;
+            }
+        }
+        return nullptr;
+    }
+
+    void keep(const std::string& file, const ImportSettings& import, const TemplatePtr& asset)
+    {
+        const std::lock_guard<std::mutex> guard(m_mutex);
+        std::erase_if(m_known, [](const Known& known) { return known.asset.expired(); });
+        m_known.push_back({file, import, asset});
+    }
+
+private:
+    struct Known
+    {
+        std::string file;
+        ImportSettings import;
+        std::weak_ptr<const Template> asset;
+    };
+    std::mutex m_mutex;
+    std::vector<Known> m_known;
+};
+
 } // namespace
 
 Result<TemplatePtr> loadTemplateAsset(const TemplateEntry& entry, const LoadProgress& progress)
 {
+    static BuiltinTemplates builtins;
     const Result<std::string> file = fileOf(entry.path);
-    return file ? importTemplate(file.value(), entry.import, importProgress(progress, entry.name))
-                : file.error();
+    if (!file) {
+        return file.error();
+    }
+    if (TemplatePtr known =
+            isBuiltin(entry.path) ? builtins.find(file.value(), entry.import) : nullptr) {
+        return known;
+    }
+    Result<TemplatePtr> asset =
+        importTemplate(file.value(), entry.import, importProgress(progress, entry.name));
+    if (asset && isBuiltin(entry.path)) {
+        builtins.keep(file.value(), entry.import, asset.value());
+    }
+    return asset;
 }
 
 Result<StagePtr> loadStageAsset(const StageEntry& entry, const LoadProgress& progress)
