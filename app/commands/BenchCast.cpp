@@ -12,6 +12,7 @@
 #include <QtCore/QFile>
 #include <QtGui/QImage>
 
+#include "app/commands/BenchReport.h"
 #include "model/gltf/GltfImport.h"
 #include "model/project/AssetPaths.h"
 
@@ -26,12 +27,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
-}
-
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return std::round(values[values.size() / 2] * 1000.0) / 1000.0;
 }
 
 /// Bytes, JSON and pictures of one .glb; the number of bytes, 0 if it is none.
@@ -94,8 +89,8 @@ model::Result<CastTimes> timeCast(int rounds)
         }
         floor.push_back(millisecondsSince(start));
     }
-    times.loadMs = load.empty() ? 0.0 : median(load);
-    times.floorMs = floor.empty() ? 0.0 : median(floor);
+    times.loadMs = load.empty() ? 0.0 : rounded(median(load));
+    times.floorMs = floor.empty() ? 0.0 : rounded(median(floor));
     return times;
 }
 

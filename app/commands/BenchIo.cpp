@@ -12,6 +12,7 @@
 #include <QtCore/QTemporaryDir>
 
 #include "app/commands/BenchCast.h"
+#include "app/commands/BenchReport.h"
 #include "app/commands/BenchScene.h"
 #include "model/project/ProjectFile.h"
 
@@ -34,12 +35,6 @@ double millisecondsOf(const Work& work)
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
-}
-
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return std::round(values[values.size() / 2] * 1000.0) / 1000.0;
 }
 
 /// Stands for a character: the file holds its path and clip names, nothing of its mesh.
@@ -145,10 +140,10 @@ int runBenchIo(const BenchIoOptions& options)
     nlohmann::ordered_json report;
     report["count"] = options.count;
     report["bytes"] = bytes.value();
-    report["save_ms"] = median(times.saveMs);
-    report["load_ms"] = median(times.loadMs);
-    report["parse_floor_ms"] = median(times.parseFloorMs);
-    report["dump_floor_ms"] = median(times.dumpFloorMs);
+    report["save_ms"] = rounded(median(times.saveMs));
+    report["load_ms"] = rounded(median(times.loadMs));
+    report["parse_floor_ms"] = rounded(median(times.parseFloorMs));
+    report["dump_floor_ms"] = rounded(median(times.dumpFloorMs));
     report["cast_templates"] = cast.value().templates;
     report["cast_bytes"] = cast.value().bytes;
     report["cast_load_ms"] = cast.value().loadMs;

@@ -11,6 +11,7 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 
+#include "app/commands/BenchReport.h"
 #include "model/base/Random.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneDocument.h"
@@ -272,23 +273,6 @@ double areaRatio(const std::vector<model::TemplateEntry>& cast, model::AreaMode 
     return many.medianAreaQuery(mode) / fewMs;
 }
 
-double rounded(double value)
-{
-    return std::round(value * 1000.0) / 1000.0;
-}
-
-void print(const QJsonObject& report, bool isJson)
-{
-    if (isJson) {
-        std::cout << QJsonDocument(report).toJson(QJsonDocument::Compact).toStdString() << '\n';
-        return;
-    }
-    for (auto item = report.begin(); item != report.end(); ++item) {
-        std::cout << item.key().toStdString() << ": "
-                  << item.value().toVariant().toString().toStdString() << '\n';
-    }
-}
-
 } // namespace
 
 int runBenchPaint(const BenchPaintOptions& options)
@@ -318,7 +302,7 @@ int runBenchPaint(const BenchPaintOptions& options)
         rounded(areaRatio(cast.value(), model::AreaMode::Visible));
     report[QStringLiteral("area_through_ratio_100k_10k")] =
         rounded(areaRatio(cast.value(), model::AreaMode::Through));
-    print(report, options.json);
+    printReport(report, options.json);
     return 0;
 }
 

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <vector>
 
+#include "app/commands/BenchReport.h"
 #include "app/python/Binding.h"
 #include "app/python/EmbeddedPython.h"
 
@@ -84,17 +85,6 @@ struct Pair
     std::vector<double> python;
     std::vector<double> cpp;
 };
-
-double rounded(double value)
-{
-    return std::round(value * 1000.0) / 1000.0;
-}
-
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 void put(QJsonObject& report, const char* name, const Pair& times)
 {

@@ -260,13 +260,13 @@ QJsonObject Comparison::report() const
     return json;
 }
 
-int fail(const model::Error& error)
+int failBench(const model::Error& error)
 {
     std::fprintf(stderr, "%s\n", error.message.c_str());
     return 1;
 }
 
-void print(const QJsonObject& report, bool isJson)
+void printComparison(const QJsonObject& report, bool isJson)
 {
     if (isJson) {
         std::printf("%s\n", QJsonDocument(report).toJson(QJsonDocument::Compact).constData());
@@ -300,21 +300,21 @@ int runBenchRender(const BenchRenderOptions& options)
     }
     auto scene = loadWorkload(options);
     if (!scene) {
-        return fail(scene.error());
+        return failBench(scene.error());
     }
     Comparison comparison(options, *size, std::move(scene).value());
     if (auto opened = comparison.open(); !opened) {
-        return fail(opened.error());
+        return failBench(opened.error());
     }
     if (auto ran = comparison.run(); !ran) {
-        return fail(ran.error());
+        return failBench(ran.error());
     }
     if (!options.picture.empty()) {
         if (auto written = comparison.writePictures(); !written) {
-            return fail(written.error());
+            return failBench(written.error());
         }
     }
-    print(comparison.report(), options.json);
+    printComparison(comparison.report(), options.json);
     return 0;
 }
 

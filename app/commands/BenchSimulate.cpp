@@ -11,6 +11,7 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 
+#include "app/commands/BenchReport.h"
 #include "behavior/validation/Validation.h"
 #include "behavior/workload/Workload.h"
 #include "model/base/Parallel.h"
@@ -25,11 +26,6 @@ double nowMs()
 {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double, std::milli>(now).count();
-}
-
-double rounded(double value)
-{
-    return std::round(value * 1000.0) / 1000.0;
 }
 
 QJsonObject report(const BenchSimulateOptions& options, const behavior::WorkloadFigures& figures)
@@ -53,18 +49,6 @@ QJsonObject report(const BenchSimulateOptions& options, const behavior::Workload
     return object;
 }
 
-void print(const QJsonObject& object, bool isJson)
-{
-    if (isJson) {
-        std::cout << QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() << '\n';
-        return;
-    }
-    for (auto item = object.begin(); item != object.end(); ++item) {
-        std::cout << item.key().toStdString() << ": "
-                  << item.value().toVariant().toString().toStdString() << '\n';
-    }
-}
-
 /// A table, or an object with one list; 0 when all are within their limits.
 int runValidation(bool isJson)
 {
@@ -84,7 +68,7 @@ int runValidation(bool isJson)
         }
     }
     if (isJson) {
-        print({{QStringLiteral("validation"), list}}, true);
+        printReport({{QStringLiteral("validation"), list}}, true);
     }
     return isValid ? 0 : 1;
 }
@@ -107,7 +91,7 @@ int runBenchSimulate(const BenchSimulateOptions& options)
     if (options.slowing >= 0.0) {
         crowd.crowd().parameters.slowing = static_cast<float>(options.slowing);
     }
-    print(report(options, behavior::runWorkload(crowd, options.steps, &nowMs)), options.json);
+    printReport(report(options, behavior::runWorkload(crowd, options.steps, &nowMs)), options.json);
     return 0;
 }
 
