@@ -3,8 +3,11 @@
 
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QScrollArea>
+#include <QtWidgets/QTreeWidget>
 
 namespace crowd::widgets {
+
+inline constexpr int kIdRole = Qt::UserRole; ///< where a list keeps the id of what a row shows
 
 /// A dock whose content scrolls when the dock is small and that never forces the window wider.
 class DockBase : public QDockWidget
@@ -14,6 +17,8 @@ class DockBase : public QDockWidget
 protected:
     DockBase(const QString& title, const char* objectName, QWidget* parent);
     void setScrolledContent(QWidget* content);
+    /// A tree of names with their values beside them, renamed by key, with a menu of its own.
+    static void setUpOutline(QTreeWidget& tree);
 };
 
 } // namespace crowd::widgets

@@ -26,10 +26,9 @@ namespace crowd::widgets {
 
 namespace {
 
-enum ItemType { Heading = 1001, PathItem, PlaceItem };
-constexpr int kIdRole = Qt::UserRole;
+enum EnvironmentItemType { KindItem = 1001, PathItem, PlaceItem };
 constexpr int kIndexRole = Qt::UserRole + 1;
-constexpr int kRebuildMs = 30;
+constexpr int kRedrawMs = 30;
 
 QIcon swatch(const std::array<std::uint8_t, 3>& color)
 {
@@ -56,15 +55,8 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
       m_tree(new QTreeWidget(this))
 {
     m_tree->setObjectName(QStringLiteral("environmentTree"));
-    m_tree->setColumnCount(2);
-    m_tree->header()->hide();
-    m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    m_tree->setFrameShape(QFrame::NoFrame);
+    setUpOutline(*m_tree);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
@@ -83,7 +75,7 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     setScrolledContent(content);
 
     m_rebuild.setSingleShot(true);
-    m_rebuild.setInterval(kRebuildMs);
+    m_rebuild.setInterval(kRedrawMs);
     connect(&m_rebuild, &QTimer::timeout, this, &EnvironmentDock::rebuild);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -260,7 +252,7 @@ void EnvironmentDock::addPlaces()
             continue;
         }
         if (heading == nullptr) {
-            heading = new QTreeWidgetItem(m_tree, {tr("Places")}, Heading);
+            heading = new QTreeWidgetItem(m_tree, {tr("Places")}, KindItem);
             heading->setExpanded(true);
         }
         auto* item = new QTreeWidgetItem(heading, {QString::fromStdString(each.name)}, PlaceItem);

@@ -31,7 +31,6 @@ using model::TriggerKind;
 
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
 constexpr int kCountMs = 250;
 constexpr std::size_t kMaxLines = 400;
 
@@ -314,6 +313,7 @@ void RulesDock::rebuildList()
         }
     }
     m_note->setVisible(scene.rules.empty());
+    m_list->setVisible(!scene.rules.empty()); // else the note would stand below an empty list
     m_isFilling = false;
     refreshCounts();
 }

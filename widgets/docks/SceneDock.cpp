@@ -19,15 +19,14 @@ namespace crowd::widgets {
 
 namespace {
 
-enum ItemType {
-    Heading = QTreeWidgetItem::UserType,
+enum OutlineItemType {
+    HeadingItem = QTreeWidgetItem::UserType,
     StageItem,
     TemplateItem,
     GroupItem,
     CameraItem
 };
 
-constexpr int kIdRole = Qt::UserRole;
 constexpr int kRebuildMs = 150;
 
 /// Ids of those whose column has a value.
@@ -66,7 +65,7 @@ bool changesOutline(const model::SceneChange& change)
 
 QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& text)
 {
-    auto* item = new QTreeWidgetItem(tree, {text}, Heading);
+    auto* item = new QTreeWidgetItem(tree, {text}, HeadingItem);
     item->setIcon(0, iconNamed(icon));
     item->setExpanded(true);
     return item;
@@ -77,14 +76,7 @@ QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& tex
 SceneDock::SceneDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Scene"), "scene", parent), m_state(state), m_tree(new QTreeWidget(this))
 {
-    m_tree->setColumnCount(2);
-    m_tree->header()->hide();
-    m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    m_tree->setFrameShape(QFrame::NoFrame);
-    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    setUpOutline(*m_tree);
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);

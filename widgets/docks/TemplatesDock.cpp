@@ -20,8 +20,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
-
 std::vector<model::TemplateWeight>::iterator weightOf(std::vector<model::TemplateWeight>& mix,
                                                       model::TemplateId id)
 {
