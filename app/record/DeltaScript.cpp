@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -17,7 +18,6 @@ using namespace model;
 
 namespace {
 
-constexpr std::size_t kIndent = 4;
 constexpr std::size_t kWidth = 92;
 /// Columns that a created individual gets from its template, its seat or its number where a script
 /// does not say.
@@ -205,15 +205,20 @@ void addSpeeds(Call& call, const std::vector<float>& speeds)
     call.add("clip_speeds", pythonList(items, 2 * kIndent));
 }
 
-std::string templateCall(const EntryDelta<TemplateEntry>& delta)
+/// NaN, the file's own speed, equals itself.
+bool sameBits(float a, float b)
 {
-    if (!delta.after) {
-        return Call("scene.remove_template", pythonText(delta.before->id)).line();
-    }
-    const TemplateEntry& now = *delta.after;
-    const TemplateEntry was = delta.before.value_or(TemplateEntry{});
-    Call call = delta.before ? Call("scene.change_template", pythonText(now.id))
-                             : Call("scene.add_template", pythonText(now.path));
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+/// Adds a template or stage, or changes it: what both have of the file that they come from.
+template<class Entry>
+Call assetCall(const EntryDelta<Entry>& delta, const std::string& kind)
+{
+    const Entry& now = *delta.after;
+    const Entry was = delta.before.value_or(Entry{});
+    Call call = delta.before ? Call("scene.change_" + kind, pythonText(now.id))
+                             : Call("scene.add_" + kind, pythonText(now.path));
     if (!delta.before) {
         call.add("id", pythonText(now.id));
     } else if (now.path != was.path) {
@@ -222,10 +227,19 @@ std::string templateCall(const EntryDelta<TemplateEntry>& delta)
     if (now.name != was.name) {
         call.add("name", pythonText(now.name));
     }
+    return call;
+}
+
+std::string templateCall(const EntryDelta<TemplateEntry>& delta)
+{
+    if (!delta.after) {
+        return Call("scene.remove_template", pythonText(delta.before->id)).line();
+    }
+    const TemplateEntry& now = *delta.after;
+    const TemplateEntry was = delta.before.value_or(TemplateEntry{});
+    Call call = assetCall(delta, "template");
     addImport(call, now.import, was.import);
-    if (now.clipSpeeds.size() != was.clipSpeeds.size() ||
-        std::memcmp(now.clipSpeeds.data(), was.clipSpeeds.data(),
-                    now.clipSpeeds.size() * sizeof(float)) != 0) {
+    if (!std::ranges::equal(now.clipSpeeds, was.clipSpeeds, sameBits)) {
         addSpeeds(call, now.clipSpeeds);
     }
     return call.line();
@@ -238,16 +252,7 @@ std::string stageCall(const EntryDelta<StageEntry>& delta)
     }
     const StageEntry& now = *delta.after;
     const StageEntry was = delta.before.value_or(StageEntry{});
-    Call call = delta.before ? Call("scene.change_stage", pythonText(now.id))
-                             : Call("scene.add_stage", pythonText(now.path));
-    if (!delta.before) {
-        call.add("id", pythonText(now.id));
-    } else if (now.path != was.path) {
-        call.add("path", pythonText(now.path));
-    }
-    if (now.name != was.name) {
-        call.add("name", pythonText(now.name));
-    }
+    Call call = assetCall(delta, "stage");
     if (now.position != was.position) {
         call.add("position", pythonText(now.position));
     }

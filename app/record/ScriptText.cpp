@@ -12,7 +12,6 @@ using namespace model;
 namespace {
 
 constexpr std::size_t kLineWidth = 100;
-constexpr std::size_t kIndent = 4;
 
 template<class Number>
 std::string shortest(Number value)

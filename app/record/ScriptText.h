@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 
 /// Values as Python text that gives exactly the same values again, whatever the locale.
 namespace crowd::app {
+
+inline constexpr std::size_t kIndent = 4; ///< spaces a level
 
 /// The shortest text that comes back as this very number through Python's double.
 [[nodiscard]] std::string pythonText(float value);
