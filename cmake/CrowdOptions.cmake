@@ -13,6 +13,8 @@ endif()
 add_library(crowd_options INTERFACE)
 target_compile_options(crowd_options INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -Werror
+    # In a unity build every .cpp is a header to the compiler, also those with types of their own.
+    $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>
     # The same bits on every machine of a type: no fused multiply-add behind our back.
     -ffp-contract=off)
 target_compile_definitions(crowd_options INTERFACE

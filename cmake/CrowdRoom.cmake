@@ -3,6 +3,15 @@
 function(crowd_add_room)
     cmake_parse_arguments(ROOM "" "NAME" "PCH;SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(crowd_${ROOM_NAME} STATIC ${ROOM_SOURCES})
+    # A unity build takes the files of a folder together: in a folder, and nowhere else, names in
+    # unnamed namespaces must differ.
+    set_target_properties(crowd_${ROOM_NAME} PROPERTIES UNITY_BUILD_MODE GROUP)
+    foreach(source IN LISTS ROOM_SOURCES)
+        cmake_path(GET source PARENT_PATH folder)
+        if(folder AND NOT IS_ABSOLUTE "${folder}")
+            set_property(SOURCE ${source} PROPERTY UNITY_GROUP "${folder}")
+        endif()
+    endforeach()
     target_link_libraries(crowd_${ROOM_NAME} PUBLIC crowd_options ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
     if(ROOM_PCH)
         target_precompile_headers(crowd_${ROOM_NAME} PRIVATE ${ROOM_PCH})

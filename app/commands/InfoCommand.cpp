@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Six decimals: what a float holds of a length in metres.
-double rounded(float value)
+double sixDecimals(float value)
 {
     return std::round(static_cast<double>(value) * 1e6) / 1e6;
 }
@@ -32,12 +32,12 @@ Json clipsOf(const model::Template& asset)
     for (const model::Clip& clip : asset.clips) {
         if (!clip.isMadeUp) {
             Json entry{{"name", clip.name},
-                       {"seconds", rounded(clip.seconds)},
+                       {"seconds", sixDecimals(clip.seconds)},
                        {"keyframes", clip.keyframeCount()},
-                       {"speed_m_s", rounded(clip.speed)},
+                       {"speed_m_s", sixDecimals(clip.speed)},
                        {"loop", clip.loop}};
             if (clip.seatHeight) {
-                entry["seat_height_m"] = rounded(*clip.seatHeight);
+                entry["seat_height_m"] = sixDecimals(*clip.seatHeight);
             }
             clips.push_back(std::move(entry));
         }
@@ -73,7 +73,7 @@ Json describe(const model::Template& asset)
                 {"joints", asset.jointCount},
                 {"slots", namesOf(asset.slots)},
                 {"clips", clipsOf(asset)},
-                {"height_m", rounded(asset.height)},
+                {"height_m", sixDecimals(asset.height)},
                 {"levels", std::move(levels)},
                 {"parts", namesOf(asset.parts)},
                 {"default_clip", asset.clips[static_cast<std::size_t>(asset.defaultClip)].name},
@@ -90,8 +90,8 @@ Json describe(const model::StageAsset& stage)
                 {"joints", 0},
                 {"slots", namesOf(stage.materials)},
                 {"clips", Json::array()},
-                {"height_m", rounded(size.y)},
-                {"size_m", {rounded(size.x), rounded(size.y), rounded(size.z)}},
+                {"height_m", sixDecimals(size.y)},
+                {"size_m", {sixDecimals(size.x), sixDecimals(size.y), sixDecimals(size.z)}},
                 {"seats", stage.seats.size()},
                 {"warnings", stage.warnings}};
 }

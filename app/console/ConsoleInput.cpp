@@ -20,7 +20,7 @@ namespace {
 const QString kHistoryKey = QStringLiteral("console/history");
 const QString kIndent = QStringLiteral("    ");
 constexpr qsizetype kLongestHistory = 300;
-constexpr int kMostLines = 8;
+constexpr int kMostInputLines = 8;
 
 } // namespace
 
@@ -44,7 +44,7 @@ ConsoleInput::ConsoleInput(QWidget* parent)
 
 void ConsoleInput::fitHeight()
 {
-    const int lines = std::clamp(document()->blockCount(), 1, kMostLines);
+    const int lines = std::clamp(document()->blockCount(), 1, kMostInputLines);
     const int margins =
         2 * frameWidth() + qRound(2 * document()->documentMargin()) + contentsMargins().top();
     setFixedHeight(lines * fontMetrics().lineSpacing() + margins);

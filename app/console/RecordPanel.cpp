@@ -16,7 +16,7 @@ namespace crowd::app {
 
 namespace {
 
-const QString kFolderKey = QStringLiteral("console/folder");
+const QString kScriptFolderKey = QStringLiteral("console/folder");
 constexpr qsizetype kMostShown = 4000; ///< characters of a step
 
 QToolButton* makeButton(const char* icon, const QString& text, const QString& tip, QWidget* parent)
@@ -100,7 +100,7 @@ void RecordPanel::copy()
 void RecordPanel::save()
 {
     QSettings settings;
-    const QString folder = settings.value(kFolderKey, QDir::homePath()).toString();
+    const QString folder = settings.value(kScriptFolderKey, QDir::homePath()).toString();
     QString path = QFileDialog::getSaveFileName(this, tr("Save Recorded Script"),
                                                 QDir(folder).filePath(tr("recorded.py")),
                                                 tr("Python scripts (*.py)"));
@@ -110,7 +110,7 @@ void RecordPanel::save()
     if (QFileInfo(path).suffix().isEmpty()) {
         path += QStringLiteral(".py");
     }
-    settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+    settings.setValue(kScriptFolderKey, QFileInfo(path).absolutePath());
     if (const auto done = m_recorder.save(path); !done) {
         Q_EMIT failed(QString::fromStdString(done.error().message));
         return;

@@ -30,7 +30,7 @@ QString sceneFilter()
     return QCoreApplication::translate("crowd::app::FileController", "Crowdbrush scenes (*.crowd)");
 }
 
-model::LoadProgress loadProgress(const BackgroundTask::Progress& report)
+model::LoadProgress sceneProgress(const BackgroundTask::Progress& report)
 {
     return [report](const std::string& what, float fraction) {
         return report(QCoreApplication::translate("crowd::app::FileController", "Loading %1…")
@@ -98,7 +98,7 @@ void FileController::showNew(model::Scene scene)
         tr("Preparing a new scene…"),
         [scene](const BackgroundTask::Progress& report) {
             model::Scene loaded = scene;
-            model::loadAssets(loaded, loadProgress(report));
+            model::loadAssets(loaded, sceneProgress(report));
             return loaded;
         },
         [this](model::Scene loaded) { take(std::move(loaded), {}); });
@@ -225,7 +225,7 @@ void FileController::load(const Opening& opening)
     m_task.start(
         tr("Opening %1…").arg(QFileInfo(shown).fileName()),
         [file = opening.file](const BackgroundTask::Progress& report) {
-            return model::loadScene(file, loadProgress(report));
+            return model::loadScene(file, sceneProgress(report));
         },
         [this, opening, stamp](model::Result<model::Scene> scene) {
             if (!scene) {

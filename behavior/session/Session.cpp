@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <unordered_map>
 
@@ -20,7 +21,6 @@ constexpr float kTurnRadiansPerSecond = 4.0F;
 constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he is pushed
 constexpr float kMovesAbove = 0.02F;
 constexpr float kSpeedSmoothing = 0.15F;
-constexpr float kPi = 3.14159265F;
 constexpr float kRampShare = 0.25F; ///< of the way to the ground's height, a step
 constexpr int kObstacleSides = 12;
 constexpr float kExitMetres = 0.5F;  ///< who is so near to an exit is through
@@ -30,10 +30,10 @@ constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who hav
 /// Angle after turning towards another one as far as a body can in one step.
 float turnedTo(float heading, float target)
 {
-    float turn = std::remainder(target - heading, 2.0F * kPi);
+    float turn = std::remainder(target - heading, 2.0F * std::numbers::pi_v<float>);
     const float most = kTurnRadiansPerSecond * Session::kStepSeconds;
     turn = std::clamp(turn, -most, most);
-    return std::remainder(heading + turn, 2.0F * kPi);
+    return std::remainder(heading + turn, 2.0F * std::numbers::pi_v<float>);
 }
 
 bool isSameList(const std::vector<model::TemplateEntry>& a,
@@ -190,8 +190,8 @@ void Session::setWalls(const std::vector<model::Place>& places)
         for (int side = 0; side < kObstacleSides && place.role == model::PlaceRole::Obstacle;
              ++side) {
             const auto corner = [&](int index) {
-                const float angle =
-                    2.0F * kPi * static_cast<float>(index) / static_cast<float>(kObstacleSides);
+                const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(index) /
+                                    static_cast<float>(kObstacleSides);
                 return glm::vec2(place.position.x, place.position.z) +
                        place.radius * glm::vec2(std::sin(angle), std::cos(angle));
             };

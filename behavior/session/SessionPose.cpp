@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace crowd::behavior {
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr float kFarBelow = -1e5F;
 constexpr float kJumpMetres = 1.5F; ///< further in one step is no walk
-constexpr float kPi = 3.14159265F;
 
 struct Columns
 {
@@ -55,14 +55,15 @@ void put(const PersonPose& from, const PersonPose& to, double share, double pose
     if (from.isGone) {
         position = {0.0F, kFarBelow, 0.0F};
     }
-    const float turn = std::remainder(to.heading - from.heading, 2.0F * kPi);
+    const float turn = std::remainder(to.heading - from.heading, 2.0F * std::numbers::pi_v<float>);
     const double moved = from.clipSeconds > 0.0F
                              ? (seconds - poseSeconds) * static_cast<double>(from.rate) /
                                    static_cast<double>(from.clipSeconds)
                              : 0.0;
     columns.ids.push_back(from.id);
     columns.positions.push_back(position);
-    columns.headings.push_back(std::remainder(from.heading + turn * part, 2.0F * kPi));
+    columns.headings.push_back(
+        std::remainder(from.heading + turn * part, 2.0F * std::numbers::pi_v<float>));
     columns.clips.push_back(from.clip);
     columns.phases.push_back(phaseFor(from, from.place + moved, seconds));
     columns.rates.push_back(from.rate);

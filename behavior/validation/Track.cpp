@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -12,8 +13,6 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kPi = 3.14159265F;
-constexpr float kFreeSpeed = 1.34F;
 constexpr int kPiecesOfHalfCircle = 40;
 
 /// Nearest point of the line between the half circles' centres.
@@ -27,8 +26,9 @@ void addLoop(float straight, float radius, std::vector<Wall>& walls)
     std::vector<glm::vec2> corners;
     for (int side = 0; side < 2; ++side) {
         for (int i = 0; i <= kPiecesOfHalfCircle; ++i) {
-            const float angle = kPi * (static_cast<float>(side) - 0.5F +
-                                       static_cast<float>(i) / kPiecesOfHalfCircle);
+            const float angle =
+                std::numbers::pi_v<float> *
+                (static_cast<float>(side) - 0.5F + static_cast<float>(i) / kPiecesOfHalfCircle);
             const float middle = side == 0 ? 0.5F * straight : -0.5F * straight;
             corners.emplace_back(middle + radius * std::cos(angle), radius * std::sin(angle));
         }
@@ -42,7 +42,7 @@ void addLoop(float straight, float radius, std::vector<Wall>& walls)
 
 float Track::area() const
 {
-    return width * (2.0F * kPi * radius + 2.0F * straight);
+    return width * (2.0F * std::numbers::pi_v<float> * radius + 2.0F * straight);
 }
 
 std::vector<Wall> Track::walls() const
@@ -80,14 +80,14 @@ std::vector<glm::vec2> Track::places(std::size_t count, std::uint64_t seed) cons
     // Spread over the unrolled middle line, then rolled up.
     const float length = area() / width;
     const float half = 0.5F * width - 0.3F;
-    const float half0 = kPi * radius;
+    const float half0 = std::numbers::pi_v<float> * radius;
     std::vector<glm::vec2> places =
         scatter(count, {0.0F, -half}, {length - 0.6F, half}, 0.5F, seed);
     for (glm::vec2& place : places) {
         const float side = place.x < length * 0.5F ? 1.0F : -1.0F;
         const float way = std::fmod(place.x, length * 0.5F);
         if (way < half0) {
-            const float angle = way / radius - 0.5F * kPi;
+            const float angle = way / radius - 0.5F * std::numbers::pi_v<float>;
             place = side * (glm::vec2(0.5F * straight, 0.0F) +
                             (radius + place.y) * glm::vec2(std::cos(angle), std::sin(angle)));
         } else {

@@ -10,6 +10,8 @@
 
 namespace crowd::behavior {
 
+inline constexpr float kFreeSpeed = 1.34F; ///< metres a second of somebody alone (Weidmann 1993)
+
 /// A closed corridor: two straights of `straight` metres joined by half circles; a ring when there
 /// are no straights. Metres.
 struct Track

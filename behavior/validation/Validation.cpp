@@ -15,7 +15,6 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kFreeSpeed = 1.34F;
 constexpr double kStep = static_cast<double>(kWorkloadStep);
 constexpr double kTolerance = 0.15;
 

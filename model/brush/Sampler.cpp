@@ -13,14 +13,14 @@ constexpr double kTicksPerSecond = 60.0;
 /// Interpolated values are rounded this coarsely, so that the last bits of the interpolation, which
 /// do depend on the splitting, are lost.
 constexpr double kValueGrid = 4096.0;
-constexpr double kTieBias = 1.0 / 1024.0;
+constexpr double kValueTieBias = 1.0 / 1024.0;
 
 /// So much may be missing from a whole point for rounding.
 constexpr double kPointTolerance = 1.0e-9;
 
 double onValueGrid(double value)
 {
-    return std::floor(value * kValueGrid + 0.5 + kTieBias) / kValueGrid;
+    return std::floor(value * kValueGrid + 0.5 + kValueTieBias) / kValueGrid;
 }
 
 double between(double a, double b, double share)

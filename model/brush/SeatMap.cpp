@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kLapAboveSeat = 0.15F;
 constexpr float kHeadAboveSeat = 0.8F;
-constexpr double kReachMetres = 0.5;
+constexpr double kSeatReachMetres = 0.5;
 constexpr double kLeastReachPixels = 12.0;
 
 std::vector<SeatId> takenSeats(const Population& people)
@@ -51,7 +51,7 @@ SeatMap::SeatMap(const Scene& scene, const View& view, const StageRays& stage,
         place.foot = {foot->x, foot->y};
         place.mark = {mark->x, mark->y};
         place.lap = {lap->x, lap->y};
-        place.reach = std::max(kLeastReachPixels, kReachMetres * view.pixelsPerMetre(foot->z));
+        place.reach = std::max(kLeastReachPixels, kSeatReachMetres * view.pixelsPerMetre(foot->z));
         place.isFree = !std::ranges::binary_search(taken, seat.id);
         m_places.push_back(place);
     }

@@ -17,7 +17,7 @@ namespace {
 
 using unpack::Outcome;
 
-constexpr const char* kName = "KHR_draco_mesh_compression";
+constexpr const char* kDracoName = "KHR_draco_mesh_compression";
 constexpr std::uint32_t kUnsignedInt = 5125;
 
 /// An attribute to be unpacked, and the accessor that says as what.
@@ -123,7 +123,7 @@ private:
         for (Json* primitive : job.primitives) {
             (*primitive)["mode"] = 4;
             (*primitive)["indices"] = indexAccessor;
-            (*primitive)["extensions"].erase(kName);
+            (*primitive)["extensions"].erase(kDracoName);
             for (std::size_t i = 0; i < accessors.size(); ++i) {
                 (*primitive)["attributes"][job.attributes[i].name] = accessors[i];
             }
@@ -155,10 +155,12 @@ private:
 };
 
 /// Finds the compressed primitives and what they want.
-class Collector
+class DracoCollector
 {
 public:
-    Collector(Json& root, const std::vector<Bytes>& buffers) : m_root(root), m_buffers(buffers) {}
+    DracoCollector(Json& root, const std::vector<Bytes>& buffers) : m_root(root), m_buffers(buffers)
+    {
+    }
 
     Result<std::vector<Job>> run()
     {
@@ -167,8 +169,8 @@ public:
             for (std::size_t p = 0; p < countOf(mesh, "primitives"); ++p) {
                 Json& primitive = mesh["primitives"][p];
                 const std::string where =
-                    place("meshes", m) + "." + place("primitives", p) + ".extensions." + kName;
-                if (member(member(primitive, "extensions"), kName).is_object() &&
+                    place("meshes", m) + "." + place("primitives", p) + ".extensions." + kDracoName;
+                if (member(member(primitive, "extensions"), kDracoName).is_object() &&
                     !hasPlainData(primitive) && !add(primitive, where)) {
                     return Error{where + m_problem};
                 }
@@ -204,7 +206,7 @@ private:
 
     bool add(Json& primitive, const std::string& where)
     {
-        const std::string key = member(member(primitive, "extensions"), kName).dump() +
+        const std::string key = member(member(primitive, "extensions"), kDracoName).dump() +
                                 member(primitive, "attributes").dump() +
                                 member(primitive, "indices").dump();
         const auto [known, isNew] = m_known.try_emplace(key, m_jobs.size());
@@ -215,7 +217,7 @@ private:
         Job job;
         job.where = where;
         job.primitives.push_back(&primitive);
-        if (!findData(member(member(primitive, "extensions"), kName), job) ||
+        if (!findData(member(member(primitive, "extensions"), kDracoName), job) ||
             !findAttributes(primitive, job)) {
             return false;
         }
@@ -242,7 +244,7 @@ private:
     bool findAttributes(const Json& primitive, Job& job)
     {
         const Json& attributes = member(primitive, "attributes");
-        const Json& ids = member(member(member(primitive, "extensions"), kName), "attributes");
+        const Json& ids = member(member(member(primitive, "extensions"), kDracoName), "attributes");
         if (!ids.is_object() || !ids.contains("POSITION")) {
             return fail(".attributes has no POSITION");
         }
@@ -299,7 +301,7 @@ Error unreadable(const Job& job, const std::string& why)
 
 Result<void> decodeDraco(Json& root, std::vector<Bytes>& buffers)
 {
-    Result<std::vector<Job>> found = Collector(root, buffers).run();
+    Result<std::vector<Job>> found = DracoCollector(root, buffers).run();
     if (!found) {
         return found.error();
     }

@@ -13,7 +13,7 @@ namespace crowd::model::gltf {
 
 namespace {
 
-constexpr const char* kName = "EXT_mesh_gpu_instancing";
+constexpr const char* kInstancingName = "EXT_mesh_gpu_instancing";
 
 /// One of TRANSLATION, ROTATION and SCALE; without values where the file leaves it out.
 struct Placement
@@ -41,14 +41,14 @@ public:
     {
         const std::size_t count = m_model.nodes.size();
         for (std::size_t i = 0; i < count; ++i) {
-            const tinygltf::Value* extension = find(m_model.nodes[i].extensions, kName);
+            const tinygltf::Value* extension = find(m_model.nodes[i].extensions, kInstancingName);
             const bool isDrawn = m_model.nodes[i].mesh >= 0 && m_model.nodes[i].skin < 0;
             if (extension == nullptr || !isDrawn) {
                 continue;
             }
             const tinygltf::Value* attributes = find(*extension, "attributes");
             if (attributes != nullptr && !expand(i, *attributes)) {
-                return Error{place("nodes", i) + ".extensions." + kName + m_problem};
+                return Error{place("nodes", i) + ".extensions." + kInstancingName + m_problem};
             }
         }
         return {};

@@ -258,9 +258,9 @@ const char* RowParser::putComponent(std::size_t cell, std::size_t component, con
     return nullptr;
 }
 
-void RowParser::putUnknown(std::size_t cell, std::string json)
+void RowParser::putUnknown(std::size_t cell, std::string text)
 {
-    m_unknownTexts[static_cast<std::size_t>(m_cells[cell].unknown)].push_back(std::move(json));
+    m_unknownTexts[static_cast<std::size_t>(m_cells[cell].unknown)].push_back(std::move(text));
 }
 
 Result<IndividualRows> RowParser::sortedRows(std::vector<std::size_t>& order)

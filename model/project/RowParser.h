@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const char* put(std::size_t cell, const CellValue& value);
     [[nodiscard]] const char* putComponent(std::size_t cell, std::size_t component,
                                            const CellValue& value);
-    void putUnknown(std::size_t cell, std::string json);
+    void putUnknown(std::size_t cell, std::string text);
     void endRow() { ++m_rows; }
     [[nodiscard]] std::size_t rowCount() const { return m_rows; }
 

@@ -17,7 +17,7 @@ namespace {
 
 using namespace model;
 
-constexpr int kFramesBeforeDropping = 60;
+constexpr int kFramesBeforeDroppingStage = 60;
 
 struct StageVertex
 {
@@ -197,7 +197,7 @@ Result<void> StagePass::drawEntries(const PassContext& context, bool isBlended)
 Result<void> StagePass::draw(const PassContext& context)
 {
     std::erase_if(m_gpu, [](const auto& item) {
-        return ++item.second->unusedFrames > kFramesBeforeDropping;
+        return ++item.second->unusedFrames > kFramesBeforeDroppingStage;
     });
     return drawEntries(context, false);
 }

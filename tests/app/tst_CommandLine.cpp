@@ -7,6 +7,8 @@
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 
+#include "tests/program/Test.h"
+
 /// The program from outside, in an environment without a display: statuses and messages.
 class CommandLineTest : public QObject
 {
@@ -281,5 +283,5 @@ void CommandLineTest::measuresOnlyWhatMakesSense()
     QVERIFY(outcome.output.isEmpty());
 }
 
-QTEST_GUILESS_MAIN(CommandLineTest)
+CROWD_TEST(CommandLineTest)
 #include "tst_CommandLine.moc"

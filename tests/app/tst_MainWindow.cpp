@@ -27,6 +27,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectFile.h"
 #include "tests/app/SceneWindow.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -495,12 +496,6 @@ void MainWindowTest::iconsFollowTheTheme()
     QVERIFY(average() < 100);
 }
 
-int main(int argc, char** argv)
-{
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    MainWindowTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(MainWindowTest)
 
 #include "tst_MainWindow.moc"

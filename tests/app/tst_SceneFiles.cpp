@@ -14,6 +14,7 @@
 #include "model/project/SceneAssets.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/model/CrashedEditor.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -501,12 +502,6 @@ void SceneFilesTest::recentFileThatIsGoneLeavesTheList()
     QCOMPARE(document().scene().population.size(), std::size_t{1});
 }
 
-int main(int argc, char** argv)
-{
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    SceneFilesTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(SceneFilesTest)
 
 #include "tst_SceneFiles.moc"

@@ -8,6 +8,7 @@
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "tests/app/SceneWindow.h"
+#include "tests/program/WindowTest.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/theme/Theme.h"
 
@@ -181,12 +182,6 @@ void WelcomeTest::readableInLightAndDark()
     widgets::applyTheme(widgets::Theme::System);
 }
 
-int main(int argc, char** argv)
-{
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    const QApplication application(argc, argv);
-    WelcomeTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(WelcomeTest)
 
 #include "tst_Welcome.moc"

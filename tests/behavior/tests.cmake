@@ -1,5 +1,7 @@
-crowd_add_test(ROOM behavior NAME tst_CrowdSimulation LINK crowd_behavior)
-crowd_add_test(ROOM behavior NAME tst_Rules LINK crowd_behavior)
-crowd_add_test(ROOM behavior NAME tst_Session LINK crowd_behavior)
-crowd_add_test(ROOM behavior NAME tst_Validation LINK crowd_behavior)
-crowd_add_test(ROOM behavior NAME tst_WalkSurface LINK crowd_behavior)
+crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
+    tst_CrowdSimulation
+    tst_Rules
+    tst_Session
+    tst_Validation
+    tst_WalkSurface
+)

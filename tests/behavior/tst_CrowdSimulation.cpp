@@ -12,6 +12,7 @@
 #include "behavior/workload/Workload.h"
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using behavior::AgentState;
@@ -301,5 +302,5 @@ void CrowdSimulationTest::survivesNonsense()
     }
 }
 
-QTEST_APPLESS_MAIN(CrowdSimulationTest)
+CROWD_TEST(CrowdSimulationTest)
 #include "tst_CrowdSimulation.moc"

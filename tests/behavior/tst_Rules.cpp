@@ -7,6 +7,7 @@
 #include "behavior/session/SessionPlayer.h"
 #include "model/base/Parallel.h"
 #include "model/scene/RuleSets.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using behavior::Session;
@@ -475,5 +476,5 @@ void TestRules::theThreadShowsWhatTheSessionDoes()
     QVERIFY(!player.isRunning());
 }
 
-QTEST_GUILESS_MAIN(TestRules)
+CROWD_TEST(TestRules)
 #include "tst_Rules.moc"

@@ -9,6 +9,7 @@
 
 #include "behavior/session/Session.h"
 #include "model/base/Parallel.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using behavior::GaitTable;
@@ -369,5 +370,5 @@ void SessionTest::badPlansAreSaidAndSurvived()
     QVERIFY(nobody.frame()->population.isEmpty());
 }
 
-QTEST_APPLESS_MAIN(SessionTest)
+CROWD_TEST(SessionTest)
 #include "tst_Session.moc"

@@ -4,6 +4,7 @@
 #include <QtTest/QTest>
 
 #include "behavior/validation/Validation.h"
+#include "tests/program/Test.h"
 
 using crowd::behavior::ValidationRow;
 
@@ -50,5 +51,5 @@ void ValidationTest::weidmannsCurve()
     QVERIFY(std::abs(crowd::behavior::weidmannSpeed(5.4)) < 1e-9);
 }
 
-QTEST_APPLESS_MAIN(ValidationTest)
+CROWD_TEST(ValidationTest)
 #include "tst_Validation.moc"

@@ -3,6 +3,7 @@
 
 #include "behavior/session/Session.h"
 #include "behavior/surface/WalkSurface.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using behavior::Session;
@@ -182,5 +183,5 @@ void TestWalkSurface::canBeCancelled()
     QVERIFY(built.error().message.find("cancelled") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(TestWalkSurface)
+CROWD_TEST(TestWalkSurface)
 #include "tst_WalkSurface.moc"

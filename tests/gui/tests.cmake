@@ -1,13 +1,15 @@
-crowd_add_test(ROOM gui NAME tst_Console LINK crowd_app)
-crowd_add_test(ROOM gui NAME tst_EditorAudience LINK crowd_app)
-crowd_add_test(ROOM gui NAME tst_PaintAudience LINK crowd_widgets)
-crowd_add_test(ROOM gui NAME tst_Recording LINK crowd_app)
-crowd_add_test(ROOM gui NAME tst_ScriptBrush LINK crowd_app)
-crowd_add_test(ROOM gui NAME tst_ViewportWindow LINK crowd_widgets)
-crowd_add_test(ROOM gui NAME tst_WalkingCrowd LINK crowd_widgets)
+crowd_add_tests(ROOM gui LINK crowd_app TESTS
+    tst_Console
+    tst_EditorAudience
+    tst_PaintAudience
+    tst_Recording
+    tst_ScriptBrush
+    tst_ViewportWindow
+    tst_WalkingCrowd
+)
 # What is recorded in the window is replayed by interpreters of their own.
-target_compile_definitions(tst_Recording PRIVATE
+set_property(SOURCE gui/tst_Recording.cpp PROPERTY COMPILE_DEFINITIONS
     CROWD_PROGRAM="$<TARGET_FILE:crowdbrush>"
     CROWD_PYTHON="${Python3_EXECUTABLE}"
     CROWD_PYTHON_FOLDER="$<TARGET_FILE_DIR:crowdbrush_module>")
-add_dependencies(tst_Recording crowdbrush crowdbrush_module)
+add_dependencies(test_gui crowdbrush crowdbrush_module)

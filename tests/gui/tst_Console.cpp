@@ -10,6 +10,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using crowd::app::ScriptOutcome;
@@ -298,5 +299,5 @@ void ConsoleTest::closingStopsTheScript()
     QVERIFY(!m_window->interpreter().isRunning());
 }
 
-QTEST_MAIN(ConsoleTest)
+CROWD_WINDOW_TEST(ConsoleTest)
 #include "tst_Console.moc"

@@ -3,6 +3,7 @@
 #include <QtCore/QStandardPaths>
 
 #include "tests/gui/Editor.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -88,15 +89,5 @@ void TestEditorAudience::paintRecolourUndoRedoSaveReopen()
     QVERIFY(reopened.picture() == paintedPicture);
 }
 
-int main(int argc, char** argv)
-{
-    QStandardPaths::setTestModeEnabled(true); // the artist's own settings stay out of it
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName(QStringLiteral("CrowdbrushTests"));
-    QApplication::setApplicationName(QStringLiteral("tst_EditorAudience"));
-    QSettings().clear();
-    TestEditorAudience test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestEditorAudience)
 #include "tst_EditorAudience.moc"

@@ -7,6 +7,7 @@
 #include "model/project/ProjectFile.h"
 #include "model/project/ProjectWriter.h"
 #include "tests/gui/Studio.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -106,11 +107,5 @@ void TestPaintAudience::paintRecolourUndoRedoSaveReopen()
     QVERIFY(reopened.picture() == paintedPicture);
 }
 
-int main(int argc, char** argv)
-{
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    TestPaintAudience test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestPaintAudience)
 #include "tst_PaintAudience.moc"

@@ -12,6 +12,7 @@
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
 #include "tests/gui/Editor.h"
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/NumberField.h"
@@ -398,16 +399,5 @@ void TestRecording::anotherSceneEndsIt()
     QVERIFY(QApplication::clipboard()->text().contains(QStringLiteral("scene.remove(")));
 }
 
-int main(int argc, char** argv)
-{
-    QStandardPaths::setTestModeEnabled(true); // the artist's own settings stay out of it
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName(QStringLiteral("CrowdbrushTests"));
-    QApplication::setApplicationName(QStringLiteral("tst_Recording"));
-    QSettings().clear();
-    qputenv("CROWDBRUSH_RESOURCES", CROWD_RESOURCES);
-    TestRecording test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestRecording)
 #include "tst_Recording.moc"

@@ -10,6 +10,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "tests/gui/Editor.h"
+#include "tests/program/WindowTest.h"
 #include "widgets/docks/BrushPaletteDock.h"
 #include "widgets/docks/BrushSettingsDock.h"
 #include "widgets/docks/ValueSlider.h"
@@ -312,16 +313,5 @@ void TestScriptBrush::recordedAsWhatCameOfIt()
     QVERIFY(bytes() == painted);
 }
 
-int main(int argc, char** argv)
-{
-    QStandardPaths::setTestModeEnabled(true); // the artist's own settings stay out of it
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName(QStringLiteral("CrowdbrushTests"));
-    QApplication::setApplicationName(QStringLiteral("tst_ScriptBrush"));
-    QSettings().clear();
-    qputenv("CROWDBRUSH_RESOURCES", CROWD_RESOURCES);
-    TestScriptBrush test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestScriptBrush)
 #include "tst_ScriptBrush.moc"

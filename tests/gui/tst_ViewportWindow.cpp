@@ -13,6 +13,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "tests/gui/Studio.h"
+#include "tests/program/WindowTest.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportWidget.h"
 
@@ -238,11 +239,5 @@ void TestViewportWindow::statisticsAreTold()
     QVERIFY(studio.view->statistics().frameMs > 0.0);
 }
 
-int main(int argc, char** argv)
-{
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    TestViewportWindow test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestViewportWindow)
 #include "tst_ViewportWindow.moc"

@@ -6,6 +6,7 @@
 #include "model/project/ProjectWriter.h"
 #include "model/scene/RuleSets.h"
 #include "tests/gui/Studio.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -267,11 +268,5 @@ void TestWalkingCrowd::anEventMakesPeopleRun()
     QCOMPARE(studio.document.undoStack().count(), steps);
 }
 
-int main(int argc, char** argv)
-{
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
-    TestWalkingCrowd test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestWalkingCrowd)
 #include "tst_WalkingCrowd.moc"

@@ -1,1 +1,3 @@
-crowd_add_test(ROOM images NAME tst_Pictures LINK crowd_app)
+crowd_add_tests(ROOM images LINK crowd_app TESTS
+    tst_Pictures
+)

@@ -5,6 +5,7 @@
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureMaker.h"
 #include "tests/images/ComparePictures.h"
+#include "tests/program/Test.h"
 #include "tests/render/TestScene.h"
 
 using namespace crowd;
@@ -249,5 +250,5 @@ void tst_Pictures::overlooksWhatDriversDo()
     }
 }
 
-QTEST_GUILESS_MAIN(tst_Pictures)
+CROWD_TEST(tst_Pictures)
 #include "tst_Pictures.moc"

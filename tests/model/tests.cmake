@@ -1,33 +1,38 @@
-crowd_add_test(ROOM model NAME tst_Autosave LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_Bake LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BakeAgainstBlender LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BrushCreate LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BrushIndividuals LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BrushSampler LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BrushStroke LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_BrushTheatre LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_CollectAssets LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_Environment LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_GltfAssets LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_GltfDraco LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfFuzz LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfHostile LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfImport LINK crowd_model meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfSpecClips LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfSpecFiles LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GltfSpecMeshes LINK crowd_model nlohmann_json::nlohmann_json)
-crowd_add_test(ROOM model NAME tst_GroundSpeed LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_ImportProposal LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_PickScene LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_Population LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_Pose LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_ProjectFile LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_ProjectMutations LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_SceneDocument LINK crowd_model)
-crowd_add_test(ROOM model NAME tst_UndoMemory LINK crowd_model)
+crowd_add_tests(ROOM model
+    LINK crowd_model meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json
+    TESTS
+    tst_Autosave
+    tst_Bake
+    tst_BakeAgainstBlender
+    tst_BrushCreate
+    tst_BrushIndividuals
+    tst_BrushSampler
+    tst_BrushStroke
+    tst_BrushTheatre
+    tst_CollectAssets
+    tst_Environment
+    tst_GltfAssets
+    tst_GltfDraco
+    tst_GltfFuzz
+    tst_GltfHostile
+    tst_GltfImport
+    tst_GltfSpecClips
+    tst_GltfSpecFiles
+    tst_GltfSpecMeshes
+    tst_GroundSpeed
+    tst_ImportProposal
+    tst_PickScene
+    tst_Population
+    tst_Pose
+    tst_ProjectFile
+    tst_ProjectMutations
+    tst_SceneDocument
+    tst_UndoMemory
+)
 
 add_executable(pack_ground tools/pack_ground.cpp)
 set_target_properties(pack_ground PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
 target_link_libraries(pack_ground PRIVATE crowd_options draco::draco_static)
-target_compile_definitions(tst_GltfDraco PRIVATE CROWD_PACK_GROUND="$<TARGET_FILE:pack_ground>")
-add_dependencies(tst_GltfDraco pack_ground)
+set_property(SOURCE model/tst_GltfDraco.cpp PROPERTY COMPILE_DEFINITIONS
+    CROWD_PACK_GROUND="$<TARGET_FILE:pack_ground>")
+add_dependencies(test_model pack_ground)

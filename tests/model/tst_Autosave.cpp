@@ -11,6 +11,7 @@
 
 #include "model/project/ProjectFile.h"
 #include "tests/model/CrashedEditor.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace crowd::testing;
@@ -177,5 +178,5 @@ void tst_Autosave::saysWhenNothingCanBeKept()
              kept.error().message.c_str());
 }
 
-QTEST_GUILESS_MAIN(tst_Autosave)
+CROWD_TEST(tst_Autosave)
 #include "tst_Autosave.moc"

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -12,6 +13,7 @@
 #include "model/bake/KeyframeTime.h"
 #include "model/bake/Octahedral.h"
 #include "model/base/Random.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::model;
@@ -89,6 +91,7 @@ private Q_SLOTS:
     void lastKeyframeIsTheEndOfTheClip();
     void boundsHoldEveryVertex();
     void bakingTwiceGivesTheSameBytes();
+    void storesShareWhatOneHasBaked();
     void firstKeyframeIsThereAtOnce();
     void poseIsCompleteAtOnce();
     void budgetKeepsTheFirstKeyframe();
@@ -175,6 +178,12 @@ void TestBake::octahedralNormalsAreCloseAndAxesExact()
     }
     QVERIFY2(worst > std::cos(glm::radians(1.0F)),
              qPrintable(QString::number(glm::degrees(std::acos(worst)))));
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const std::uint16_t up = octahedralEncode(glm::vec3(0, 1, 0));
+    for (const glm::vec3 odd : {glm::vec3(0), glm::vec3(kNan, 0, 1), glm::vec3(0, kInfinity, 0)}) {
+        QCOMPARE(octahedralEncode(odd), up);
+    }
 }
 
 void TestBake::packingKeepsATenthOfAMillimetre()
@@ -233,6 +242,27 @@ void TestBake::bakingTwiceGivesTheSameBytes()
     QCOMPARE(stored->levels[0].size(), alone->levels[0].size());
     QVERIFY(std::memcmp(stored->levels[0].data(), alone->levels[0].data(),
                         alone->levels[0].size() * sizeof(PackedVertex)) == 0);
+}
+
+void TestBake::storesShareWhatOneHasBaked()
+{
+    const TemplatePtr asset = makeTube(1.0F, 2);
+    KeyframeStore other;
+    {
+        KeyframeStore first;
+        (void)first.clip(asset, 0);
+        (void)first.clip(asset, 1);
+        first.waitForAll();
+        QVERIFY(other.clip(asset, 0).isComplete);
+        QVERIFY(other.clip(asset, 0).clip == first.clip(asset, 0).clip);
+        QCOMPARE(other.progress().bytes, bakedBytes(*asset, 0));
+        QVERIFY(!other.clip(makeTube(1.0F, 2), 0).isComplete); // as long, but another one
+    }
+    KeyframeStore later;
+    QVERIFY(later.clip(asset, 0).isComplete);
+    QVERIFY(!later.clip(asset, 1).isComplete); // nobody kept it
+    later.waitForAll();
+    QVERIFY(later.clip(asset, 1).isComplete);
 }
 
 void TestBake::firstKeyframeIsThereAtOnce()
@@ -404,5 +434,5 @@ void TestBake::smallMeshesStay()
     QCOMPARE(drawLevels(*asset).size(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(TestBake)
+CROWD_TEST(TestBake)
 #include "tst_Bake.moc"

@@ -12,6 +12,7 @@
 #include "model/bake/ClipBaker.h"
 #include "model/bake/KeyframeStore.h"
 #include "model/gltf/GltfImport.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -85,5 +86,5 @@ void TestBakeAgainstBlender::keyframesAgree()
     }
 }
 
-QTEST_GUILESS_MAIN(TestBakeAgainstBlender)
+CROWD_TEST(TestBakeAgainstBlender)
 #include "tst_BakeAgainstBlender.moc"

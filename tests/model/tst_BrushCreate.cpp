@@ -7,6 +7,7 @@
 #include "model/brush/MoveDrag.h"
 #include "model/brush/Stroke.h"
 #include "tests/model/BrushScene.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::test;
 
@@ -489,5 +490,5 @@ void tst_BrushCreate::aDragCanBeCancelled()
     QCOMPARE(scene.document.undoStack().count(), 1);
 }
 
-QTEST_GUILESS_MAIN(tst_BrushCreate)
+CROWD_TEST(tst_BrushCreate)
 #include "tst_BrushCreate.moc"

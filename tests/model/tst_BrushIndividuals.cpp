@@ -5,6 +5,7 @@
 
 #include "model/brush/IndividualEdits.h"
 #include "tests/model/BrushScene.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::test;
 
@@ -98,5 +99,5 @@ void tst_BrushIndividuals::sitsDownAndStandsUp()
     QCOMPARE(zoo.value(columns::clip, ids[0]), std::uint16_t{0});
 }
 
-QTEST_GUILESS_MAIN(tst_BrushIndividuals)
+CROWD_TEST(tst_BrushIndividuals)
 #include "tst_BrushIndividuals.moc"

@@ -7,6 +7,7 @@
 
 #include "model/base/Random.h"
 #include "model/brush/BrushSettings.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -203,5 +204,5 @@ void tst_BrushSampler::drawsTheDistribution()
     QCOMPARE(curve.sample(0.25 + 0.375), (12.0 + 0.5) / 16.0);
 }
 
-QTEST_GUILESS_MAIN(tst_BrushSampler)
+CROWD_TEST(tst_BrushSampler)
 #include "tst_BrushSampler.moc"

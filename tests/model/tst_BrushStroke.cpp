@@ -9,6 +9,7 @@
 
 #include "model/base/Random.h"
 #include "tests/model/BrushScene.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::test;
 
@@ -649,5 +650,5 @@ void tst_BrushStroke::turnsAwayFromAPoint()
     QVERIFY(std::abs(headingOf(scene, ids[0]) + kQuarter) < 1.0e-5F);
 }
 
-QTEST_GUILESS_MAIN(tst_BrushStroke)
+CROWD_TEST(tst_BrushStroke)
 #include "tst_BrushStroke.moc"

@@ -8,6 +8,7 @@
 #include "model/gltf/GltfImport.h"
 #include "model/pick/ScenePicker.h"
 #include "model/project/ProjectFile.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -154,5 +155,5 @@ void tst_BrushTheatre::picksWhoIsVisible()
     QVERIFY2(differences <= 1, qPrintable(QString::number(differences)));
 }
 
-QTEST_GUILESS_MAIN(tst_BrushTheatre)
+CROWD_TEST(tst_BrushTheatre)
 #include "tst_BrushTheatre.moc"

@@ -10,6 +10,7 @@
 #include "model/project/LocateAssets.h"
 #include "model/project/SceneAssets.h"
 #include "tests/model/GltfBuilder.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -228,5 +229,5 @@ void tst_CollectAssets::findsWhatMovedAlong()
              std::string());
 }
 
-QTEST_GUILESS_MAIN(tst_CollectAssets)
+CROWD_TEST(tst_CollectAssets)
 #include "tst_CollectAssets.moc"

@@ -4,6 +4,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -223,5 +224,5 @@ void TestEnvironment::refusesWhatIsWrong()
     QVERIFY2(message.contains(said), qPrintable(message));
 }
 
-QTEST_APPLESS_MAIN(TestEnvironment)
+CROWD_TEST(TestEnvironment)
 #include "tst_Environment.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/GltfImport.h"
+#include "tests/program/Test.h"
 
 #include <cmath>
 #include <set>
@@ -142,5 +143,5 @@ void tst_GltfAssets::refusesOnlyWithReason()
     }
 }
 
-QTEST_GUILESS_MAIN(tst_GltfAssets)
+CROWD_TEST(tst_GltfAssets)
 #include "tst_GltfAssets.moc"

@@ -15,6 +15,7 @@
 #include "tests/model/DracoGround.h"
 #include "tests/model/GltfBuilder.h"
 #include "tests/model/GltfMutator.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -288,5 +289,5 @@ void tst_GltfDraco::endsProgramsThatMisbehave()
     QVERIFY(!gltf::runApart("/no/such/program", {}, {1000, 1500}).isOk());
 }
 
-QTEST_GUILESS_MAIN(tst_GltfDraco)
+CROWD_TEST(tst_GltfDraco)
 #include "tst_GltfDraco.moc"

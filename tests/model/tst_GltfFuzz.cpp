@@ -15,6 +15,7 @@
 #include "model/gltf/ImportProposal.h"
 #include "tests/model/GltfMutator.h"
 #include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -144,5 +145,5 @@ void tst_GltfFuzz::tookLittleMemory()
     QVERIFY2(megabytes < 2048, qPrintable(QStringLiteral("took %1 MiB").arg(megabytes)));
 }
 
-QTEST_GUILESS_MAIN(tst_GltfFuzz)
+CROWD_TEST(tst_GltfFuzz)
 #include "tst_GltfFuzz.moc"

@@ -8,6 +8,7 @@
 #include <QtTest/QTest>
 
 #include "tests/model/GltfBuilder.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -437,5 +438,5 @@ void tst_GltfHostile::deepTreesAreFine()
     QCOMPARE(asset.value()->height, 1.0F);
 }
 
-QTEST_GUILESS_MAIN(tst_GltfHostile)
+CROWD_TEST(tst_GltfHostile)
 #include "tst_GltfHostile.moc"

@@ -13,6 +13,7 @@
 #include <QtTest/QTest>
 
 #include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -654,5 +655,5 @@ void tst_GltfImport::canBeCancelled()
     }
 }
 
-QTEST_GUILESS_MAIN(tst_GltfImport)
+CROWD_TEST(tst_GltfImport)
 #include "tst_GltfImport.moc"

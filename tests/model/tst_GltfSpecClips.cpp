@@ -7,6 +7,7 @@
 #include "model/bake/ClipBaker.h"
 #include "model/gltf/GltfImport.h"
 #include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace gltf_samples;
@@ -360,5 +361,5 @@ void tst_GltfSpecClips::acceptsSkeletonRoots()
     }
 }
 
-QTEST_GUILESS_MAIN(tst_GltfSpecClips)
+CROWD_TEST(tst_GltfSpecClips)
 #include "tst_GltfSpecClips.moc"

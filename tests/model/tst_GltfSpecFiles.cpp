@@ -8,6 +8,7 @@
 
 #include "model/gltf/GltfImport.h"
 #include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace gltf_samples;
@@ -462,5 +463,5 @@ void tst_GltfSpecFiles::saysWhichCompressionItCannotRead()
              filtered.error().message.c_str());
 }
 
-QTEST_GUILESS_MAIN(tst_GltfSpecFiles)
+CROWD_TEST(tst_GltfSpecFiles)
 #include "tst_GltfSpecFiles.moc"

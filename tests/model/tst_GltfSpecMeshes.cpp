@@ -6,6 +6,7 @@
 
 #include "model/gltf/GltfImport.h"
 #include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace gltf_samples;
@@ -457,5 +458,5 @@ void tst_GltfSpecMeshes::toleratesExtrasOfEveryKind()
     }
 }
 
-QTEST_GUILESS_MAIN(tst_GltfSpecMeshes)
+CROWD_TEST(tst_GltfSpecMeshes)
 #include "tst_GltfSpecMeshes.moc"

@@ -6,6 +6,7 @@
 #include <QtTest/QTest>
 
 #include "model/gltf/GltfImport.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -46,5 +47,5 @@ void tst_GroundSpeed::agreesWithTheAuthor()
              qPrintable(QStringLiteral("%1 m/s, expected %2").arg(-ground.z).arg(expected)));
 }
 
-QTEST_GUILESS_MAIN(tst_GroundSpeed)
+CROWD_TEST(tst_GroundSpeed)
 #include "tst_GroundSpeed.moc"

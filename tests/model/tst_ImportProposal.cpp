@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/ImportProposal.h"
+#include "tests/program/Test.h"
 
 #include <cmath>
 
@@ -124,5 +125,5 @@ void tst_ImportProposal::liftsWhatSinks()
     QCOMPARE(hovering.settings.groundOffset, 0.0F);
 }
 
-QTEST_APPLESS_MAIN(tst_ImportProposal)
+CROWD_TEST(tst_ImportProposal)
 #include "tst_ImportProposal.moc"

@@ -9,6 +9,7 @@
 #include "model/base/Random.h"
 
 #include "tests/model/BrushScene.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::test;
 
@@ -274,5 +275,5 @@ void tst_PickScene::costsWhatIsInside()
     QCOMPARE(visitsAmong(100000), few);
 }
 
-QTEST_GUILESS_MAIN(tst_PickScene)
+CROWD_TEST(tst_PickScene)
 #include "tst_PickScene.moc"

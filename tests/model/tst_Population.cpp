@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/population/Population.h"
+#include "tests/program/Test.h"
 
 #include <QtTest/QTest>
 
@@ -82,5 +83,5 @@ void tst_Population::stampsOnlyTouchedBlocks()
     QVERIFY(population.rowsVersion() <= seen);
 }
 
-QTEST_GUILESS_MAIN(tst_Population)
+CROWD_TEST(tst_Population)
 #include "tst_Population.moc"

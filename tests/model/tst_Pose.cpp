@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
+#include "tests/program/Test.h"
 
 #include <cmath>
 
@@ -168,5 +169,5 @@ void tst_Pose::turnsNormalsOfMirroredAndScaledBones()
     QVERIFY(near(normals[0], glm::normalize(glm::vec3(-0.5F, 1, 0))));
 }
 
-QTEST_APPLESS_MAIN(tst_Pose)
+CROWD_TEST(tst_Pose)
 #include "tst_Pose.moc"

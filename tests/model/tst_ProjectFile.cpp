@@ -18,6 +18,7 @@
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
 #include "model/project/SceneAssets.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -105,6 +106,7 @@ private Q_SLOTS:
     void findsAssetsWhereverTheyAre_data();
     void findsAssetsWhereverTheyAre();
     void builtinPathsStayInTheirFolder();
+    void builtinTemplatesAreSharedWhileKept();
     void keepsLinkAndPermissionsOnSaving();
     void leavesTheOldFileOnAFullDisk();
     void storesAssetsRelativeToTheFile();
@@ -437,6 +439,20 @@ void tst_ProjectFile::builtinPathsStayInTheirFolder()
     QVERIFY(asset.error().message.find("builtin:../secret.glb") != std::string::npos);
 }
 
+void tst_ProjectFile::builtinTemplatesAreSharedWhileKept()
+{
+    TemplateEntry entry;
+    entry.path = "builtin:templates/man.glb";
+    const Result<TemplatePtr> first = loadTemplateAsset(entry);
+    QVERIFY(first.isOk());
+    QVERIFY(loadTemplateAsset(entry).value() == first.value());
+    entry.import.scale = 2.0F;
+    const Result<TemplatePtr> larger = loadTemplateAsset(entry);
+    QVERIFY(larger.isOk());
+    QVERIFY(larger.value() != first.value());
+    QVERIFY(larger.value()->height > 1.5F * first.value()->height);
+}
+
 void tst_ProjectFile::keepsLinkAndPermissionsOnSaving()
 {
     QTemporaryDir folder;
@@ -515,5 +531,5 @@ void tst_ProjectFile::readsTheFirstVersion()
     QVERIFY(read.value().population == variedScene(20).population);
 }
 
-QTEST_GUILESS_MAIN(tst_ProjectFile)
+CROWD_TEST(tst_ProjectFile)
 #include "tst_ProjectFile.moc"

@@ -6,6 +6,7 @@
 #include "model/base/Random.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 
@@ -150,5 +151,5 @@ void tst_ProjectMutations::refusesOrReadsWhole()
     QVERIFY2(refused > kRounds / 2 && refused < kRounds, qPrintable(QString::number(refused)));
 }
 
-QTEST_GUILESS_MAIN(tst_ProjectMutations)
+CROWD_TEST(tst_ProjectMutations)
 #include "tst_ProjectMutations.moc"

@@ -9,6 +9,7 @@
 #include "model/document/SceneCommand.h"
 #include "model/document/SceneEdit.h"
 #include "tests/model/RandomEdits.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace crowd::testing;
@@ -303,5 +304,5 @@ void tst_SceneDocument::undoesAndRedoesTenThousandRandomEdits()
     QCOMPARE(sceneText(document.scene()), lastBytes);
 }
 
-QTEST_GUILESS_MAIN(tst_SceneDocument)
+CROWD_TEST(tst_SceneDocument)
 #include "tst_SceneDocument.moc"

@@ -13,6 +13,7 @@
 
 #include "model/document/SceneCommand.h"
 #include "tests/model/RandomEdits.h"
+#include "tests/program/Test.h"
 
 using namespace crowd::model;
 using namespace crowd::testing;
@@ -333,5 +334,5 @@ void tst_UndoMemory::stopsWhereALongMoveFails()
     QCOMPARE(bytesOf(document), states.front());
 }
 
-QTEST_GUILESS_MAIN(tst_UndoMemory)
+CROWD_TEST(tst_UndoMemory)
 #include "tst_UndoMemory.moc"

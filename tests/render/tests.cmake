@@ -1,2 +1,4 @@
-crowd_add_test(ROOM render NAME tst_CrowdPlan LINK crowd_render)
-crowd_add_test(ROOM render NAME tst_Renderer LINK crowd_render)
+crowd_add_tests(ROOM render LINK crowd_render TESTS
+    tst_CrowdPlan
+    tst_Renderer
+)

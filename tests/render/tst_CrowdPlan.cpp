@@ -9,6 +9,7 @@
 #include "render/crowd/CrowdPlan.h"
 #include "render/crowd/LevelChoice.h"
 #include "render/crowd/StaticRecords.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -369,5 +370,5 @@ void TestCrowdPlan::hundredThousandArePlannedInMilliseconds()
 #endif
 }
 
-QTEST_GUILESS_MAIN(TestCrowdPlan)
+CROWD_TEST(TestCrowdPlan)
 #include "tst_CrowdPlan.moc"

@@ -2,6 +2,7 @@
 #include <QtTest/QtTest>
 
 #include "TestScene.h"
+#include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -435,5 +436,5 @@ void TestRenderer::contextIsReplaced()
     QVERIFY(before == m_pixels);
 }
 
-QTEST_GUILESS_MAIN(TestRenderer)
+CROWD_TEST(TestRenderer)
 #include "tst_Renderer.moc"

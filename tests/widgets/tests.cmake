@@ -1,9 +1,11 @@
-crowd_add_test(ROOM widgets NAME tst_BehaviourDocks LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_ColourDock LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_DockControls LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_Docks LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_IndividualDock LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_PickDrag LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_ToolController LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_Transport LINK crowd_widgets)
-crowd_add_test(ROOM widgets NAME tst_ViewportCamera LINK crowd_widgets)
+crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
+    tst_BehaviourDocks
+    tst_ColourDock
+    tst_DockControls
+    tst_Docks
+    tst_IndividualDock
+    tst_PickDrag
+    tst_ToolController
+    tst_Transport
+    tst_ViewportCamera
+)

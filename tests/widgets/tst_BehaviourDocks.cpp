@@ -9,6 +9,7 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/NumberField.h"
@@ -169,10 +170,5 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{1});
 }
 
-int main(int argc, char** argv)
-{
-    QApplication application(argc, argv);
-    TestBehaviourDocks test;
-    return QTest::qExec(&test, argc, argv);
-}
+CROWD_WINDOW_TEST(TestBehaviourDocks)
 #include "tst_BehaviourDocks.moc"

@@ -4,6 +4,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QToolButton>
 
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/ColourDock.h"
 #include "widgets/docks/SwatchGrid.h"
@@ -196,5 +197,5 @@ void ColourDockTest::theDropperTakesColours()
     QVERIFY(!dropper->isChecked());
 }
 
-QTEST_MAIN(ColourDockTest)
+CROWD_WINDOW_TEST(ColourDockTest)
 #include "tst_ColourDock.moc"

@@ -4,6 +4,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLineEdit>
 
+#include "tests/program/WindowTest.h"
 #include "widgets/docks/ClipMix.h"
 #include "widgets/docks/CurveEditor.h"
 #include "widgets/docks/NumberList.h"
@@ -236,5 +237,5 @@ void DockControlsTest::swatchesWrapIntoTheWidth()
     QCOMPARE(added.count(), 1);
 }
 
-QTEST_MAIN(DockControlsTest)
+CROWD_WINDOW_TEST(DockControlsTest)
 #include "tst_DockControls.moc"

@@ -10,6 +10,7 @@
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QUndoView>
 
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/docks/RangeSlider.h"
@@ -277,5 +278,5 @@ void DocksTest::historyGoesBack()
     QTRY_COMPARE(desk.document.scene().population.size(), std::size_t{0});
 }
 
-QTEST_MAIN(DocksTest)
+CROWD_WINDOW_TEST(DocksTest)
 #include "tst_Docks.moc"

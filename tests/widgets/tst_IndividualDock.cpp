@@ -8,6 +8,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/brush/IndividualEdits.h"
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/NumberField.h"
@@ -351,5 +352,5 @@ void IndividualDockTest::partsAreHiddenAndShown()
     QTRY_COMPARE(hat->checkState(), Qt::Unchecked);
 }
 
-QTEST_MAIN(IndividualDockTest)
+CROWD_WINDOW_TEST(IndividualDockTest)
 #include "tst_IndividualDock.moc"

@@ -4,6 +4,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
+#include "tests/program/WindowTest.h"
 #include "tests/widgets/Hand.h"
 
 using namespace crowd;
@@ -217,5 +218,5 @@ void PickDragTest::noGhostStandsWherePeopleArePicked()
     QVERIFY(hand.tools.picture().ghosts.empty());
 }
 
-QTEST_MAIN(PickDragTest)
+CROWD_WINDOW_TEST(PickDragTest)
 #include "tst_PickDrag.moc"

@@ -5,6 +5,7 @@
 #include <QtTest/QTest>
 
 #include "model/brush/Stroke.h"
+#include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
 #include "widgets/state/EditorState.h"
 #include "widgets/tools/BrushTool.h"
@@ -604,5 +605,5 @@ void TestToolController::bookmarksComeBack()
     QCOMPARE(hand.document.scene().cameras.size(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(TestToolController)
+CROWD_TEST(TestToolController)
 #include "tst_ToolController.moc"

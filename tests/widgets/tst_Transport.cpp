@@ -2,6 +2,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
+#include "tests/program/Test.h"
 #include "widgets/state/Transport.h"
 
 using crowd::widgets::Transport;
@@ -86,5 +87,5 @@ void TestTransport::boundsWhatItIsGiven()
     QCOMPARE(transport.state().speed, 0.05);
 }
 
-QTEST_GUILESS_MAIN(TestTransport)
+CROWD_TEST(TestTransport)
 #include "tst_Transport.moc"

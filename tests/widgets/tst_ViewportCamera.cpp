@@ -3,6 +3,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "tests/program/Test.h"
 #include "widgets/state/CameraMotion.h"
 #include "widgets/viewport/CameraMoves.h"
 
@@ -272,5 +273,5 @@ void TestViewportCamera::flyingGoesWhereTheCameraLooks()
     QVERIFY(isNear(turned(camera, 0.4F, 0.1F).position, camera.position));
 }
 
-QTEST_GUILESS_MAIN(TestViewportCamera)
+CROWD_TEST(TestViewportCamera)
 #include "tst_ViewportCamera.moc"

@@ -13,7 +13,7 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kFastest = 100.0; ///< metres a second
+constexpr double kFastestClip = 100.0; ///< metres a second
 constexpr double kSameSpeed = 0.001;
 
 } // namespace
@@ -46,7 +46,7 @@ void ClipTable::addRow(int row, const model::Clip& clip, bool isDefault)
         item->setFlags(item->flags() & ~Qt::ItemIsEditable);
     }
     auto* speed = new QDoubleSpinBox(this);
-    speed->setRange(0.0, kFastest);
+    speed->setRange(0.0, kFastestClip);
     speed->setSingleStep(0.05);
     speed->setSuffix(tr(" m/s"));
     speed->setFrame(false);

@@ -21,7 +21,7 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kRefreshMs = 60;
-constexpr double kDegrees = 180.0 / 3.14159265358979;
+constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
 constexpr double kMostSeats = 16777216.0;
 
@@ -132,7 +132,8 @@ void IndividualDock::buildForm(QFormLayout* form)
 {
     form->addRow(tr("Template"), m_template);
     addPosition(form);
-    addFloat(form, tr("Heading °"), model::columns::heading, -36000.0, 36000.0, 1, kDegrees);
+    addFloat(form, tr("Heading °"), model::columns::heading, -36000.0, 36000.0, 1,
+             kDegreesPerRadian);
     addFloat(form, tr("Height"), model::columns::height, 0.1, 10.0, 3, 1.0);
     addFloat(form, tr("Girth"), model::columns::girth, 0.1, 10.0, 3, 1.0);
     form->addRow(tr("Clip"), m_clip);

@@ -13,7 +13,7 @@ namespace crowd::widgets {
 namespace {
 
 constexpr float kDegree = 3.14159265F / 180.0F;
-constexpr float kPercent = 0.01F;
+constexpr float kPerCent = 0.01F;
 
 } // namespace
 
@@ -23,8 +23,8 @@ LightForm::LightForm(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     form->setContentsMargins(0, 4, 0, 0);
     addSlider(tr("Sun from"), -180, 180, &model::Lighting::sunAzimuthRadians, kDegree);
     addSlider(tr("Sun height"), 2, 90, &model::Lighting::sunElevationRadians, kDegree);
-    addSlider(tr("Sun"), 0, 200, &model::Lighting::sunStrength, kPercent);
-    addSlider(tr("Sky"), 0, 200, &model::Lighting::ambientStrength, kPercent);
+    addSlider(tr("Sun"), 0, 200, &model::Lighting::sunStrength, kPerCent);
+    addSlider(tr("Sky"), 0, 200, &model::Lighting::ambientStrength, kPerCent);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
                 if (std::holds_alternative<model::LightingChanged>(change) ||

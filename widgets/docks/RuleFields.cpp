@@ -18,7 +18,7 @@ namespace crowd::widgets {
 
 namespace {
 
-struct Text
+struct RuleFieldsText
 {
     Q_DECLARE_TR_FUNCTIONS(Rules)
 };
@@ -31,7 +31,7 @@ void addEntryField(QHBoxLayout* row, const std::vector<Entry>& entries, std::uin
     QStringList names;
     std::vector<std::uint32_t> ids;
     if (!any.isEmpty() || id == 0 || entries.empty()) {
-        names << (any.isEmpty() ? Text::tr("choose…") : any);
+        names << (any.isEmpty() ? RuleFieldsText::tr("choose…") : any);
         ids.push_back(0);
     }
     for (const Entry& entry : entries) {
@@ -40,7 +40,7 @@ void addEntryField(QHBoxLayout* row, const std::vector<Entry>& entries, std::uin
     }
     auto found = std::ranges::find(ids, id);
     if (found == ids.end()) {
-        names << Text::tr("(gone)");
+        names << RuleFieldsText::tr("(gone)");
         ids.push_back(id);
         found = ids.end() - 1;
     }
@@ -110,7 +110,7 @@ void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
 {
     QStringList names;
     for (int bit = 0; bit < model::kTagCount; ++bit) {
-        names << Text::tr("tag %1").arg(tagText(scene, static_cast<std::uint8_t>(bit)));
+        names << RuleFieldsText::tr("tag %1").arg(tagText(scene, static_cast<std::uint8_t>(bit)));
     }
     addChoiceField(row, names, tag,
                    [changed](int index) { changed(static_cast<std::uint8_t>(index)); });
@@ -153,7 +153,8 @@ void addClipField(QHBoxLayout* row, const model::Scene& scene,
     }
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setText(chosen.isEmpty() ? Text::tr("choose clips…") : chosen.join(Text::tr(" or ")));
+    button->setText(chosen.isEmpty() ? RuleFieldsText::tr("choose clips…")
+                                     : chosen.join(RuleFieldsText::tr(" or ")));
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(button, 1);
 }

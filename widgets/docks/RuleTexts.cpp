@@ -12,7 +12,7 @@ using namespace model;
 
 namespace {
 
-struct Text
+struct RuleTextsContext
 {
     Q_DECLARE_TR_FUNCTIONS(Rules)
 };
@@ -25,15 +25,17 @@ QString number(float value)
 QString placeText(const Scene& scene, PlaceId id)
 {
     const Place* place = scene.findPlace(id);
-    return id == 0 ? Text::tr("any place")
-                   : (place != nullptr ? QString::fromStdString(place->name) : Text::tr("(gone)"));
+    return id == 0 ? RuleTextsContext::tr("any place")
+                   : (place != nullptr ? QString::fromStdString(place->name)
+                                       : RuleTextsContext::tr("(gone)"));
 }
 
 QString pathText(const Scene& scene, PathId id)
 {
     const Path* path = scene.findPath(id);
-    return id == 0 ? Text::tr("any path")
-                   : (path != nullptr ? QString::fromStdString(path->name) : Text::tr("(gone)"));
+    return id == 0 ? RuleTextsContext::tr("any path")
+                   : (path != nullptr ? QString::fromStdString(path->name)
+                                      : RuleTextsContext::tr("(gone)"));
 }
 
 QString triggerText(const Scene& scene, const Trigger& trigger)
@@ -41,23 +43,25 @@ QString triggerText(const Scene& scene, const Trigger& trigger)
     const QString event = QString::fromStdString(trigger.event);
     switch (trigger.kind) {
     case TriggerKind::Start:
-        return Text::tr("When it begins");
+        return RuleTextsContext::tr("When it begins");
     case TriggerKind::Event:
-        return Text::tr("When “%1” reaches someone").arg(event);
+        return RuleTextsContext::tr("When “%1” reaches someone").arg(event);
     case TriggerKind::Arrived:
-        return Text::tr("When someone arrives at %1").arg(placeText(scene, trigger.place));
+        return RuleTextsContext::tr("When someone arrives at %1")
+            .arg(placeText(scene, trigger.place));
     case TriggerKind::Entered:
-        return Text::tr("When someone enters %1").arg(placeText(scene, trigger.place));
+        return RuleTextsContext::tr("When someone enters %1").arg(placeText(scene, trigger.place));
     case TriggerKind::Left:
-        return Text::tr("When someone leaves %1").arg(placeText(scene, trigger.place));
+        return RuleTextsContext::tr("When someone leaves %1").arg(placeText(scene, trigger.place));
     case TriggerKind::PathEnded:
-        return Text::tr("When someone reaches the end of %1").arg(pathText(scene, trigger.path));
+        return RuleTextsContext::tr("When someone reaches the end of %1")
+            .arg(pathText(scene, trigger.path));
     case TriggerKind::ClipEnded:
-        return Text::tr("When someone’s clip is over");
+        return RuleTextsContext::tr("When someone’s clip is over");
     case TriggerKind::Every:
-        return Text::tr("Every %1 s").arg(number(trigger.seconds));
+        return RuleTextsContext::tr("Every %1 s").arg(number(trigger.seconds));
     case TriggerKind::TagNear:
-        return Text::tr("When someone tagged %1 comes within %2 m")
+        return RuleTextsContext::tr("When someone tagged %1 comes within %2 m")
             .arg(tagText(scene, trigger.tag), number(trigger.metres));
     }
     return {};
@@ -69,26 +73,27 @@ QString conditionText(const Scene& scene, const Condition& condition)
     QString text;
     switch (condition.kind) {
     case ConditionKind::HasTag:
-        text = Text::tr("tagged %1").arg(tagText(scene, condition.tag));
+        text = RuleTextsContext::tr("tagged %1").arg(tagText(scene, condition.tag));
         break;
     case ConditionKind::OfTemplate:
-        text = Text::tr("a %1").arg(entry != nullptr ? QString::fromStdString(entry->name)
-                                                     : Text::tr("(gone)"));
+        text =
+            RuleTextsContext::tr("a %1").arg(entry != nullptr ? QString::fromStdString(entry->name)
+                                                              : RuleTextsContext::tr("(gone)"));
         break;
     case ConditionKind::InPlace:
-        text = Text::tr("in %1").arg(placeText(scene, condition.place));
+        text = RuleTextsContext::tr("in %1").arg(placeText(scene, condition.place));
         break;
     case ConditionKind::FollowsPath:
-        text = Text::tr("walking %1").arg(pathText(scene, condition.path));
+        text = RuleTextsContext::tr("walking %1").arg(pathText(scene, condition.path));
         break;
     case ConditionKind::IsSeated:
-        text = Text::tr("seated");
+        text = RuleTextsContext::tr("seated");
         break;
     case ConditionKind::Chance:
-        text = Text::tr("with %1 % chance").arg(number(condition.chance * 100.0F));
+        text = RuleTextsContext::tr("with %1 % chance").arg(number(condition.chance * 100.0F));
         break;
     }
-    return condition.isNot ? Text::tr("not %1").arg(text) : text;
+    return condition.isNot ? RuleTextsContext::tr("not %1").arg(text) : text;
 }
 
 QString clipText(const Action& action)
@@ -97,22 +102,22 @@ QString clipText(const Action& action)
     for (const ClipWeight& clip : action.clips) {
         names << QString::fromStdString(clip.clip);
     }
-    return names.join(Text::tr(" or "));
+    return names.join(RuleTextsContext::tr(" or "));
 }
 
 QString reachText(const Scene& scene, const Action& action)
 {
     switch (action.reach) {
     case EventReach::Self:
-        return Text::tr("themselves");
+        return RuleTextsContext::tr("themselves");
     case EventReach::Near:
-        return Text::tr("those within %1 m").arg(number(action.metres));
+        return RuleTextsContext::tr("those within %1 m").arg(number(action.metres));
     case EventReach::Tagged:
-        return Text::tr("those tagged %1").arg(tagText(scene, action.tag));
+        return RuleTextsContext::tr("those tagged %1").arg(tagText(scene, action.tag));
     case EventReach::Group:
-        return Text::tr("their group");
+        return RuleTextsContext::tr("their group");
     case EventReach::Everybody:
-        return Text::tr("everybody");
+        return RuleTextsContext::tr("everybody");
     }
     return {};
 }
@@ -121,36 +126,37 @@ QString actionText(const Scene& scene, const Action& action)
 {
     switch (action.kind) {
     case ActionKind::PlayClip:
-        return Text::tr("play %1").arg(clipText(action));
+        return RuleTextsContext::tr("play %1").arg(clipText(action));
     case ActionKind::FollowPath:
-        return Text::tr("walk along %1").arg(pathText(scene, action.path));
+        return RuleTextsContext::tr("walk along %1").arg(pathText(scene, action.path));
     case ActionKind::GoToPlace:
-        return Text::tr("go to %1").arg(placeText(scene, action.place));
+        return RuleTextsContext::tr("go to %1").arg(placeText(scene, action.place));
     case ActionKind::Flee:
-        return Text::tr("run %1 m away").arg(number(action.metres));
+        return RuleTextsContext::tr("run %1 m away").arg(number(action.metres));
     case ActionKind::Stop:
-        return Text::tr("stop");
+        return RuleTextsContext::tr("stop");
     case ActionKind::GoOn:
-        return Text::tr("walk on");
+        return RuleTextsContext::tr("walk on");
     case ActionKind::Wait:
-        return Text::tr("wait %1 s").arg(number(action.seconds));
+        return RuleTextsContext::tr("wait %1 s").arg(number(action.seconds));
     case ActionKind::SetSpeed:
-        return action.value > 0.0F ? Text::tr("at %1 m/s").arg(number(action.value))
-                                   : Text::tr("at the event’s speed");
+        return action.value > 0.0F ? RuleTextsContext::tr("at %1 m/s").arg(number(action.value))
+                                   : RuleTextsContext::tr("at the event’s speed");
     case ActionKind::TurnTo:
-        return action.place != 0 ? Text::tr("turn to %1").arg(placeText(scene, action.place))
-                                 : Text::tr("turn to where it came from");
+        return action.place != 0
+                   ? RuleTextsContext::tr("turn to %1").arg(placeText(scene, action.place))
+                   : RuleTextsContext::tr("turn to where it came from");
     case ActionKind::AddTag:
-        return Text::tr("tag %1").arg(tagText(scene, action.tag));
+        return RuleTextsContext::tr("tag %1").arg(tagText(scene, action.tag));
     case ActionKind::RemoveTag:
-        return Text::tr("untag %1").arg(tagText(scene, action.tag));
+        return RuleTextsContext::tr("untag %1").arg(tagText(scene, action.tag));
     case ActionKind::SendEvent:
-        return Text::tr("send “%1” to %2")
+        return RuleTextsContext::tr("send “%1” to %2")
             .arg(QString::fromStdString(action.event), reachText(scene, action));
     case ActionKind::LeaveScene:
-        return Text::tr("leave the scene");
+        return RuleTextsContext::tr("leave the scene");
     case ActionKind::Again:
-        return Text::tr("do it again");
+        return RuleTextsContext::tr("do it again");
     }
     return {};
 }
@@ -160,10 +166,10 @@ QString actionProblem(const Scene& scene, const Action& action)
     const bool isGoing = action.kind == ActionKind::GoToPlace;
     if ((isGoing || (action.kind == ActionKind::TurnTo && action.place != 0)) &&
         scene.findPlace(action.place) == nullptr) {
-        return Text::tr("The place is not there any more: choose another one.");
+        return RuleTextsContext::tr("The place is not there any more: choose another one.");
     }
     if (action.kind == ActionKind::FollowPath && scene.findPath(action.path) == nullptr) {
-        return Text::tr("The path is not there any more: choose another one.");
+        return RuleTextsContext::tr("The path is not there any more: choose another one.");
     }
     if (action.kind == ActionKind::PlayClip) {
         const bool isAny = std::ranges::any_of(action.clips, [&](const ClipWeight& clip) {
@@ -172,11 +178,11 @@ QString actionProblem(const Scene& scene, const Action& action)
             });
         });
         if (!isAny) {
-            return Text::tr("Nobody has a clip to play: choose one.");
+            return RuleTextsContext::tr("Nobody has a clip to play: choose one.");
         }
     }
     if (action.kind == ActionKind::SendEvent && action.event.empty()) {
-        return Text::tr("The event to send has no name: type one.");
+        return RuleTextsContext::tr("The event to send has no name: type one.");
     }
     return {};
 }
@@ -185,61 +191,69 @@ QString actionProblem(const Scene& scene, const Action& action)
 
 QStringList triggerNames()
 {
-    return {
-        Text::tr("it begins"),      Text::tr("an event comes"), Text::tr("someone arrives at"),
-        Text::tr("someone enters"), Text::tr("someone leaves"), Text::tr("a path ends"),
-        Text::tr("a clip is over"), Text::tr("every so often"), Text::tr("someone tagged is near")};
+    return {RuleTextsContext::tr("it begins"),
+            RuleTextsContext::tr("an event comes"),
+            RuleTextsContext::tr("someone arrives at"),
+            RuleTextsContext::tr("someone enters"),
+            RuleTextsContext::tr("someone leaves"),
+            RuleTextsContext::tr("a path ends"),
+            RuleTextsContext::tr("a clip is over"),
+            RuleTextsContext::tr("every so often"),
+            RuleTextsContext::tr("someone tagged is near")};
 }
 
 QStringList conditionNames()
 {
-    return {Text::tr("tagged"),       Text::tr("of template"), Text::tr("inside place"),
-            Text::tr("walking path"), Text::tr("seated"),      Text::tr("by chance")};
+    return {RuleTextsContext::tr("tagged"),       RuleTextsContext::tr("of template"),
+            RuleTextsContext::tr("inside place"), RuleTextsContext::tr("walking path"),
+            RuleTextsContext::tr("seated"),       RuleTextsContext::tr("by chance")};
 }
 
 QStringList actionNames()
 {
-    return {Text::tr("play a clip"),
-            Text::tr("walk along a path"),
-            Text::tr("go to a place"),
-            Text::tr("run away"),
-            Text::tr("stop"),
-            Text::tr("walk on"),
-            Text::tr("wait"),
-            Text::tr("set the speed"),
-            Text::tr("turn to"),
-            Text::tr("tag"),
-            Text::tr("untag"),
-            Text::tr("send an event"),
-            Text::tr("leave the scene"),
-            Text::tr("do it again")};
+    return {RuleTextsContext::tr("play a clip"),
+            RuleTextsContext::tr("walk along a path"),
+            RuleTextsContext::tr("go to a place"),
+            RuleTextsContext::tr("run away"),
+            RuleTextsContext::tr("stop"),
+            RuleTextsContext::tr("walk on"),
+            RuleTextsContext::tr("wait"),
+            RuleTextsContext::tr("set the speed"),
+            RuleTextsContext::tr("turn to"),
+            RuleTextsContext::tr("tag"),
+            RuleTextsContext::tr("untag"),
+            RuleTextsContext::tr("send an event"),
+            RuleTextsContext::tr("leave the scene"),
+            RuleTextsContext::tr("do it again")};
 }
 
 QStringList reachNames()
 {
-    return {Text::tr("themselves"), Text::tr("those near"), Text::tr("those tagged"),
-            Text::tr("their group"), Text::tr("everybody")};
+    return {RuleTextsContext::tr("themselves"), RuleTextsContext::tr("those near"),
+            RuleTextsContext::tr("those tagged"), RuleTextsContext::tr("their group"),
+            RuleTextsContext::tr("everybody")};
 }
 
 QStringList meetingNames()
 {
-    return {Text::tr("interrupts what they do"), Text::tr("waits until they are free"),
-            Text::tr("only who is free")};
+    return {RuleTextsContext::tr("interrupts what they do"),
+            RuleTextsContext::tr("waits until they are free"),
+            RuleTextsContext::tr("only who is free")};
 }
 
 QString ruleSetName(RuleSet set)
 {
     switch (set) {
     case RuleSet::Audience:
-        return Text::tr("Audience Reactions");
+        return RuleTextsContext::tr("Audience Reactions");
     case RuleSet::StadiumWave:
-        return Text::tr("Stadium Wave");
+        return RuleTextsContext::tr("Stadium Wave");
     case RuleSet::Pedestrians:
-        return Text::tr("Pedestrians");
+        return RuleTextsContext::tr("Pedestrians");
     case RuleSet::Panic:
-        return Text::tr("Panic and Exit");
+        return RuleTextsContext::tr("Panic and Exit");
     case RuleSet::Flock:
-        return Text::tr("Flock of Animals");
+        return RuleTextsContext::tr("Flock of Animals");
     case RuleSet::Count:
         break;
     }
@@ -261,30 +275,31 @@ QString ruleSentence(const Scene& scene, const Rule& rule)
         conditions << conditionText(scene, condition);
     }
     if (!conditions.isEmpty()) {
-        when = Text::tr("%1, %2").arg(
-            when, conditions.join(rule.isAnyEnough ? Text::tr(" or ") : Text::tr(" and ")));
+        when = RuleTextsContext::tr("%1, %2").arg(
+            when, conditions.join(rule.isAnyEnough ? RuleTextsContext::tr(" or ")
+                                                   : RuleTextsContext::tr(" and ")));
     }
     QStringList actions;
     for (const Action& action : rule.actions) {
         actions << actionText(scene, action);
     }
-    return Text::tr("%1: %2").arg(when, actions.join(Text::tr(", then ")));
+    return RuleTextsContext::tr("%1: %2").arg(when, actions.join(RuleTextsContext::tr(", then ")));
 }
 
 QString ruleProblem(const Scene& scene, const Rule& rule)
 {
     const Trigger& trigger = rule.trigger;
     if (trigger.kind == TriggerKind::Event && trigger.event.empty()) {
-        return Text::tr("The event has no name: type one.");
+        return RuleTextsContext::tr("The event has no name: type one.");
     }
     const bool isPlace = trigger.kind == TriggerKind::Arrived ||
                          trigger.kind == TriggerKind::Entered || trigger.kind == TriggerKind::Left;
     if (isPlace && trigger.place != 0 && scene.findPlace(trigger.place) == nullptr) {
-        return Text::tr("The place is not there any more: choose another one.");
+        return RuleTextsContext::tr("The place is not there any more: choose another one.");
     }
     if (trigger.kind == TriggerKind::PathEnded && trigger.path != 0 &&
         scene.findPath(trigger.path) == nullptr) {
-        return Text::tr("The path is not there any more: choose another one.");
+        return RuleTextsContext::tr("The path is not there any more: choose another one.");
     }
     for (const Condition& condition : rule.conditions) {
         const bool isGone = (condition.kind == ConditionKind::InPlace &&
@@ -294,11 +309,12 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
                             (condition.kind == ConditionKind::OfTemplate &&
                              scene.findTemplate(condition.templateId) == nullptr);
         if (isGone) {
-            return Text::tr("A condition asks for something that is not there: choose again.");
+            return RuleTextsContext::tr(
+                "A condition asks for something that is not there: choose again.");
         }
     }
     if (rule.actions.empty()) {
-        return Text::tr("It does nothing yet: add something to do.");
+        return RuleTextsContext::tr("It does nothing yet: add something to do.");
     }
     for (const Action& action : rule.actions) {
         const QString problem = actionProblem(scene, action);

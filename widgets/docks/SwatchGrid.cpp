@@ -12,7 +12,7 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kGap = 3;
+constexpr int kCellGap = 3;
 constexpr int kLeastColumns = 4;
 
 } // namespace
@@ -53,30 +53,30 @@ int SwatchGrid::cells() const
 
 int SwatchGrid::columnsFor(int width) const
 {
-    return std::max(kLeastColumns, (width + kGap) / (m_cellSize + kGap));
+    return std::max(kLeastColumns, (width + kCellGap) / (m_cellSize + kCellGap));
 }
 
 int SwatchGrid::heightForWidth(int width) const
 {
     const int columns = columnsFor(width);
     const int rows = std::max(1, (cells() + columns - 1) / columns);
-    return rows * (m_cellSize + kGap) - kGap;
+    return rows * (m_cellSize + kCellGap) - kCellGap;
 }
 
 QSize SwatchGrid::sizeHint() const
 {
-    return {10 * (m_cellSize + kGap), heightForWidth(width())};
+    return {10 * (m_cellSize + kCellGap), heightForWidth(width())};
 }
 
 QSize SwatchGrid::minimumSizeHint() const
 {
-    return {kLeastColumns * (m_cellSize + kGap), m_cellSize};
+    return {kLeastColumns * (m_cellSize + kCellGap), m_cellSize};
 }
 
 QRect SwatchGrid::cellRect(int index) const
 {
     const int columns = columnsFor(width());
-    const int pitch = m_cellSize + kGap;
+    const int pitch = m_cellSize + kCellGap;
     return {index % columns * pitch, index / columns * pitch, m_cellSize, m_cellSize};
 }
 

@@ -8,13 +8,13 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kMargin = 5;
+constexpr int kPictureMargin = 5;
 constexpr int kTick = 18;
 
 QRect pictureRect(const QRect& item)
 {
     const int left = item.left() + (item.width() - TemplateDelegate::kPictureSize) / 2;
-    return {left, item.top() + kMargin, TemplateDelegate::kPictureSize,
+    return {left, item.top() + kPictureMargin, TemplateDelegate::kPictureSize,
             TemplateDelegate::kPictureSize};
 }
 
@@ -50,8 +50,8 @@ QRect TemplateDelegate::tickRect(const QRect& item)
 
 QSize TemplateDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
 {
-    return {kPictureSize + 2 * kMargin,
-            kPictureSize + 2 * kMargin + 2 * option.fontMetrics.height()};
+    return {kPictureSize + 2 * kPictureMargin,
+            kPictureSize + 2 * kPictureMargin + 2 * option.fontMetrics.height()};
 }
 
 void TemplateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -11,7 +11,7 @@ using model::MainQuantity;
 
 namespace {
 
-struct Text
+struct BrushTextsContext
 {
     Q_DECLARE_TR_FUNCTIONS(BrushTexts)
 };
@@ -27,13 +27,13 @@ QString selectionName(BrushSelection selection)
 {
     switch (selection) {
     case BrushSelection::Point:
-        return Text::tr("Point");
+        return BrushTextsContext::tr("Point");
     case BrushSelection::Spray:
-        return Text::tr("Spray");
+        return BrushTextsContext::tr("Spray");
     case BrushSelection::AllInCircle:
-        return Text::tr("All in the circle");
+        return BrushTextsContext::tr("All in the circle");
     case BrushSelection::Rectangle:
-        return Text::tr("Rectangle");
+        return BrushTextsContext::tr("Rectangle");
     }
     return {};
 }
@@ -42,31 +42,31 @@ QString mainQuantityName(MainQuantity quantity)
 {
     switch (quantity) {
     case MainQuantity::Density:
-        return Text::tr("People per m²");
+        return BrushTextsContext::tr("People per m²");
     case MainQuantity::SeatPercent:
-        return Text::tr("Seats filled, %");
+        return BrushTextsContext::tr("Seats filled, %");
     case MainQuantity::Distance:
-        return Text::tr("Distance, m");
+        return BrushTextsContext::tr("Distance, m");
     case MainQuantity::Rate:
-        return Text::tr("Rate, a second");
+        return BrushTextsContext::tr("Rate, a second");
     case MainQuantity::DeletePercent:
-        return Text::tr("Of them, %");
+        return BrushTextsContext::tr("Of them, %");
     case MainQuantity::Strength:
-        return Text::tr("Strength, %");
+        return BrushTextsContext::tr("Strength, %");
     case MainQuantity::Heading:
-        return Text::tr("Direction, °");
+        return BrushTextsContext::tr("Direction, °");
     case MainQuantity::Turn:
-        return Text::tr("Turned by, °");
+        return BrushTextsContext::tr("Turned by, °");
     case MainQuantity::Speed:
-        return Text::tr("Speed");
+        return BrushTextsContext::tr("Speed");
     case MainQuantity::WalkSpeed:
-        return Text::tr("Walking speed, m/s");
+        return BrushTextsContext::tr("Walking speed, m/s");
     case MainQuantity::Tag:
-        return Text::tr("Tag");
+        return BrushTextsContext::tr("Tag");
     case MainQuantity::Payload:
-        return Text::tr("Number");
+        return BrushTextsContext::tr("Number");
     case MainQuantity::PlaceRadius:
-        return Text::tr("Radius, m");
+        return BrushTextsContext::tr("Radius, m");
     }
     return {};
 }
@@ -77,31 +77,31 @@ QString mainNumberText(const model::BrushSettings& settings)
     const QString value = QLocale().toString(number.value, 'f', number.decimals);
     switch (number.quantity) {
     case MainQuantity::Density:
-        return Text::tr("Density: %1 people per m²").arg(value);
+        return BrushTextsContext::tr("Density: %1 people per m²").arg(value);
     case MainQuantity::SeatPercent:
-        return Text::tr("Seats filled: %1 %").arg(value);
+        return BrushTextsContext::tr("Seats filled: %1 %").arg(value);
     case MainQuantity::Distance:
-        return Text::tr("Distance: %1 m").arg(value);
+        return BrushTextsContext::tr("Distance: %1 m").arg(value);
     case MainQuantity::Rate:
-        return Text::tr("Rate: %1 a second").arg(value);
+        return BrushTextsContext::tr("Rate: %1 a second").arg(value);
     case MainQuantity::DeletePercent:
-        return Text::tr("Delete: %1 % of them").arg(value);
+        return BrushTextsContext::tr("Delete: %1 % of them").arg(value);
     case MainQuantity::Strength:
-        return Text::tr("Strength: %1 %").arg(value);
+        return BrushTextsContext::tr("Strength: %1 %").arg(value);
     case MainQuantity::Heading:
-        return Text::tr("Direction: %1°").arg(value);
+        return BrushTextsContext::tr("Direction: %1°").arg(value);
     case MainQuantity::Turn:
-        return Text::tr("Turned by: %1°").arg(value);
+        return BrushTextsContext::tr("Turned by: %1°").arg(value);
     case MainQuantity::Speed:
-        return Text::tr("Speed: × %1").arg(value);
+        return BrushTextsContext::tr("Speed: × %1").arg(value);
     case MainQuantity::WalkSpeed:
-        return Text::tr("Walking speed: %1 m/s").arg(value);
+        return BrushTextsContext::tr("Walking speed: %1 m/s").arg(value);
     case MainQuantity::Tag:
-        return Text::tr("Tag: %1").arg(value);
+        return BrushTextsContext::tr("Tag: %1").arg(value);
     case MainQuantity::Payload:
-        return Text::tr("Number: %1").arg(value);
+        return BrushTextsContext::tr("Number: %1").arg(value);
     case MainQuantity::PlaceRadius:
-        return Text::tr("Radius: %1 m").arg(value);
+        return BrushTextsContext::tr("Radius: %1 m").arg(value);
     }
     return value;
 }

@@ -7,9 +7,9 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kLongestStep = 0.25;
-constexpr double kSlowest = 0.05;
-constexpr double kFastest = 8.0;
+constexpr double kLongestPlayStep = 0.25;
+constexpr double kSlowestPlay = 0.05;
+constexpr double kFastestPlay = 8.0;
 
 } // namespace
 
@@ -37,7 +37,7 @@ void Transport::setSeconds(double seconds)
 
 void Transport::setSpeed(double speed)
 {
-    const double bounded = std::clamp(speed, kSlowest, kFastest);
+    const double bounded = std::clamp(speed, kSlowestPlay, kFastestPlay);
     if (m_state.speed == bounded) {
         return;
     }
@@ -50,7 +50,7 @@ void Transport::advance(double realSeconds, double notBeyond)
     if (!m_state.isPlaying || realSeconds <= 0.0) {
         return;
     }
-    const double wanted = m_state.seconds + std::min(realSeconds, kLongestStep) * m_state.speed;
+    const double wanted = m_state.seconds + std::min(realSeconds, kLongestPlayStep) * m_state.speed;
     m_state.seconds = std::max(m_state.seconds, std::min(wanted, notBeyond));
     Q_EMIT timeChanged(m_state.seconds);
 }

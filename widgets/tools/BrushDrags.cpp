@@ -13,7 +13,7 @@ using model::BrushSettings;
 
 namespace {
 
-struct Text
+struct BrushDragsText
 {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 };
@@ -24,28 +24,28 @@ QString affectedText(BrushKind kind, int count)
 {
     switch (kind) {
     case BrushKind::Create:
-        return Text::tr("%n people created", nullptr, count);
+        return BrushDragsText::tr("%n people created", nullptr, count);
     case BrushKind::Delete:
-        return Text::tr("%n people deleted", nullptr, count);
+        return BrushDragsText::tr("%n people deleted", nullptr, count);
     case BrushKind::Colour:
-        return Text::tr("%n people coloured", nullptr, count);
+        return BrushDragsText::tr("%n people coloured", nullptr, count);
     case BrushKind::Orientation:
-        return Text::tr("%n people turned", nullptr, count);
+        return BrushDragsText::tr("%n people turned", nullptr, count);
     case BrushKind::Animation:
-        return Text::tr("%n people do something else", nullptr, count);
+        return BrushDragsText::tr("%n people do something else", nullptr, count);
     case BrushKind::Walk:
-        return Text::tr("%n people walk differently", nullptr, count);
+        return BrushDragsText::tr("%n people walk differently", nullptr, count);
     case BrushKind::Tag:
-        return Text::tr("%n people tagged", nullptr, count);
+        return BrushDragsText::tr("%n people tagged", nullptr, count);
     case BrushKind::Untag:
-        return Text::tr("%n people without the tag", nullptr, count);
+        return BrushDragsText::tr("%n people without the tag", nullptr, count);
     case BrushKind::Event:
-        return Text::tr("%n people heard it", nullptr, count);
+        return BrushDragsText::tr("%n people heard it", nullptr, count);
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
     case BrushKind::Script:
-        return Text::tr("%n people changed", nullptr, count);
+        return BrushDragsText::tr("%n people changed", nullptr, count);
     }
     return {};
 }
@@ -107,7 +107,7 @@ void StrokeDrag::cancel()
     if (m_stroke) {
         m_stroke->cancel();
         m_stroke.reset();
-        m_context.state.showStatus(Text::tr("The stroke was taken back."));
+        m_context.state.showStatus(BrushDragsText::tr("The stroke was taken back."));
     }
 }
 
@@ -125,7 +125,7 @@ void StrokeDrag::show(ToolPicture& picture) const
         picture.gradient = QLineF(m_press.position(), m_current.position());
     }
     if (settings.isReevaluated() || settings.kind == BrushKind::Create) {
-        picture.label = Text::tr("%n people", nullptr, m_stroke->affected());
+        picture.label = BrushDragsText::tr("%n people", nullptr, m_stroke->affected());
     }
 }
 
@@ -177,7 +177,7 @@ void ScriptStrokeDrag::show(ToolPicture& picture) const
     if (m_settings.selection == BrushSelection::Rectangle) {
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
     }
-    picture.label = Text::tr("%n people", nullptr, m_painter.affected());
+    picture.label = BrushDragsText::tr("%n people", nullptr, m_painter.affected());
 }
 
 ResizeDrag::ResizeDrag(const ToolContext& context, BrushKind kind, const ToolInput& press)
@@ -206,7 +206,7 @@ void ResizeDrag::show(ToolPicture& picture) const
     const BrushSettings& settings = m_context.state.brush(m_before.kind);
     showBrush(settings, m_press, 1.0, picture);
     picture.cursor = Qt::SizeHorCursor;
-    picture.label = Text::tr("%1 px").arg(qRound(settings.radiusPixels));
+    picture.label = BrushDragsText::tr("%1 px").arg(qRound(settings.radiusPixels));
 }
 
 void showBrush(const BrushSettings& settings, const QPointF& at, double pressure,

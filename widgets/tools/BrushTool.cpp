@@ -18,7 +18,7 @@ using model::BrushSettings;
 
 namespace {
 
-struct Text
+struct BrushToolText
 {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 };
@@ -27,28 +27,32 @@ QString whatItDoes(BrushKind kind)
 {
     switch (kind) {
     case BrushKind::Create:
-        return Text::tr("Drag: create people · + −: how many · Ctrl+click: more of the kind");
+        return BrushToolText::tr(
+            "Drag: create people · + −: how many · Ctrl+click: more of the kind");
     case BrushKind::Delete:
-        return Text::tr("Drag: delete people · + −: how fast");
+        return BrushToolText::tr("Drag: delete people · + −: how fast");
     case BrushKind::Colour:
-        return Text::tr("Drag: colour people · + −: strength · Ctrl+click: take the colour");
+        return BrushToolText::tr(
+            "Drag: colour people · + −: strength · Ctrl+click: take the colour");
     case BrushKind::Orientation:
-        return Text::tr("Drag: turn people · + −: direction · Ctrl+click: the point to face");
+        return BrushToolText::tr(
+            "Drag: turn people · + −: direction · Ctrl+click: the point to face");
     case BrushKind::Animation:
-        return Text::tr("Drag: change what people do · + −: speed · Ctrl+click: take the clip");
+        return BrushToolText::tr(
+            "Drag: change what people do · + −: speed · Ctrl+click: take the clip");
     case BrushKind::Walk:
-        return Text::tr("Drag: let people walk along the path · + −: walking speed");
+        return BrushToolText::tr("Drag: let people walk along the path · + −: walking speed");
     case BrushKind::Tag:
-        return Text::tr("Drag: tag people · + −: which tag");
+        return BrushToolText::tr("Drag: tag people · + −: which tag");
     case BrushKind::Untag:
-        return Text::tr("Drag: take the tag off people · + −: which tag");
+        return BrushToolText::tr("Drag: take the tag off people · + −: which tag");
     case BrushKind::Event:
-        return Text::tr("Drag: let an event happen to people · + −: its number");
+        return BrushToolText::tr("Drag: let an event happen to people · + −: its number");
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
     case BrushKind::Script:
-        return Text::tr("Drag: let the script change people · Escape: take it back");
+        return BrushToolText::tr("Drag: let the script change people · Escape: take it back");
     }
     return {};
 }
@@ -77,10 +81,11 @@ QString BrushTool::hint() const
     }
     const QString general =
         m_context.state.viewOptions().buttons == ButtonMapping::Paper
-            ? Text::tr("Left: point · Middle: circle · Right: rectangle · "
-                       "Alt or Space and drag: navigate · [ ]: size")
-            : Text::tr("Right button: brushes · Alt or Space and drag: navigate · [ ]: size");
-    return Text::tr("%1 · %2").arg(whatItDoes(m_kind), general);
+            ? BrushToolText::tr("Left: point · Middle: circle · Right: rectangle · "
+                                "Alt or Space and drag: navigate · [ ]: size")
+            : BrushToolText::tr(
+                  "Right button: brushes · Alt or Space and drag: navigate · [ ]: size");
+    return BrushToolText::tr("%1 · %2").arg(whatItDoes(m_kind), general);
 }
 
 std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) const
@@ -139,8 +144,9 @@ DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& inpu
     EditorState& state = m_context.state;
     ScriptPainter* painter = state.scriptPainter();
     if (painter == nullptr || state.scriptBrushes().empty()) {
-        state.showStatus(Text::tr("No script brush is there yet: a script brings one along with "
-                                  "crowdbrush.register_brush."));
+        state.showStatus(
+            BrushToolText::tr("No script brush is there yet: a script brings one along with "
+                              "crowdbrush.register_brush."));
         return nullptr;
     }
     const BrushSettings chosen =

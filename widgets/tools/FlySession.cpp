@@ -13,10 +13,10 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kRadiansPerPixel = 0.0035;
-constexpr double kSlowest = 0.2; ///< metres a second
-constexpr double kFastest = 200.0;
-constexpr double kLongestStep = 0.1;
+constexpr double kFlightRadiansPerPixel = 0.0035;
+constexpr double kSlowestFlight = 0.2; ///< metres a second
+constexpr double kFastestFlight = 200.0;
+constexpr double kLongestFlightStep = 0.1;
 
 struct FlyKey
 {
@@ -46,8 +46,8 @@ void FlySession::update(const ToolInput& input)
     m_modifiers = input.modifiers;
     if (!way.isNull()) {
         m_context.state.setCamera(turned(m_context.state.camera(),
-                                         static_cast<float>(-way.x() * kRadiansPerPixel),
-                                         static_cast<float>(-way.y() * kRadiansPerPixel)));
+                                         static_cast<float>(-way.x() * kFlightRadiansPerPixel),
+                                         static_cast<float>(-way.y() * kFlightRadiansPerPixel)));
     }
 }
 
@@ -71,7 +71,7 @@ void FlySession::tick(const ToolInput& /*resting*/, double elapsedSeconds)
     double speed = m_metresPerSecond;
     speed *= m_modifiers.testFlag(Qt::ShiftModifier) ? 4.0 : 1.0;
     speed *= m_modifiers.testFlag(Qt::ControlModifier) ? 0.25 : 1.0;
-    const double metres = speed * std::min(elapsedSeconds, kLongestStep);
+    const double metres = speed * std::min(elapsedSeconds, kLongestFlightStep);
     m_context.state.setCamera(flown(m_context.state.camera(), way * static_cast<float>(metres)));
 }
 
@@ -97,8 +97,8 @@ bool FlySession::key(const KeyInput& input, bool isDown)
 
 bool FlySession::wheel(const WheelInput& input)
 {
-    m_metresPerSecond =
-        std::clamp(m_metresPerSecond * std::pow(1.25, input.notches), kSlowest, kFastest);
+    m_metresPerSecond = std::clamp(m_metresPerSecond * std::pow(1.25, input.notches),
+                                   kSlowestFlight, kFastestFlight);
     return true;
 }
 

@@ -17,7 +17,7 @@ using model::PaintColor;
 
 namespace {
 
-struct Text
+struct PickDragText
 {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 };
@@ -86,13 +86,13 @@ QString pickText(PickKind kind)
 {
     switch (kind) {
     case PickKind::Colour:
-        return Text::tr("Click somebody to take the colour · Escape: not now");
+        return PickDragText::tr("Click somebody to take the colour · Escape: not now");
     case PickKind::Point:
-        return Text::tr("Click the point to face · Escape: not now");
+        return PickDragText::tr("Click the point to face · Escape: not now");
     case PickKind::Template:
-        return Text::tr("Click somebody to create more of the kind · Escape: not now");
+        return PickDragText::tr("Click somebody to create more of the kind · Escape: not now");
     case PickKind::Clip:
-        return Text::tr("Click somebody to take what is done there · Escape: not now");
+        return PickDragText::tr("Click somebody to take what is done there · Escape: not now");
     }
     return {};
 }
@@ -174,7 +174,7 @@ void PickDrag::release(const ToolInput& input)
     update(input);
     m_context.state.setPicking(Picking::None);
     if (m_label.isEmpty() && m_kind != PickKind::Point) {
-        m_context.state.showStatus(Text::tr("Nobody under the cursor"));
+        m_context.state.showStatus(PickDragText::tr("Nobody under the cursor"));
     }
 }
 

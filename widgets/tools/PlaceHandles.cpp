@@ -19,9 +19,9 @@ constexpr int kSides = 40;
 constexpr double kMiddlePixels = 9.0;
 constexpr double kBorderPixels = 5.0;
 constexpr float kLeastUpright = 0.5F; ///< of a surface's normal: steeper is a wall
-constexpr double kClickSlack = 4.0;
+constexpr double kHandleClickSlack = 4.0;
 
-struct Text
+struct PlaceHandlesText
 {
     Q_DECLARE_TR_FUNCTIONS(PlaceHandles)
 };
@@ -50,7 +50,8 @@ public:
 
     void update(const ToolInput& input) override
     {
-        if (!m_edit && (input.position() - m_press.position()).manhattanLength() <= kClickSlack) {
+        if (!m_edit &&
+            (input.position() - m_press.position()).manhattanLength() <= kHandleClickSlack) {
             return;
         }
         if (!m_edit) {
@@ -70,9 +71,9 @@ public:
             return;
         }
         const auto edit = std::move(m_edit);
-        edit->commit(m_hit.isBorder ? Text::tr("Resize a place")
-                                    : Text::tr("Move %n place(s)", nullptr,
-                                               static_cast<int>(m_before.size())));
+        edit->commit(m_hit.isBorder ? PlaceHandlesText::tr("Resize a place")
+                                    : PlaceHandlesText::tr("Move %n place(s)", nullptr,
+                                                           static_cast<int>(m_before.size())));
     }
 
     void cancel() override { m_edit.reset(); }
@@ -83,7 +84,7 @@ public:
         const model::Place* place = m_context.state.scene().findPlace(m_hit.place);
         if (m_edit && m_hit.isBorder && place != nullptr) {
             picture.symbolAt = m_press.position();
-            picture.label = Text::tr("%1 m").arg(
+            picture.label = PlaceHandlesText::tr("%1 m").arg(
                 QLocale().toString(static_cast<double>(place->radius), 'f', 2));
         }
     }
@@ -214,13 +215,14 @@ void makePathOfPlaces(EditorState& state)
 {
     const std::vector<model::PlaceId> places = state.paths().places();
     if (places.size() < 2 || state.document().isEditOpen()) {
-        state.showStatus(Text::tr("Select two places or more first, in the order to walk them."));
+        state.showStatus(
+            PlaceHandlesText::tr("Select two places or more first, in the order to walk them."));
         return;
     }
     auto edit = state.document().beginEdit();
     const model::PathId path =
         addPathOver(*edit, places, state.brush(model::BrushKind::Path).place.kind);
-    edit->commit(Text::tr("Make a path"));
+    edit->commit(PlaceHandlesText::tr("Make a path"));
     state.paths().look(path);
 }
 

@@ -15,7 +15,7 @@ using model::BrushKind;
 
 namespace {
 
-struct Text
+struct PlaceToolText
 {
     Q_DECLARE_TR_FUNCTIONS(PlaceTool)
 };
@@ -28,17 +28,17 @@ QString roleName(model::PlaceRole role)
 {
     switch (role) {
     case model::PlaceRole::Spot:
-        return Text::tr("Place");
+        return PlaceToolText::tr("Place");
     case model::PlaceRole::Obstacle:
-        return Text::tr("Obstacle");
+        return PlaceToolText::tr("Obstacle");
     case model::PlaceRole::Attractor:
-        return Text::tr("Attractor");
+        return PlaceToolText::tr("Attractor");
     case model::PlaceRole::Repeller:
-        return Text::tr("Repeller");
+        return PlaceToolText::tr("Repeller");
     case model::PlaceRole::Exit:
-        return Text::tr("Exit");
+        return PlaceToolText::tr("Exit");
     case model::PlaceRole::Slow:
-        return Text::tr("Slow ground");
+        return PlaceToolText::tr("Slow ground");
     }
     return {};
 }
@@ -105,7 +105,7 @@ private:
         const auto ground = groundUnder(m_context, input);
         if (!ground) {
             m_context.state.showStatus(
-                Text::tr("Nothing to walk on there: that is a wall, or the sky."));
+                PlaceToolText::tr("Nothing to walk on there: that is a wall, or the sky."));
             return;
         }
         m_last = ground;
@@ -133,7 +133,7 @@ private:
             auto edit = state.document().beginEdit();
             const model::PathId extended =
                 appendKnownPlace(*edit, current, hit->place, settings().kind);
-            edit->commit(Text::tr("Lead a path over a place"));
+            edit->commit(PlaceToolText::tr("Lead a path over a place"));
             focus.paint(extended);
             return;
         }
@@ -142,7 +142,8 @@ private:
         place.radius = settings().radiusMetres;
         auto edit = state.document().beginEdit();
         const model::PathId extended = appendPlace(*edit, current, place, settings().kind);
-        edit->commit(current == 0 ? Text::tr("Begin a path") : Text::tr("Add a place to a path"));
+        edit->commit(current == 0 ? PlaceToolText::tr("Begin a path")
+                                  : PlaceToolText::tr("Add a place to a path"));
         focus.paint(extended);
         followFromNowOn(extended);
     }
@@ -153,9 +154,9 @@ private:
         path.kind = model::PathKind::Cyclic;
         auto edit = state.document().beginEdit();
         edit->changePath(path);
-        edit->commit(Text::tr("Close a path"));
+        edit->commit(PlaceToolText::tr("Close a path"));
         state.paths().end();
-        state.showStatus(Text::tr("The path is closed: people go round."));
+        state.showStatus(PlaceToolText::tr("The path is closed: people go round."));
     }
 
     /// The walk brush offers what was painted last.
@@ -175,9 +176,10 @@ private:
         place.color = roleColor(place.role);
         auto edit = m_context.state.document().beginEdit();
         place.id = edit->addPlace(place);
-        place.name = Text::tr("%1 %2").arg(roleName(place.role)).arg(place.id).toStdString();
+        place.name =
+            PlaceToolText::tr("%1 %2").arg(roleName(place.role)).arg(place.id).toStdString();
         edit->changePlace(place);
-        edit->commit(Text::tr("Add: %1").arg(roleName(place.role)));
+        edit->commit(PlaceToolText::tr("Add: %1").arg(roleName(place.role)));
     }
 
     ToolContext m_context;
@@ -195,9 +197,11 @@ PlaceTool::PlaceTool(const ToolContext& context, BrushKind kind) : m_context(con
 QString PlaceTool::hint() const
 {
     return m_kind == BrushKind::Path
-               ? Text::tr("Click: add a place to the path · + −: its size · on the first place: "
-                          "close the path · Enter: end it · V: move and resize places")
-               : Text::tr("Click: put it on the ground · + −: its size · V: move and resize");
+               ? PlaceToolText::tr(
+                     "Click: add a place to the path · + −: its size · on the first place: "
+                     "close the path · Enter: end it · V: move and resize places")
+               : PlaceToolText::tr(
+                     "Click: put it on the ground · + −: its size · V: move and resize");
 }
 
 DragSessionPtr PlaceTool::press(const ToolInput& input)
@@ -220,7 +224,7 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
     const model::PlaceSettings& settings = m_context.state.brush(m_kind).place;
     const model::View view = m_context.queries.view();
     picture.outlines = {placeOutline(view, *ground, settings.radiusMetres)};
-    picture.label = Text::tr("%1 m").arg(
+    picture.label = PlaceToolText::tr("%1 m").arg(
         QLocale().toString(static_cast<double>(settings.radiusMetres), 'f', 2));
     const PathFocus& focus = m_context.state.paths();
     const model::Path* path = m_kind == BrushKind::Path && focus.isPainting()

@@ -20,7 +20,7 @@ namespace {
 /// A hand that clicks trembles this much, logical pixels.
 constexpr double kClickSlack = 4.0;
 
-struct Text
+struct SelectToolText
 {
     Q_DECLARE_TR_FUNCTIONS(SelectTool)
 };
@@ -75,7 +75,7 @@ public:
         }
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
         picture.symbolAt = m_current.position();
-        picture.label = Text::tr("%n people", nullptr, m_count);
+        picture.label = SelectToolText::tr("%n people", nullptr, m_count);
     }
 
 private:
@@ -173,8 +173,9 @@ SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
 
 QString SelectTool::hint() const
 {
-    return Text::tr("Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, "
-                    "rectangles from anywhere · Delete: remove · F: show the selection");
+    return SelectToolText::tr(
+        "Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, "
+        "rectangles from anywhere · Delete: remove · F: show the selection");
 }
 
 DragSessionPtr SelectTool::press(const ToolInput& input)

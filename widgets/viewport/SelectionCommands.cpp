@@ -11,7 +11,7 @@ namespace crowd::widgets {
 
 namespace {
 
-struct Text
+struct SelectionCommandsText
 {
     Q_DECLARE_TR_FUNCTIONS(SelectionCommands)
 };
@@ -33,16 +33,19 @@ void deleteSelection(EditorState& state)
             edit->removePlace(place);
         }
         edit->removeIndividuals(ids);
-        edit->commit(Text::tr("Delete %n place(s)", nullptr, static_cast<int>(places.size())));
+        edit->commit(SelectionCommandsText::tr("Delete %n place(s)", nullptr,
+                                               static_cast<int>(places.size())));
         return;
     }
     if (ids.empty()) {
-        state.showStatus(Text::tr("Nobody is selected: there is nobody to delete."));
+        state.showStatus(
+            SelectionCommandsText::tr("Nobody is selected: there is nobody to delete."));
         return;
     }
     auto edit = state.document().beginEdit();
     edit->removeIndividuals(ids);
-    edit->commit(Text::tr("Delete %n individual(s)", nullptr, static_cast<int>(ids.size())));
+    edit->commit(SelectionCommandsText::tr("Delete %n individual(s)", nullptr,
+                                           static_cast<int>(ids.size())));
 }
 
 } // namespace crowd::widgets

@@ -15,7 +15,7 @@ using model::NamedCamera;
 
 namespace {
 
-struct Text
+struct ViewCommandsText
 {
     Q_DECLARE_TR_FUNCTIONS(ViewCommands)
 };
@@ -96,7 +96,7 @@ void goToCamera(EditorState& state, const QString& name)
 {
     const auto found = findCamera(state, name);
     if (found == state.scene().cameras.end()) {
-        state.showStatus(Text::tr("There is no camera “%1” in this scene.").arg(name));
+        state.showStatus(ViewCommandsText::tr("There is no camera “%1” in this scene.").arg(name));
         return;
     }
     state.moveCameraTo(found->camera, name);
@@ -106,12 +106,13 @@ QString addCamera(EditorState& state, const QString& name)
 {
     QString unique = name.trimmed();
     for (int number = 1; unique.isEmpty() || hasCamera(state, unique); ++number) {
-        unique = name.trimmed().isEmpty() ? Text::tr("View %1").arg(number)
-                                          : Text::tr("%1 (%2)").arg(name.trimmed()).arg(number + 1);
+        unique = name.trimmed().isEmpty()
+                     ? ViewCommandsText::tr("View %1").arg(number)
+                     : ViewCommandsText::tr("%1 (%2)").arg(name.trimmed()).arg(number + 1);
     }
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras.push_back({unique.toStdString(), state.camera()});
-    commitCameras(state, std::move(cameras), Text::tr("Add Camera “%1”").arg(unique));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Add Camera “%1”").arg(unique));
     state.setCamera(state.camera(), unique);
     return unique;
 }
@@ -125,7 +126,7 @@ void updateCamera(EditorState& state, const QString& name)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].camera =
         state.camera();
-    commitCameras(state, std::move(cameras), Text::tr("Update Camera “%1”").arg(name));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Update Camera “%1”").arg(name));
     state.setCamera(state.camera(), name);
 }
 
@@ -134,7 +135,7 @@ void removeCamera(EditorState& state, const QString& name)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     std::erase_if(cameras,
                   [&](const NamedCamera& camera) { return camera.name == name.toStdString(); });
-    commitCameras(state, std::move(cameras), Text::tr("Remove Camera “%1”").arg(name));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Remove Camera “%1”").arg(name));
 }
 
 bool renameCamera(EditorState& state, const QString& from, const QString& to)
@@ -147,7 +148,7 @@ bool renameCamera(EditorState& state, const QString& from, const QString& to)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].name =
         wanted.toStdString();
-    commitCameras(state, std::move(cameras), Text::tr("Rename Camera “%1”").arg(from));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Rename Camera “%1”").arg(from));
     return true;
 }
 
