@@ -150,7 +150,7 @@ def meadow():
         crowd.add("forklift", place(x, z), turn, "lift")
     crowd.write("meadow.crowd", "Meadow", "meadow", [
         camera("Meadow", (3.5, LEVEL + 4.0, 18.5), (2.6, LEVEL + 1.2, -4.0), 46),
-        camera("Horses", (-4.6, LEVEL + 3.2, -2.6), (-8.4, LEVEL + .4, -17.0), 46),
+        camera("Horses", (-2.2, LEVEL + 3.0, -9.6), (4.2, LEVEL + 1.5, -15.0), 46),
         camera("Beetles", (.5, here(.5, 11.9) + .42, 11.9), (0, here(0, 10.6), 10.6), 38),
         camera("Machines", (8.6, LEVEL + 3.2, -.6), (17.6, LEVEL + 1.1, -7.0), 48),
         camera("Above", (26, LEVEL + 26, 32), (0, LEVEL, -4), 42)],
