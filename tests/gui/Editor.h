@@ -59,20 +59,21 @@ public:
         const auto text = model::projectToText(window.document().scene());
         return text ? text.value() : text.error().message;
     }
-    /// Of the scene at rest, everything baked, without any brush in it.
+    /// Of the scene at rest, everything baked (which takes long under the sanitizers), without any
+    /// brush in it; null if it did not come to rest.
     [[nodiscard]] QImage picture()
     {
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&view(), &leave);
         int still = 0;
-        for (int tries = 0; still < 2 && tries < 300; ++tries) {
+        for (int tries = 0; still < 2 && tries < 1800; ++tries) {
             const int before = view().drawnFrames();
             QTest::qWait(50);
             const bool isAtRest = view().isAtRest() && view().drawnFrames() == before &&
                                   state().keyframes().progress().pendingClips == 0;
             still = isAtRest ? still + 1 : 0;
         }
-        return view().grabFramebuffer();
+        return still < 2 ? QImage() : view().grabFramebuffer();
     }
     void press(QPoint at) { send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton); }
     void release(QPoint at) { send(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton); }
