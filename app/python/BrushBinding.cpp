@@ -76,6 +76,7 @@ void bindEnums(py::module_& module)
         .value("ORIENTATION", BrushKind::Orientation)
         .value("ANIMATION", BrushKind::Animation)
         .value("WALK", BrushKind::Walk)
+        .value("STYLE", BrushKind::Style)
         .value("TAG", BrushKind::Tag)
         .value("UNTAG", BrushKind::Untag)
         .value("SCRIPT", BrushKind::Script);
@@ -181,6 +182,15 @@ void bindWalk(py::module_& module)
         .def_readwrite("sets_speed", &WalkSettings::setsSpeed)
         .def_property("speed", rangeGetter(&WalkSettings::speed), rangeSetter(&WalkSettings::speed),
                       "m/s, (lowest, highest).");
+    py::class_<StyleSettings>(module, "StyleSettings", "How people walk, and how fast.")
+        .def_readwrite("sets_style", &StyleSettings::setsStyle)
+        .def_property(
+            "clips", [](const StyleSettings& owner) { return clipsAsDict(owner.clips); },
+            [](StyleSettings& owner, const py::dict& clips) { owner.clips = clipsFromDict(clips); },
+            "Name → weight of clips to walk with; empty: what fits the speed.")
+        .def_readwrite("sets_speed", &StyleSettings::setsSpeed)
+        .def_property("speed", rangeGetter(&StyleSettings::speed),
+                      rangeSetter(&StyleSettings::speed), "m/s, (lowest, highest).");
 }
 
 BrushSettings brushOf(BrushKind kind)
@@ -226,6 +236,7 @@ void bindBrushes(py::module_& module)
         .def_readwrite("orientation", &BrushSettings::orientation)
         .def_readwrite("animation", &BrushSettings::animation)
         .def_readwrite("walk", &BrushSettings::walk)
+        .def_readwrite("style", &BrushSettings::style)
         .def_property(
             "tag", [](const BrushSettings& b) { return b.tag.tag; },
             [](BrushSettings& b, std::uint8_t tag) { b.tag.tag = tag; },

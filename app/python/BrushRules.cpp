@@ -106,6 +106,8 @@ void checkProperties(const BrushSettings& brush, Complaint& complaint)
     complaint.range("animation.phase", brush.animation.phase, 0.0F, 1.0F);
     complaint.range("animation.speed", brush.animation.speed, 0.0F, 100.0F);
     complaint.range("walk.speed", brush.walk.speed, 0.0F, kMaxWalkingSpeed);
+    complaint.weights("style.clips", brush.style.clips);
+    complaint.range("style.speed", brush.style.speed, 0.0F, kMaxWalkingSpeed);
     complaint.number("tag", brush.tag.tag, 0.0F, static_cast<float>(kTagCount - 1));
 }
 

@@ -132,6 +132,21 @@ Result<void> checkClips(const TemplateTable& table, std::span<const TemplateId> 
     return {};
 }
 
+/// As checkClips; 0 is always right, 1 the first clip.
+Result<void> checkStyles(const TemplateTable& table, std::span<const TemplateId> templates,
+                         std::span<const std::uint16_t> styles)
+{
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        const std::size_t clips = table.find(templates[i])->clipNames.size();
+        if (styles[i] > clips) {
+            return refused(ColumnId::WalkStyle, i,
+                           "is " + std::to_string(styles[i]) + ", but the template has " +
+                               std::to_string(clips) + " clips, counted from 1; 0: any.");
+        }
+    }
+    return {};
+}
+
 /// Paths to follow that are there, and speeds that people can walk.
 Result<void> checkWalks(const Scene& scene, std::span<const ColumnValues> values)
 {
@@ -293,6 +308,11 @@ Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
         !valid) {
         return valid.error();
     }
+    if (auto valid =
+            checkStyles(table, rows.column(columns::templateId), rows.column(columns::walkStyle));
+        !valid) {
+        return valid.error();
+    }
     return rows;
 }
 
@@ -335,6 +355,13 @@ Result<void> checkChange(const Scene& scene, std::span<const IndividualId> ids,
     if (templates != nullptr || find(values, ColumnId::Clip) != nullptr) {
         if (auto valid =
                 checkClips(table, rows.column(columns::templateId), rows.column(columns::clip));
+            !valid) {
+            return valid;
+        }
+    }
+    if (const ColumnValues* styles = find(values, ColumnId::WalkStyle)) {
+        if (auto valid = checkStyles(table, rows.column(columns::templateId),
+                                     itemsOf<std::uint16_t>(*styles));
             !valid) {
             return valid;
         }

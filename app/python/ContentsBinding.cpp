@@ -346,9 +346,11 @@ void bindEnvironment(SceneClass& scene)
     scene
         .def_property_readonly(
             "environment", &environment,
-            "A dict of lists as the project file has them: places, paths, tags, rules.")
+            "A dict of lists as the project file has them: places, paths, tags, rules, "
+            "numbers, cues, and the surface to walk on.")
         .def("set_environment", &setEnvironment, py::arg("environment"),
-             "Lists of places, paths, tags and rules as in environment, or the same as JSON text; "
+             "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
+             "text; "
              "what is not in it stays. Raises Error where a member is wrong.");
 }
 

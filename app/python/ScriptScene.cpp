@@ -96,6 +96,11 @@ void putEnvironment(SceneEdit& edit, const Scene& wanted)
     putPaths(edit, wanted); // who lost a place or a branch with those
     edit.setRules(wanted.rules);
     edit.setTags(wanted.tags);
+    edit.setNumbers(wanted.numbers);
+    edit.setCues(wanted.cues);
+    if (wanted.surface != edit.scene().surface) {
+        edit.setSurface(wanted.surface);
+    }
 }
 
 Error noTemplate(TemplateId id)

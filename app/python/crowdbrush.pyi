@@ -95,6 +95,7 @@ class BrushKind:
     ORIENTATION: ClassVar[BrushKind]
     ANIMATION: ClassVar[BrushKind]
     WALK: ClassVar[BrushKind]
+    STYLE: ClassVar[BrushKind]
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
     SCRIPT: ClassVar[BrushKind]
@@ -392,6 +393,34 @@ class WalkSettings:
         ...
 
 
+class StyleSettings:
+    """How people walk, and how fast."""
+    @property
+    def sets_style(self) -> bool:
+        ...
+    @sets_style.setter
+    def sets_style(self, value: bool) -> None:
+        ...
+    @property
+    def clips(self) -> Dict[Any, Any]:
+        """Name → weight of clips to walk with; empty: what fits the speed."""
+    @clips.setter
+    def clips(self, value: Dict[Any, Any]) -> None:
+        ...
+    @property
+    def sets_speed(self) -> bool:
+        ...
+    @sets_speed.setter
+    def sets_speed(self, value: bool) -> None:
+        ...
+    @property
+    def speed(self) -> Tuple[float, float]:
+        """m/s, (lowest, highest)."""
+    @speed.setter
+    def speed(self, value: Tuple[float, float]) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -502,6 +531,12 @@ class Brush:
         ...
     @walk.setter
     def walk(self, value: WalkSettings) -> None:
+        ...
+    @property
+    def style(self) -> StyleSettings:
+        ...
+    @style.setter
+    def style(self, value: StyleSettings) -> None:
         ...
     @property
     def tag(self) -> int:
@@ -640,10 +675,11 @@ class Scene:
         """Sun, sky and ground as given."""
     @property
     def environment(self) -> Any:
-        """A dict of lists as the project file has them: places, paths, tags, rules."""
+        """A dict of lists as the project file has them: places, paths, tags, rules, numbers,
+        cues, and the surface to walk on."""
     def set_environment(self, environment: Union[str, Dict[str, Any]]) -> None:
-        """Lists of places, paths, tags and rules as in environment, or the same as JSON text;
-        what is not in it stays. Raises Error where a member is wrong."""
+        """Lists of places, paths, tags, rules and so on as in environment, or the same as JSON
+        text; what is not in it stays. Raises Error where a member is wrong."""
     def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was

@@ -264,6 +264,7 @@ same names as keywords.
 | `group`, `seed` | uint32 | |
 | `path` | uint32 | the id of a path in `scene.environment`; 0: none |
 | `walkSpeed` | float32 | m/s; 0: the usual one |
+| `walkStyle` | uint16 | the clip to walk with, counted from 1 in `Template.clip_names`; 0: the one that fits the speed |
 """
 
 

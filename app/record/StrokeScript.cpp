@@ -28,6 +28,8 @@ BrushName nameOf(BrushKind kind)
         return {"orientation_brush", "ORIENTATION"};
     case BrushKind::Walk:
         return {"walk_brush", "WALK"};
+    case BrushKind::Style:
+        return {"style_brush", "STYLE"};
     case BrushKind::Tag:
         return {"tag_brush", "TAG"};
     case BrushKind::Untag:
@@ -199,6 +201,10 @@ void addChanges(Differences& all, const BrushSettings& was, const BrushSettings&
     all.add("walk.path", was.walk.path, now.walk.path);
     all.add("walk.sets_speed", was.walk.setsSpeed, now.walk.setsSpeed);
     all.add("walk.speed", was.walk.speed, now.walk.speed);
+    all.add("style.sets_style", was.style.setsStyle, now.style.setsStyle);
+    all.add("style.clips", was.style.clips, now.style.clips);
+    all.add("style.sets_speed", was.style.setsSpeed, now.style.setsSpeed);
+    all.add("style.speed", was.style.speed, now.style.speed);
     all.add("tag", was.tag.tag, now.tag.tag);
 }
 

@@ -25,6 +25,7 @@
 #include "app/window/WindowActions.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/Docks.h"
+#include "widgets/state/Cues.h"
 #include "widgets/viewport/ViewCommands.h"
 
 namespace crowd::app {
@@ -66,6 +67,7 @@ MainWindow::MainWindow()
     setStatusBar(m_status);
     addDocks();
     addWindowActions(*this);
+    new widgets::CueKeys(m_state, this);
     new ScriptGuard(m_interpreter, m_state, *this, *m_console, *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.

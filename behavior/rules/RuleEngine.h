@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "behavior/rules/PlaceRooms.h"
 #include "model/population/Population.h"
 #include "model/scene/Rule.h"
 #include "model/scene/Scene.h"
@@ -42,6 +43,17 @@ public:
     virtual void setPace(std::uint32_t agent, float metresPerSecond) = 0;
     virtual void turnTo(std::uint32_t agent, const glm::vec3& point) = 0;
     virtual void leave(std::uint32_t agent) = 0;
+    /// Is there from now on, also after leaving.
+    virtual void appear(std::uint32_t agent, const glm::vec3& point) = 0;
+    [[nodiscard]] virtual float speed(std::uint32_t agent) const = 0; ///< m/s, smoothed
+    /// On the nearest free seat within so many metres (0: however far). False: there is none.
+    virtual bool sit(std::uint32_t agent, float metres) = 0;
+    /// On the way to a seat.
+    [[nodiscard]] virtual bool isSittingDown(std::uint32_t agent) const = 0;
+    /// Begins to stand up: seconds that it takes.
+    virtual float standUp(std::uint32_t agent) = 0;
+    /// Has stood up.
+    virtual void leaveSeat(std::uint32_t agent) = 0;
 };
 
 /// "A rule fired", for the artist's log.
@@ -66,6 +78,8 @@ public:
     void setPeople(const model::Population& people, std::span<const std::uint32_t> keep);
     void setTags(std::uint32_t agent, std::uint64_t tags);
     [[nodiscard]] std::uint64_t tags(std::uint32_t agent) const { return m_minds[agent].tags; }
+    /// Of the artist's numbers, as it is now; 0 where there is none of that id.
+    [[nodiscard]] float number(std::uint32_t agent, model::NumberId id) const;
 
     void step(RuleHost& host, std::uint64_t step);
     void send(const std::string& event, float payload, std::uint32_t agent,
@@ -109,15 +123,19 @@ private:
         Cause cause;
         std::vector<Waiting> queue;
         std::uint64_t litStep = 0;
-        bool hasSeenStart = false;
+        bool hasHeard = false;      ///< the event that he waited for
+        model::PlaceId goal = 0;    ///< of the errand that he is on or was on last
+        model::PlaceId holds = 0;   ///< place that counts him as its guest
+        std::vector<float> numbers; ///< as m_numbers
     };
     /// What a rule knows of each individual.
     struct Memory
     {
         double last = -1e18;
-        double next = -1.0; ///< Every
+        double next = -1.0; ///< Every; Waited: since when he stands
         std::uint32_t count = 0;
-        bool wasThere = false; ///< Entered, Left, TagNear
+        bool wasThere = false; ///< Start, Entered, Left, TagNear, SpeedLimit, Waited
+        bool isSeen = false;   ///< SpeedLimit: looked at before
     };
     struct Event
     {
@@ -129,30 +147,56 @@ private:
         glm::vec3 origin{0.0F};
     };
 
+    static bool isLater(const Event& a, const Event& b)
+    {
+        return a.due > b.due || (a.due == b.due && a.order > b.order);
+    }
+    void post(Event event);
     void deliver(RuleHost& host);
+    void hear(RuleHost& host, std::uint32_t agent, const Event& event);
+    void endErrands(RuleHost& host);
     void lookAround(RuleHost& host);
     void lookAt(RuleHost& host, std::uint32_t rule);
     void lookForTags(RuleHost& host, std::uint32_t rule);
     [[nodiscard]] bool happensTo(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
-    [[nodiscard]] bool isInside(RuleHost& host, model::PlaceId place, std::uint32_t agent) const;
-    [[nodiscard]] bool holds(RuleHost& host, const model::Rule& rule, std::uint32_t agent) const;
+    [[nodiscard]] bool isCrossed(const model::Trigger& trigger, float speed, Memory& memory) const;
+    [[nodiscard]] bool isTired(const model::Trigger& trigger, float speed, Memory& memory) const;
+    [[nodiscard]] bool isTime(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
+    [[nodiscard]] bool holds(RuleHost& host, const model::Rule& rule, std::uint32_t agent,
+                             const Cause& cause);
     [[nodiscard]] bool holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
-                             std::uint32_t agent) const;
+                             std::uint32_t agent, const Cause& cause);
     void fire(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
+    [[nodiscard]] bool mayBreakOff(std::uint32_t busy, std::uint32_t other) const;
     void begin(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     void goOn(RuleHost& host, std::uint32_t agent);
     /// True: the action is over.
     [[nodiscard]] bool run(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    void travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool setOut(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool standUp(RuleHost& host, std::uint32_t agent);
+    [[nodiscard]] bool wait(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void flee(RuleHost& host, std::uint32_t agent, float metres);
+    void turn(RuleHost& host, std::uint32_t agent, model::PlaceId place);
     void send(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
+                               std::uint32_t other) const;
+    void hold(std::uint32_t agent, model::PlaceId place);
+    [[nodiscard]] PlaceRooms& rooms(RuleHost& host);
+    [[nodiscard]] glm::vec3 pointIn(RuleHost& host, std::uint32_t agent,
+                                    const model::Place& place) const;
+    void changeNumber(std::uint32_t agent, const model::Action& action);
+    void giveNumbers(const model::Scene& scene);
+    [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;
     [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;
     void complain(std::string problem);
-    void indexPeople(RuleHost& host);
 
     std::vector<model::Rule> m_rules; ///< enabled ones, the first matters most
-    std::vector<model::Place> m_places;
-    std::vector<model::TagName> m_tagNames;
+    std::vector<bool> m_bringsBack;   ///< rules that those who have left still hear
+    PlaceRooms m_places;
+    std::vector<model::NumberName> m_numbers;
     std::vector<Mind> m_minds;                 ///< by agent
     std::vector<std::vector<Memory>> m_memory; ///< by rule, by agent
     std::vector<Event> m_events;               ///< heap: the earliest first

@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/brush/ClipChoice.h"
+
 namespace crowd::behavior {
 
 namespace {
 
 constexpr float kStandBelow = 0.2F; ///< m/s
 constexpr float kHysteresis = 0.15F;
-constexpr float kSlowestClip = 0.05F;
-
-/// What the artist set, else the asset's.
-float speedOf(const model::TemplateEntry& entry, std::size_t clip, const model::Clip& asset)
-{
-    const bool isEdited = clip < entry.clipSpeeds.size() && !std::isnan(entry.clipSpeeds[clip]);
-    return isEdited ? entry.clipSpeeds[clip] : asset.speed;
-}
 
 } // namespace
 
@@ -32,11 +26,12 @@ GaitTable::GaitTable(const model::TemplateEntry& entry)
         if (index < 0) {
             continue;
         }
-        const model::Clip& clip = entry.asset->clips[static_cast<std::size_t>(index)];
-        const float speed = speedOf(entry, i, clip);
-        const bool moves = clip.loop && clip.seconds > 0.0F && speed > kSlowestClip;
-        if (moves || static_cast<std::size_t>(index) == standing) {
-            m_gaits.push_back({static_cast<std::uint16_t>(i), moves ? speed : 0.0F, clip.seconds});
+        const auto clip = static_cast<std::size_t>(index);
+        const bool moves = model::movesOverGround(entry, i, clip);
+        if (moves || clip == standing) {
+            m_gaits.push_back({static_cast<std::uint16_t>(i),
+                               moves ? model::groundSpeed(entry, i, clip) : 0.0F,
+                               entry.asset->clips[clip].seconds});
         }
     }
     std::ranges::stable_sort(m_gaits, {}, &Gait::metresPerSecond);
@@ -52,8 +47,21 @@ bool GaitTable::isMover(std::size_t clip) const
     });
 }
 
-std::size_t GaitTable::choose(std::size_t present, float metresPerSecond) const
+std::size_t GaitTable::gaitOf(std::size_t clip) const
 {
+    const auto found = std::ranges::find(m_gaits, clip, &Gait::clip);
+    return found == m_gaits.end() || found->metresPerSecond <= 0.0F
+               ? 0
+               : static_cast<std::size_t>(found - m_gaits.begin());
+}
+
+std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::size_t style) const
+{
+    if (style != 0) {
+        // One clip at every speed; standing begins and ends as ever.
+        const float border = kStandBelow * (present == 0 ? 1.0F + kHysteresis : 1.0F - kHysteresis);
+        return metresPerSecond > border ? style : 0;
+    }
     const auto border = [this](std::size_t upper) {
         return upper == 1
                    ? kStandBelow

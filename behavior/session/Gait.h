@@ -29,7 +29,11 @@ public:
     [[nodiscard]] const Gait& gait(std::size_t index) const { return m_gaits[index]; }
     /// The gait for a ground speed, given the present one: a border must be crossed by some way
     /// before the gait changes, so that nobody flickers between two.
-    [[nodiscard]] std::size_t choose(std::size_t present, float metresPerSecond) const;
+    /// `style`: the only one to move with, 0 for any.
+    [[nodiscard]] std::size_t choose(std::size_t present, float metresPerSecond,
+                                     std::size_t style = 0) const;
+    /// That moves with a clip (as the clip column counts); 0: none does.
+    [[nodiscard]] std::size_t gaitOf(std::size_t clip) const;
     /// Playback speed at which feet do not slide.
     [[nodiscard]] static float playback(const Gait& gait, float metresPerSecond, float height);
 

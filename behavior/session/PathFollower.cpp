@@ -17,8 +17,14 @@ constexpr float kArrivalMetres = 0.4F;
 /// Who was pushed off his point has arrived when he is past it and not further away than this.
 constexpr float kPassedMetres = 1.5F;
 constexpr float kWidestPlace = 1e4F;
-constexpr float kSlowShare = 0.5F;
 constexpr float kCornerMetres = 0.5F;
+constexpr float kPartyEase = 0.6F;      ///< metres from the middle that nobody minds
+constexpr float kPartyFarthest = 25.0F; ///< who is further away is on his own
+constexpr float kPartyHaste = 0.3F;     ///< share of the speed, a metre
+constexpr float kPartySlowest = 0.4F;
+constexpr float kPartyFastest = 1.3F;
+constexpr float kPartyPull = 0.3F;      ///< m/s sideways, a metre
+constexpr float kPartyMostPull = 0.35F; ///< share of the speed
 /// Who does not get nearer to his corner for so long asks for the way again.
 constexpr std::uint32_t kAstraySteps = 60;
 
@@ -51,7 +57,9 @@ std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> pl
     m_slow.clear();
     for (const model::Place& place : places) {
         if (place.role == model::PlaceRole::Slow && model::Bounds::isPlace(place.position)) {
-            m_slow.push_back({{place.position.x, place.position.z}, place.radius});
+            m_slow.push_back({{place.position.x, place.position.z},
+                              place.radius,
+                              std::clamp(place.speedShare, model::kMinSpeedShare, 1.0F)});
         }
     }
     for (const model::Path& path : paths) {
@@ -136,8 +144,11 @@ bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)
 {
     Walk& walk = m_walks[assignment.agent];
     const std::uint32_t turns = walk.turns;
+    const std::uint32_t party = walk.party;
     walk = {};
     walk.turns = turns;
+    walk.party = party;
+    walk.beside = assignment.spread * shareOf(assignment.ownSeed);
     walk.seed = assignment.seed;
     walk.share = shareOf(assignment.seed);
     walk.pace = assignment.metresPerSecond;
@@ -152,6 +163,74 @@ bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)
         walk.next = static_cast<std::uint32_t>(nearest - stops.begin());
     }
     return true;
+}
+
+void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
+{
+    std::vector<std::uint32_t> groups(groupOfAgent.begin(), groupOfAgent.end());
+    std::ranges::sort(groups);
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    std::erase(groups, 0U);
+    m_parties.assign(groups.size(), {});
+    for (std::size_t agent = 0; agent < m_walks.size(); ++agent) {
+        const std::uint32_t group = groupOfAgent[agent];
+        const auto found = std::ranges::lower_bound(groups, group);
+        m_walks[agent].party =
+            group == 0 ? kNoParty : static_cast<std::uint32_t>(found - groups.begin());
+    }
+}
+
+/// Where the groups are. Sums in the order of the rows, which is the same for any number of
+/// threads.
+void PathFollower::gatherParties(const AgentColumns& agents)
+{
+    std::ranges::fill(m_parties, Party());
+    for (std::size_t row = 0; row < agents.size(); ++row) {
+        const Walk& walk = m_walks[agents.agent[row]];
+        if (walk.party == kNoParty || walk.hasErrand || !isWalking(agents.agent[row])) {
+            continue;
+        }
+        Party& party = m_parties[walk.party];
+        party.route = party.members == 0 ? walk.route : party.route;
+        if (party.route == walk.route) {
+            ++party.members;
+            party.middle += glm::vec2(agents.x[row], agents.z[row]);
+            party.pace += walk.pace;
+        }
+    }
+    for (Party& party : m_parties) {
+        const float share = 1.0F / static_cast<float>(std::max(1U, party.members));
+        party.middle *= share;
+        party.pace *= share;
+    }
+}
+
+/// Null: he walks on his own.
+const PathFollower::Party* PathFollower::partyOf(const Walk& walk) const
+{
+    if (walk.party == kNoParty || walk.hasErrand || m_parties[walk.party].members < 2 ||
+        m_parties[walk.party].route != walk.route) {
+        return nullptr;
+    }
+    return &m_parties[walk.party];
+}
+
+void PathFollower::keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
+                                float& speed, glm::vec2& sideways)
+{
+    const glm::vec2 away = at - party.middle;
+    if (squareOf(away) > kPartyFarthest * kPartyFarthest) {
+        return;
+    }
+    const float lead = away.x * ahead.x + away.y * ahead.y;
+    const float beyond = lead - std::clamp(lead, -kPartyEase, kPartyEase);
+    speed *= std::clamp(1.0F - kPartyHaste * beyond, kPartySlowest, kPartyFastest);
+    const glm::vec2 across = away - ahead * lead;
+    const float distance = std::sqrt(squareOf(across));
+    if (distance > kPartyEase) {
+        const float pull = std::min(kPartyPull * (distance - kPartyEase), kPartyMostPull * speed);
+        sideways = -across * (pull / distance);
+    }
 }
 
 void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
@@ -169,6 +248,12 @@ void PathFollower::goOn(std::uint32_t agent)
     walk.isHeld = false;
     walk.hasErrand = false;
     walk.isErrandDone = false;
+}
+
+void PathFollower::forgetWay(std::uint32_t agent)
+{
+    m_walks[agent].corners.clear();
+    m_walks[agent].cornersFor = glm::vec2(1e30F);
 }
 
 void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
@@ -284,7 +369,7 @@ float PathFollower::slowness(float x, float z) const
 {
     for (const SlowArea& area : m_slow) {
         if (squareOf(area.center - glm::vec2(x, z)) < area.radius * area.radius) {
-            return kSlowShare;
+            return area.share;
         }
     }
     return 1.0F;
@@ -334,18 +419,27 @@ void PathFollower::steerRow(AgentColumns& agents, std::size_t row) const
     }
     const glm::vec2 way = wayTo(agents, row, walk, target());
     const float squared = squareOf(way);
-    const float speed = walk.pace * slowness(agents.x[row], agents.z[row]);
-    agents.preferredSpeed[row] = speed;
+    const Party* party = partyOf(walk);
+    const float slow = slowness(agents.x[row], agents.z[row]);
+    float speed = (party != nullptr ? party->pace : walk.pace) * slow;
     if (squared > 1e-8F) {
-        const float scale = speed / std::sqrt(squared);
-        agents.desiredX[row] = way.x * scale;
-        agents.desiredZ[row] = way.y * scale;
+        const glm::vec2 ahead = way / std::sqrt(squared);
+        glm::vec2 sideways(0.0F);
+        if (party != nullptr) {
+            keepTogether(*party, {agents.x[row], agents.z[row]}, ahead, speed, sideways);
+        }
+        agents.desiredX[row] = ahead.x * speed + sideways.x;
+        agents.desiredZ[row] = ahead.y * speed + sideways.y;
     }
+    agents.preferredSpeed[row] = speed;
 }
 
 void PathFollower::steer(CrowdSimulation& crowd)
 {
     AgentColumns& agents = crowd.columns();
+    if (!m_parties.empty()) {
+        gatherParties(agents);
+    }
     overRows(agents.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             steerRow(agents, row);

@@ -31,6 +31,8 @@ public:
         model::PathId path = 0;
         std::uint64_t seed = 0;
         float metresPerSecond = model::kUsualWalkingSpeed;
+        std::uint64_t ownSeed = 0; ///< chooses where beside the point, for those who share one
+        float spread = 0.0F;       ///< so far beside it at most, metres
     };
     /// What happened to an agent in the last steer().
     enum Happening : std::uint8_t { ReachedPlace = 1, EndedPath = 2, EndedErrand = 4 };
@@ -44,6 +46,10 @@ public:
     /// What there is to walk on; null: open ground.
     void setSurface(std::shared_ptr<const WalkSurface> surface);
 
+    /// Whom each agent keeps together with on a path; 0: nobody. Who is ahead waits a little, who
+    /// is behind hurries, and all walk at the mean of their paces.
+    void setGroups(std::span<const std::uint32_t> groupOfAgent);
+
     /// From the beginning, or from the stop nearest to `from` where that is given. False: there is
     /// no such path, and the agent stands.
     bool follow(const Assignment& assignment, const glm::vec2* from = nullptr);
@@ -51,6 +57,8 @@ public:
     void sendTo(std::uint32_t agent, const glm::vec3& point);
     void stop(std::uint32_t agent) { m_walks[agent].isHeld = true; }
     void goOn(std::uint32_t agent);
+    /// He is somewhere else now: the way is looked for anew.
+    void forgetWay(std::uint32_t agent);
     void setPace(std::uint32_t agent, float metresPerSecond);
     [[nodiscard]] float pace(std::uint32_t agent) const { return m_walks[agent].pace; }
     /// Agents are other ones now: keep[i] is the former agent, or kNobody for a new one.
@@ -102,12 +110,15 @@ private:
     {
         glm::vec2 center{0.0F};
         float radius = 0.0F;
+        float share = 1.0F; ///< of the usual speed
     };
     struct Walk
     {
         std::uint32_t route = kNoRoute;
         std::uint32_t next = 0;
-        glm::vec2 share{0.0F}; ///< of the radius, in the unit disk
+        glm::vec2 share{0.0F};  ///< of the radius, in the unit disk
+        glm::vec2 beside{0.0F}; ///< metres
+        std::uint32_t party = kNoParty;
         std::uint64_t seed = 0;
         std::uint32_t turns = 0; ///< stops passed: keys the choice at a branch
         float pace = model::kUsualWalkingSpeed;
@@ -124,10 +135,19 @@ private:
         std::uint32_t stepsAstray = 0;
     };
     static constexpr std::uint32_t kNoRoute = 0xFFFFFFFFU;
+    static constexpr std::uint32_t kNoParty = 0xFFFFFFFFU;
+    /// People of a group who walk the same path, in this step.
+    struct Party
+    {
+        std::uint32_t route = kNoRoute;
+        std::uint32_t members = 0;
+        glm::vec2 middle{0.0F};
+        float pace = 0.0F; ///< mean
+    };
 
     [[nodiscard]] static glm::vec2 aim(const Walk& walk, const Stop& stop)
     {
-        return stop.position + walk.share * stop.radius;
+        return stop.position + walk.share * stop.radius + walk.beside;
     }
     [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
     void passStop(AgentColumns& agents, std::size_t row, Walk& walk) const;
@@ -136,9 +156,14 @@ private:
     [[nodiscard]] glm::vec2 wayTo(const AgentColumns& agents, std::size_t row, Walk& walk,
                                   const glm::vec3& to) const;
     [[nodiscard]] float slowness(float x, float z) const;
+    void gatherParties(const AgentColumns& agents);
+    [[nodiscard]] const Party* partyOf(const Walk& walk) const;
+    static void keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
+                             float& speed, glm::vec2& sideways);
 
     std::vector<Route> m_routes;
     std::vector<SlowArea> m_slow;
+    std::vector<Party> m_parties;      ///< by Walk::party
     mutable std::vector<Walk> m_walks; ///< by agent; each row writes its own
     std::shared_ptr<const WalkSurface> m_surface;
 };

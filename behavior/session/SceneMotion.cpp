@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/session/SceneMotion.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "behavior/surface/WalkSurface.h"
 
@@ -14,17 +14,10 @@ SceneMotion::SceneMotion(const model::Scene& scene)
     if (!scene.hasBehaviour()) {
         return;
     }
-    const bool hasStage =
-        std::ranges::any_of(scene.stages, [](const auto& stage) { return stage.asset != nullptr; });
-    if (hasStage) {
-        std::vector<glm::vec3> points;
-        const auto positions = scene.population.column(model::columns::position);
-        points.assign(positions.begin(), positions.end());
-        for (const model::Place& place : scene.places) {
-            points.push_back(place.position);
-        }
+    const SurfacePlan plan = SurfacePlan::of(scene);
+    if (plan.isWorthwhile()) {
         WalkSurface::Progress progress;
-        auto built = WalkSurface::build(scene.stages, points, {}, progress);
+        auto built = WalkSurface::build(plan, progress);
         if (built) {
             m_surface = built.value();
         } else {

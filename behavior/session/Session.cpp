@@ -20,21 +20,13 @@ constexpr float kBodyRadius = 0.25F;
 constexpr float kTurnRadiansPerSecond = 4.0F;
 constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he is pushed
 constexpr float kMovesAbove = 0.02F;
+constexpr float kGroupSpread = 0.35F; ///< metres times the root of its size
 constexpr float kSpeedSmoothing = 0.15F;
 constexpr float kRampShare = 0.25F; ///< of the way to the ground's height, a step
 constexpr int kObstacleSides = 12;
 constexpr float kExitMetres = 0.5F;  ///< who is so near to an exit is through
 constexpr float kFieldReach = 3.0F;  ///< of an attractor or repeller, times its radius
 constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who have left
-
-/// Angle after turning towards another one as far as a body can in one step.
-float turnedTo(float heading, float target)
-{
-    float turn = std::remainder(target - heading, 2.0F * std::numbers::pi_v<float>);
-    const float most = kTurnRadiansPerSecond * Session::kStepSeconds;
-    turn = std::clamp(turn, -most, most);
-    return std::remainder(heading + turn, 2.0F * std::numbers::pi_v<float>);
-}
 
 bool isSameList(const std::vector<model::TemplateEntry>& a,
                 const std::vector<model::TemplateEntry>& b)
@@ -50,6 +42,15 @@ bool isSameList(const std::vector<model::TemplateEntry>& a,
 
 } // namespace
 
+/// Angle after turning towards another one as far as a body can in one step.
+float Session::turnedTo(float heading, float target)
+{
+    float turn = std::remainder(target - heading, 2.0F * std::numbers::pi_v<float>);
+    const float most = kTurnRadiansPerSecond * kStepSeconds;
+    turn = std::clamp(turn, -most, most);
+    return std::remainder(heading + turn, 2.0F * std::numbers::pi_v<float>);
+}
+
 SessionPlan SessionPlan::of(const model::Scene& scene)
 {
     SessionPlan plan;
@@ -59,12 +60,15 @@ SessionPlan SessionPlan::of(const model::Scene& scene)
 }
 
 Session::Session(const model::Scene& scene, const SessionPlan& plan)
-    : m_population(scene.population), m_places(plan.places), m_paths(plan.paths), m_seed(scene.seed)
+    : m_population(scene.population), m_places(plan.places), m_paths(plan.paths),
+      m_stages(scene.stages), m_seed(scene.seed)
 {
     m_plannedWalls = plan.walls;
     readTemplates(scene);
     m_warnings = m_follower.setPaths(m_places, m_paths);
+    countGroups(m_population);
     addPeople(plan);
+    m_follower.setGroups(m_population.column(model::columns::group));
     addBodies();
     setWalls(m_places);
     m_rules.setRules(scene);
@@ -104,8 +108,29 @@ float Session::paceOf(const model::Population& people, std::size_t row) const
 
 PathFollower::Assignment Session::walkOf(const model::Population& people, std::size_t row) const
 {
-    return {static_cast<std::uint32_t>(row), people.column(model::columns::path)[row],
-            model::hashKeys(m_seed, people.ids()[row], 31), paceOf(people, row)};
+    const model::IndividualId who = people.ids()[row];
+    PathFollower::Assignment walk{
+        static_cast<std::uint32_t>(row),  people.column(model::columns::path)[row],
+        model::hashKeys(m_seed, who, 31), paceOf(people, row),
+        model::hashKeys(m_seed, who, 32), 0.0F};
+    const std::uint32_t group = people.column(model::columns::group)[row];
+    const auto size = m_groupSizes.find(group);
+    if (group != 0 && size != m_groupSizes.end() && size->second > 1) {
+        // To the same point as the others, a little beside it.
+        walk.seed = model::hashKeys(m_seed, group, 34);
+        walk.spread = kGroupSpread * std::sqrt(static_cast<float>(size->second));
+    }
+    return walk;
+}
+
+/// Gait that somebody moves with at any speed, 0 for what fits.
+std::uint32_t Session::styleOf(const model::Population& people, std::size_t row,
+                               std::uint32_t table) const
+{
+    const std::uint16_t style = people.column(model::columns::walkStyle)[row];
+    return style == 0 || table >= m_gaits.size()
+               ? 0
+               : static_cast<std::uint32_t>(m_gaits[table].gaitOf(style - 1U));
 }
 
 Session::Shown Session::shownFrom(const model::Population& people, std::size_t row) const
@@ -118,7 +143,17 @@ Session::Shown Session::shownFrom(const model::Population& people, std::size_t r
     shown.height = people.column(model::columns::height)[row];
     shown.place = static_cast<double>(people.column(model::columns::phase)[row]);
     shown.position = people.column(model::columns::position)[row];
+    shown.style = styleOf(people, row, shown.table);
+    shown.seat = people.column(model::columns::seat)[row];
     return shown;
+}
+
+void Session::countGroups(const model::Population& people)
+{
+    m_groupSizes.clear();
+    for (const std::uint32_t group : people.column(model::columns::group)) {
+        ++m_groupSizes[group];
+    }
 }
 
 void Session::addPeople(const SessionPlan& plan)
@@ -231,11 +266,15 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
         readTemplates(scene);
     }
     adoptPaths(scene);
+    countGroups(scene.population);
     if (!std::ranges::equal(m_population.ids(), scene.population.ids())) {
         adoptRows(scene);
     }
     adoptValues(scene, arePosesKept);
     m_population = scene.population;
+    m_follower.setGroups(m_population.column(model::columns::group));
+    m_stages = scene.stages;
+    m_seats.clear(); // read anew when somebody wants one
     m_rules.setRules(scene);
 }
 
@@ -267,6 +306,12 @@ void Session::adoptRows(const model::Scene& scene)
         }
     }
     m_shown = std::move(shown);
+    m_sitters.clear();
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        if (m_shown[agent].sitting == Sitting::Goes || m_shown[agent].sitting == Sitting::Settles) {
+            m_sitters.push_back(agent);
+        }
+    }
     m_follower.rearrange(keep);
     m_rules.setPeople(people, keep);
     for (std::size_t row = 0; row < people.size(); ++row) {
@@ -331,8 +376,19 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
          [&](std::size_t row) { m_shown[row].height = now.column(keys::height)[row]; });
     each(keys::templateId, [&](std::size_t row) {
         m_shown[row].table = shownFrom(now, row).table;
+        m_shown[row].style = styleOf(now, row, m_shown[row].table);
         m_shown[row].gait = 0;
         m_shown[row].order = -1;
+        m_shown[row].base = -1;
+    });
+    each(keys::walkStyle,
+         [&](std::size_t row) { m_shown[row].style = styleOf(now, row, m_shown[row].table); });
+    each(keys::seat, [&](std::size_t row) {
+        if (!arePosesKept) {
+            m_shown[row].base = -1;
+            m_shown[row].sitting = Sitting::No;
+        }
+        m_shown[row].seat = now.column(keys::seat)[row];
     });
     if (hasMoved) {
         addBodies();
@@ -356,6 +412,17 @@ void Session::send(const std::string& event, float payload, std::vector<model::I
     }
 }
 
+void Session::sendTagged(const std::string& event, float payload, std::uint8_t tag)
+{
+    std::vector<model::IndividualId> ids;
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        if ((m_rules.tags(agent) >> tag & 1U) != 0) {
+            ids.push_back(m_population.ids()[agent]);
+        }
+    }
+    send(event, payload, std::move(ids));
+}
+
 void Session::step()
 {
     m_follower.steer(m_crowd);
@@ -363,6 +430,10 @@ void Session::step()
     actPlaces();
     m_crowd.step(kStepSeconds);
     ++m_steps;
+    const std::vector<std::uint32_t> sitters = m_sitters;
+    for (const std::uint32_t agent : sitters) {
+        settle(agent);
+    }
     overRows(m_crowd.size(), [this](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             show(row);
@@ -423,6 +494,14 @@ void Session::show(std::size_t row)
         agents.y[row] = kGoneHeight;
         return;
     }
+    if (shown.isPut || shown.sitting == Sitting::Settles || shown.sitting == Sitting::Sits) {
+        agents.x[row] = shown.position.x;
+        agents.z[row] = shown.position.z;
+        agents.y[row] = shown.position.y;
+        agents.velocityX[row] = 0.0F;
+        agents.velocityZ[row] = 0.0F;
+        shown.isPut = false;
+    }
     const float velocityX = agents.velocityX[row];
     const float velocityZ = agents.velocityZ[row];
     const float speed = std::sqrt(velocityX * velocityX + velocityZ * velocityZ);
@@ -436,7 +515,9 @@ void Session::show(std::size_t row)
         agents.y[row] += (ground - agents.y[row]) * kRampShare;
     }
     shown.position = {agents.x[row], agents.y[row], agents.z[row]};
-    shown.speed += (speed - shown.speed) * kSpeedSmoothing;
+    if (shown.sitting != Sitting::Settles) {
+        shown.speed += (speed - shown.speed) * kSpeedSmoothing;
+    }
     if (speed > kTurnsAbove) {
         shown.heading = turnedTo(shown.heading, std::atan2(velocityX, velocityZ));
         shown.isTurning = false;
@@ -449,12 +530,21 @@ void Session::show(std::size_t row)
                                                   : 0.0;
         shown.orderPlace = shown.isOrderLooped ? shown.orderPlace - std::floor(shown.orderPlace)
                                                : std::min(shown.orderPlace, 1.0);
+        if (shown.isOrderOwn && shown.orderPlace >= 1.0) {
+            shown.order = -1;
+        }
     }
+    followGait(shown);
+    noteClip(agents.agent[row]);
+}
+
+void Session::followGait(Shown& shown) const
+{
     if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
         return;
     }
     const GaitTable& table = m_gaits[shown.table];
-    shown.gait = static_cast<std::uint32_t>(table.choose(shown.gait, shown.speed));
+    shown.gait = static_cast<std::uint32_t>(table.choose(shown.gait, shown.speed, shown.style));
     const GaitTable::Gait& gait = table.gait(shown.gait);
     if (gait.seconds > 0.0F) {
         const float rate = GaitTable::playback(gait, shown.speed, shown.height);
@@ -463,12 +553,33 @@ void Session::show(std::size_t row)
     }
 }
 
+/// Whether it is another clip than a step ago, so that one goes over into the other.
+void Session::noteClip(std::uint32_t agent)
+{
+    Shown& shown = m_shown[agent];
+    const PersonPose pose = poseOf(agent);
+    if (shown.hasLast && shown.last.clip != pose.clip) {
+        shown.from = shown.last;
+        shown.from.place += shown.last.clipSeconds > 0.0F
+                                ? static_cast<double>(kStepSeconds * shown.last.rate) /
+                                      static_cast<double>(shown.last.clipSeconds)
+                                : 0.0;
+        shown.fadeBegin = seconds();
+    }
+    shown.last = {pose.clip, pose.isLooped, pose.rate, pose.clipSeconds, pose.place};
+    shown.hasLast = true;
+}
+
 PersonPose Session::poseOf(std::size_t agent) const
 {
     const Shown& shown = m_shown[agent];
     PersonPose pose;
     pose.id = m_population.ids()[agent];
     pose.isGone = shown.isGone;
+    pose.from = shown.from;
+    pose.fadeBegin = shown.fadeBegin;
+    pose.seat = shown.sitting == Sitting::Goes || shown.sitting == Sitting::Settles ? model::kNoSeat
+                                                                                    : shown.seat;
     pose.position = shown.position;
     pose.heading = shown.heading;
     const bool hasGaits = shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
@@ -480,7 +591,8 @@ PersonPose Session::poseOf(std::size_t agent) const
         pose.place = shown.orderPlace;
         return pose;
     }
-    const std::uint16_t own = m_population.column(model::columns::clip)[agent];
+    const std::uint16_t own = shown.base >= 0 ? static_cast<std::uint16_t>(shown.base)
+                                              : m_population.column(model::columns::clip)[agent];
     const ClipFacts* ownFacts = clipFacts(shown, own);
     const bool isMover = ownFacts != nullptr && ownFacts->isMover;
     if (!hasGaits || (gait == 0 && !isMover)) {
@@ -509,6 +621,7 @@ SessionPosePtr Session::pose() const
     auto pose = std::make_shared<SessionPose>();
     pose->step = m_steps;
     pose->seconds = seconds();
+    pose->hasSeats = m_hasSat;
     for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
         if (m_shown[agent].isLive) {
             pose->people.push_back(poseOf(agent));
@@ -550,7 +663,9 @@ std::uint32_t Session::group(std::uint32_t agent) const
 
 bool Session::isSeated(std::uint32_t agent) const
 {
-    return m_population.column(model::columns::seat)[agent] != model::kNoSeat;
+    const Shown& shown = m_shown[agent];
+    return shown.seat != model::kNoSeat &&
+           (shown.sitting == Sitting::No || shown.sitting == Sitting::Sits);
 }
 
 bool Session::isGone(std::uint32_t agent) const
@@ -586,6 +701,7 @@ float Session::play(std::uint32_t agent, const std::string& clip, bool isLooped)
     }
     shown.order = static_cast<int>(found - names.begin());
     shown.isOrderLooped = isLooped;
+    shown.isOrderOwn = false;
     shown.orderPlace = 0.0;
     shown.isLive = true;
     return std::max(0.1F, clipFacts(shown, shown.order)->seconds);
@@ -598,13 +714,17 @@ void Session::endClip(std::uint32_t agent)
 
 bool Session::follow(std::uint32_t agent, model::PathId path)
 {
+    leaveSeat(agent);
     const glm::vec2 at(m_shown[agent].position.x, m_shown[agent].position.z);
-    return m_follower.follow(
-        {agent, path, model::hashKeys(m_seed, id(agent), 31), m_follower.pace(agent)}, &at);
+    PathFollower::Assignment walk = walkOf(m_population, agent);
+    walk.path = path;
+    walk.metresPerSecond = m_follower.pace(agent);
+    return m_follower.follow(walk, &at);
 }
 
 void Session::sendTo(std::uint32_t agent, const glm::vec3& point)
 {
+    leaveSeat(agent);
     m_follower.sendTo(agent, point);
 }
 
@@ -615,6 +735,9 @@ void Session::stop(std::uint32_t agent)
 
 void Session::goOn(std::uint32_t agent)
 {
+    if (m_follower.pathOf(agent) != 0) {
+        leaveSeat(agent);
+    }
     m_follower.goOn(agent);
 }
 
@@ -637,11 +760,36 @@ void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
 
 void Session::leave(std::uint32_t agent)
 {
+    leaveSeat(agent);
     m_shown[agent].isGone = true;
     m_shown[agent].isLive = true;
     m_shown[agent].position.y = kGoneHeight;
     m_follower.stop(agent);
     m_crowd.setLevels(true);
+}
+
+float Session::speed(std::uint32_t agent) const
+{
+    return m_shown[agent].speed;
+}
+
+void Session::appear(std::uint32_t agent, const glm::vec3& point)
+{
+    leaveSeat(agent);
+    Shown& shown = m_shown[agent];
+    shown.isGone = false;
+    shown.isLive = true;
+    shown.isPut = true;
+    shown.hasLast = false;
+    shown.fadeBegin = -1.0;
+    shown.speed = 0.0F;
+    shown.gait = 0;
+    shown.position = point;
+    if (m_surface) {
+        shown.position.y = m_surface->height(point.x, point.z, point.y);
+    }
+    m_follower.stop(agent);
+    m_follower.forgetWay(agent);
 }
 
 } // namespace crowd::behavior

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -64,6 +65,8 @@ public:
     void setSurface(std::shared_ptr<const WalkSurface> surface);
     /// An event happens to these people at the next step.
     void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
+    /// To those who have a tag in this session.
+    void sendTagged(const std::string& event, float payload, std::uint8_t tag);
 
     /// Those whom the session moves, as of the last step.
     [[nodiscard]] SessionPosePtr pose() const;
@@ -78,6 +81,12 @@ public:
     [[nodiscard]] const PathFollower& follower() const { return m_follower; }
 
 private:
+    enum class Sitting : std::uint8_t {
+        No,
+        Goes,    ///< on its way to the seat
+        Settles, ///< the last bit, past whoever sits there
+        Sits     ///< since this session let it; else the scene's seat counts
+    };
     /// What an individual shows; one per row of the population, which is its agent.
     struct Shown
     {
@@ -93,9 +102,20 @@ private:
         // A clip that a rule lets it play, as the clip column counts.
         int order = -1;
         bool isOrderLooped = false;
+        bool isOrderOwn = false; ///< of sitting down, not of a rule: it ends by itself
         double orderPlace = 0.0;
         float facing = 0.0F; ///< what it turns to while it stands
         bool isTurning = false;
+        int base = -1;                       ///< clip while it stands or sits; -1: the scene's
+        std::uint32_t style = 0;             ///< gait to move with; 0: any
+        model::SeatId seat = model::kNoSeat; ///< sits there, or goes there to sit
+        Sitting sitting = Sitting::No;
+        std::uint32_t stepsBlocked = 0;
+        ClipPlace last; ///< at the end of the last step
+        bool hasLast = false;
+        ClipPlace from;          ///< what it did before it changed over
+        double fadeBegin = -1.0; ///< seconds
+        bool isPut = false;      ///< stands where it was put, whatever the crowd says
     };
     struct ClipFacts
     {
@@ -124,8 +144,22 @@ private:
     void setPace(std::uint32_t agent, float metresPerSecond) override;
     void turnTo(std::uint32_t agent, const glm::vec3& point) override;
     void leave(std::uint32_t agent) override;
+    void appear(std::uint32_t agent, const glm::vec3& point) override;
+    [[nodiscard]] float speed(std::uint32_t agent) const override;
+    bool sit(std::uint32_t agent, float metres) override;
+    [[nodiscard]] bool isSittingDown(std::uint32_t agent) const override;
+    float standUp(std::uint32_t agent) override;
+    void leaveSeat(std::uint32_t agent) override;
 
+    [[nodiscard]] static float turnedTo(float heading, float target);
+    void readSeats();
+    void settle(std::uint32_t agent);
+    void takeSeat(std::uint32_t agent);
+    [[nodiscard]] const model::Seat* seatOf(model::SeatId id) const;
+    [[nodiscard]] int clipNamed(const Shown& shown, const char* name) const;
+    [[nodiscard]] const model::TemplateEntry* entryOf(const Shown& shown) const;
     void readTemplates(const model::Scene& scene);
+    void countGroups(const model::Population& people);
     void addPeople(const SessionPlan& plan);
     void addBodies();
     void setWalls(const std::vector<model::Place>& places);
@@ -135,11 +169,14 @@ private:
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
     void show(std::size_t row);
+    void followGait(Shown& shown) const;
+    void noteClip(std::uint32_t agent);
+    [[nodiscard]] std::uint32_t styleOf(const model::Population& people, std::size_t row,
+                                        std::uint32_t table) const;
     [[nodiscard]] Shown shownFrom(const model::Population& people, std::size_t row) const;
     [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
     [[nodiscard]] PathFollower::Assignment walkOf(const model::Population& people,
                                                   std::size_t row) const;
-    [[nodiscard]] std::vector<std::uint32_t> rowsOfAgents() const;
     [[nodiscard]] PersonPose poseOf(std::size_t agent) const;
     [[nodiscard]] const ClipFacts* clipFacts(const Shown& shown, int clip) const;
 
@@ -155,6 +192,12 @@ private:
     std::vector<Wall> m_plannedWalls;
     std::vector<model::Place> m_places;
     std::vector<model::Path> m_paths;
+    std::vector<model::StageEntry> m_stages;
+    std::vector<model::WorldSeat> m_seats; ///< ascending; read when somebody first wants one
+    std::vector<bool> m_isSeatTaken;       ///< one per seat
+    std::map<std::uint32_t, std::uint32_t> m_groupSizes;
+    std::vector<std::uint32_t> m_sitters; ///< agents on their way to a seat; ascending
+    bool m_hasSat = false;                ///< somebody's seat is not the scene's
     std::vector<std::string> m_warnings;
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;

@@ -84,6 +84,11 @@ void SessionPlayer::send(const std::string& event, float payload,
     });
 }
 
+void SessionPlayer::sendTagged(const std::string& event, float payload, std::uint8_t tag)
+{
+    give([event, payload, tag](Session& session) { session.sendTagged(event, payload, tag); });
+}
+
 void SessionPlayer::request(double seconds)
 {
     {

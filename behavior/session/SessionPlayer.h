@@ -45,6 +45,7 @@ public:
     void adopt(const model::Scene& scene, bool arePosesKept = false);
     void setSurface(std::shared_ptr<const WalkSurface> surface);
     void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
+    void sendTagged(const std::string& event, float payload, std::uint8_t tag);
 
     /// Steps are wanted up to a bit after this time, seconds.
     void request(double seconds);

@@ -20,6 +20,7 @@ struct Columns
     std::vector<std::uint16_t> clips;
     std::vector<float> phases;
     std::vector<float> rates;
+    std::vector<model::SeatId> seats;
 
     explicit Columns(std::size_t people)
     {
@@ -29,6 +30,7 @@ struct Columns
         clips.reserve(people);
         phases.reserve(people);
         rates.reserve(people);
+        seats.reserve(people);
     }
 };
 
@@ -41,6 +43,23 @@ float phaseFor(const PersonPose& pose, double place, double seconds)
     const double phase =
         place - seconds * static_cast<double>(pose.rate) / static_cast<double>(pose.clipSeconds);
     return static_cast<float>(pose.isLooped ? phase - std::floor(phase) : phase);
+}
+
+/// The clip that somebody comes from, as long as any of it is left.
+void addFade(const PersonPose& pose, std::size_t row, double seconds,
+             std::vector<model::ClipFade>& fades)
+{
+    const double since = seconds - pose.fadeBegin;
+    if (pose.fadeBegin < 0.0 || since < 0.0 || since >= kFadeSeconds || pose.isGone) {
+        return;
+    }
+    const ClipPlace& from = pose.from;
+    double place = from.clipSeconds > 0.0F ? from.place + since * static_cast<double>(from.rate) /
+                                                              static_cast<double>(from.clipSeconds)
+                                           : 0.0;
+    place = from.isLooped ? place - std::floor(place) : std::clamp(place, 0.0, 1.0);
+    fades.push_back({static_cast<std::uint32_t>(row), from.clip, static_cast<float>(place),
+                     static_cast<float>(since / kFadeSeconds)});
 }
 
 void put(const PersonPose& from, const PersonPose& to, double share, double poseSeconds,
@@ -67,6 +86,7 @@ void put(const PersonPose& from, const PersonPose& to, double share, double pose
     columns.clips.push_back(from.clip);
     columns.phases.push_back(phaseFor(from, from.place + moved, seconds));
     columns.rates.push_back(from.rate);
+    columns.seats.push_back(from.seat);
 }
 
 } // namespace
@@ -79,6 +99,7 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
     // Later than the last step: it stands until the next one is done.
     const double seconds = length > 0.0 ? frame.seconds : before.seconds;
     Columns columns(before.people.size());
+    frame.fades.clear();
     const auto present = frame.population.ids();
     std::size_t row = 0;
     std::size_t next = 0;
@@ -93,6 +114,7 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
             continue;
         }
         const bool goesOn = next < after.people.size() && after.people[next].id == pose.id;
+        addFade(pose, row, seconds, frame.fades);
         put(pose, goesOn ? after.people[next] : pose, share, before.seconds, seconds, columns);
         // The reader's clock is the frame's, wherever the pose's stands.
         if (seconds != frame.seconds) {
@@ -110,6 +132,9 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
     people.setValues<std::uint16_t>(keys::clip, columns.ids, columns.clips);
     people.setValues<float>(keys::phase, columns.ids, columns.phases);
     people.setValues<float>(keys::playbackSpeed, columns.ids, columns.rates);
+    if (before.hasSeats) {
+        people.setValues<model::SeatId>(keys::seat, columns.ids, columns.seats);
+    }
 }
 
 } // namespace crowd::behavior

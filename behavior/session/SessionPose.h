@@ -11,19 +11,35 @@
 
 namespace crowd::behavior {
 
+/// A clip and where somebody is in it.
+struct ClipPlace
+{
+    std::uint16_t clip = 0; ///< as the clip column counts
+    bool isLooped = true;
+    float rate = 1.0F;        ///< playback speed
+    float clipSeconds = 0.0F; ///< 0: a pose
+    double place = 0.0;       ///< loops 0..1
+};
+
 /// What one individual does at the end of a step.
 struct PersonPose
 {
     model::IndividualId id = 0;
     std::uint16_t clip = 0; ///< as the clip column counts
     bool isLooped = true;
-    bool isGone = false;      ///< has left the scene
+    bool isGone = false; ///< has left the scene
+    model::SeatId seat = model::kNoSeat;
     glm::vec3 position{0.0F}; ///< metres
     float heading = 0.0F;     ///< radians
     float rate = 1.0F;        ///< playback speed
     float clipSeconds = 0.0F; ///< 0: a pose
     double place = 0.0;       ///< in the clip; loops 0..1
+    ClipPlace from;           ///< what it did before
+    double fadeBegin = -1.0;  ///< seconds, when it changed over; below 0: it did not
 };
+
+/// Seconds from one clip to the next.
+inline constexpr double kFadeSeconds = 0.25;
 
 /// Everybody whom a session moves at one of its steps; whoever is not here is as the scene says.
 /// Immutable once published; read on any thread.
@@ -32,6 +48,7 @@ struct SessionPose
     std::uint64_t step = 0;
     double seconds = 0.0;
     std::vector<PersonPose> people;       ///< ascending ids
+    bool hasSeats = false;                ///< somebody's seat is not the scene's
     std::vector<model::IndividualId> lit; ///< for whom a rule fired lately; ascending
 };
 

@@ -24,6 +24,21 @@ constexpr int kMaxCorners = 128;
 constexpr int kMaxPolygons = 1024; ///< of a way
 constexpr int kVerticesAPolygon = 6;
 constexpr float kFindMetres[3] = {3.0F, 4.0F, 3.0F};
+constexpr int kMaxNodes = 8192; ///< of a search
+constexpr unsigned short kOpen = 1;
+constexpr unsigned short kForbidden = 2;
+constexpr unsigned char kPreferredArea = 1;
+constexpr unsigned char kForbiddenArea = 2;
+constexpr unsigned char kFirstSlowArea = 10;
+constexpr int kSlowAreas = 20;      ///< so many steps of slowness
+constexpr float kPreference = 2.0F; ///< a metre elsewhere counts like so many on liked ground
+constexpr float kAreaBelow = 1.0F;  ///< metres under a place's height that belong to it
+constexpr float kAreaHeight = 2.5F;
+
+int slowStep(float speedShare)
+{
+    return std::clamp(static_cast<int>(std::lround(speedShare * kSlowAreas)), 1, kSlowAreas) - 1;
+}
 
 template<class T, void (*Free)(T*)>
 struct Freed
@@ -83,15 +98,15 @@ void addGround(Soup& soup)
     }
 }
 
-Soup soupOf(std::span<const model::StageEntry> stages, std::span<const glm::vec3> alsoNear)
+Soup soupOf(const SurfacePlan& plan)
 {
     Soup soup;
-    for (const model::StageEntry& entry : stages) {
+    for (const model::StageEntry& entry : plan.stages) {
         if (entry.asset) {
             addStage(entry, soup);
         }
     }
-    for (const glm::vec3& point : alsoNear) {
+    for (const glm::vec3& point : plan.points) {
         if (std::fabs(point.x) < kFarthest && std::fabs(point.z) < kFarthest) {
             soup.bounds.addPlace({point.x, std::clamp(point.y, -100.0F, 100.0F), point.z});
         }
@@ -140,7 +155,8 @@ struct WalkSurface::Private
     std::vector<Wall> walls;
     std::size_t polygons = 0;
     float cellHeight = 0.0F;
-    dtQueryFilter filter;
+    dtQueryFilter filter;     ///< for ways
+    dtQueryFilter everything; ///< also where nobody is to walk
 
     /// One for each thread that asks.
     [[nodiscard]] dtNavMeshQuery* query() const
@@ -149,8 +165,8 @@ struct WalkSurface::Private
         thread_local const dtNavMesh* cachedFor = nullptr;
         if (cachedFor != mesh.get() || !cached) {
             cached.reset(dtAllocNavMeshQuery());
-            cachedFor =
-                cached && dtStatusSucceed(cached->init(mesh.get(), 2048)) ? mesh.get() : nullptr;
+            cachedFor = cached && dtStatusSucceed(cached->init(mesh.get(), kMaxNodes)) ? mesh.get()
+                                                                                       : nullptr;
         }
         return cachedFor == nullptr ? nullptr : cached.get();
     }
@@ -162,8 +178,9 @@ namespace {
 class Builder
 {
 public:
-    Builder(const Soup& soup, const rcConfig& config, WalkSurface::Progress& progress)
-        : m_soup(soup), m_config(config), m_progress(progress)
+    Builder(const Soup& soup, const SurfacePlan& plan, WalkSurface::Progress& progress)
+        : m_soup(soup), m_areas(plan.areas), m_config(configFor(soup, plan.settings)),
+          m_progress(progress)
     {
     }
 
@@ -218,9 +235,40 @@ private:
                rcBuildCompactHeightfield(&m_context, m_config.walkableHeight,
                                          m_config.walkableClimb, *m_field, *m_compact) &&
                rcErodeWalkableArea(&m_context, m_config.walkableRadius, *m_compact) &&
-               rcBuildDistanceField(&m_context, *m_compact) &&
+               markAreas() && rcBuildDistanceField(&m_context, *m_compact) &&
                rcBuildRegions(&m_context, *m_compact, 0, m_config.minRegionArea,
                               m_config.mergeRegionArea);
+    }
+
+    void mark(const model::Place& place, float margin, unsigned char area)
+    {
+        const float foot[3] = {place.position.x, place.position.y - kAreaBelow, place.position.z};
+        rcMarkCylinderArea(&m_context, foot, place.radius + margin, kAreaHeight, area, *m_compact);
+    }
+
+    /// Liked ground first, what nobody may walk on last: where they meet, the stricter one counts.
+    bool markAreas()
+    {
+        const float body = static_cast<float>(m_config.walkableRadius) * m_config.cs;
+        for (const model::Place& place : m_areas) {
+            if (place.role == model::PlaceRole::Preferred) {
+                mark(place, 0.0F, kPreferredArea);
+            }
+        }
+        for (const model::Place& place : m_areas) {
+            if (place.role == model::PlaceRole::Slow) {
+                mark(place, 0.0F,
+                     static_cast<unsigned char>(kFirstSlowArea + slowStep(place.speedShare)));
+            }
+        }
+        for (const model::Place& place : m_areas) {
+            if (place.role == model::PlaceRole::Forbidden) {
+                mark(place, body, kForbiddenArea);
+            } else if (place.role == model::PlaceRole::Obstacle) {
+                mark(place, body, RC_NULL_AREA);
+            }
+        }
+        return true;
     }
 
     bool outline()
@@ -240,7 +288,9 @@ private:
     bool assemble(const SurfaceSettings& settings)
     {
         for (int i = 0; i < m_mesh->npolys; ++i) {
-            m_mesh->flags[i] = m_mesh->areas[i] == RC_WALKABLE_AREA ? 1 : 0;
+            m_mesh->flags[i] = m_mesh->areas[i] == RC_NULL_AREA     ? 0
+                               : m_mesh->areas[i] == kForbiddenArea ? kForbidden
+                                                                    : kOpen;
         }
         dtNavMeshCreateParams params{};
         params.verts = m_mesh->verts;
@@ -277,6 +327,7 @@ private:
     }
 
     const Soup& m_soup;
+    std::span<const model::Place> m_areas;
     rcConfig m_config;
     WalkSurface::Progress& m_progress;
     rcContext m_context{false};
@@ -333,27 +384,70 @@ std::vector<Wall> wallsOf(const rcPolyMesh& mesh, const SurfaceSettings& setting
 WalkSurface::WalkSurface(std::unique_ptr<Private> data) : m_private(std::move(data)) {}
 WalkSurface::~WalkSurface() = default;
 
-model::Result<std::shared_ptr<const WalkSurface>>
-WalkSurface::build(std::span<const model::StageEntry> stages, std::span<const glm::vec3> alsoNear,
-                   const SurfaceSettings& settings, Progress& progress)
+SurfacePlan SurfacePlan::of(const model::Scene& scene)
 {
-    const Soup soup = soupOf(stages, alsoNear);
+    SurfacePlan plan{scene.stages, {}, scene.surface, {}};
+    const auto positions = scene.population.column(model::columns::position);
+    plan.points.assign(positions.begin(), positions.end());
+    for (const model::Place& place : scene.places) {
+        plan.points.push_back(place.position);
+        const bool isArea =
+            model::changesWays(place.role) || place.role == model::PlaceRole::Obstacle;
+        if (isArea && model::Bounds::isPlace(place.position) && std::isfinite(place.radius)) {
+            plan.areas.push_back(place);
+        }
+    }
+    return plan;
+}
+
+bool SurfacePlan::isWorthwhile() const
+{
+    return !areas.empty() ||
+           std::ranges::any_of(stages, [](const auto& stage) { return stage.asset != nullptr; });
+}
+
+bool SurfacePlan::hasSameWays(const SurfacePlan& other) const
+{
+    return settings == other.settings &&
+           std::ranges::equal(areas, other.areas, [](const auto& a, const auto& b) {
+               return a.role == b.role && a.position == b.position && a.radius == b.radius &&
+                      a.speedShare == b.speedShare;
+           });
+}
+
+model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const SurfacePlan& plan,
+                                                                     Progress& progress)
+{
+    const Soup soup = plan.isWorthwhile() ? soupOf(plan) : Soup();
     if (soup.triangles.empty()) {
         return model::Error{"There is no stage to walk on; people walk on open ground."};
     }
-    Builder builder(soup, configFor(soup, settings), progress);
-    if (!builder.run(settings)) {
+    Builder builder(soup, plan, progress);
+    if (!builder.run(plan.settings)) {
         return model::Error{progress.isCancelled
                                 ? "The walkable surface was not built: it was cancelled."
                                 : "Nothing of the stage can be walked on; people walk on open "
-                                  "ground. Check its size and which way is up."};
+                                  "ground. Check its size, which way is up, and how wide, tall and "
+                                  "steep people can walk (Environment panel)."};
     }
     auto data = std::make_unique<Private>();
-    data->walls = wallsOf(builder.mesh(), settings);
+    data->walls = wallsOf(builder.mesh(), plan.settings);
     data->polygons = static_cast<std::size_t>(builder.mesh().npolys);
     data->cellHeight = builder.mesh().ch;
     data->mesh = builder.take();
-    data->filter.setIncludeFlags(1);
+    data->filter.setIncludeFlags(kOpen);
+    data->everything.setIncludeFlags(kOpen | kForbidden);
+    // The search wants no metre to cost less than 1: liked ground does, the rest more.
+    const bool hasLiked = std::ranges::any_of(plan.areas, [](const model::Place& place) {
+        return place.role == model::PlaceRole::Preferred;
+    });
+    const float usual = hasLiked ? kPreference : 1.0F;
+    data->filter.setAreaCost(RC_WALKABLE_AREA, usual);
+    data->filter.setAreaCost(kPreferredArea, 1.0F);
+    for (int step = 0; step < kSlowAreas; ++step) {
+        data->filter.setAreaCost(kFirstSlowArea + step, usual * static_cast<float>(kSlowAreas) /
+                                                            static_cast<float>(step + 1));
+    }
     progress.done = 1.0F;
     return std::shared_ptr<const WalkSurface>(new WalkSurface(std::move(data)));
 }
@@ -410,7 +504,7 @@ float WalkSurface::height(float x, float z, float near) const
     const float reach[3] = {0.3F, 2.0F, 0.3F};
     dtPolyRef polygon = 0;
     float nearest[3];
-    query->findNearestPoly(point, reach, &m_private->filter, &polygon, nearest);
+    query->findNearestPoly(point, reach, &m_private->everything, &polygon, nearest);
     float found = near;
     if (polygon != 0 && dtStatusFailed(query->getPolyHeight(polygon, nearest, &found))) {
         found = nearest[1];

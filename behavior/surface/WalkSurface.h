@@ -16,14 +16,21 @@
 
 namespace crowd::behavior {
 
-/// Bodies that walk, and what they can climb. Metres, degrees.
-struct SurfaceSettings
+using model::SurfaceSettings;
+
+/// All that a surface is made from.
+struct SurfacePlan
 {
-    float radius = 0.35F;
-    float height = 1.8F;
-    float climb = 0.45F; ///< steps
-    float slopeDegrees = 40.0F;
-    friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
+    std::vector<model::StageEntry> stages;
+    std::vector<glm::vec3> points; ///< also reached, where they are beside the stages
+    SurfaceSettings settings;
+    std::vector<model::Place> areas; ///< those that change ways, and obstacles
+
+    [[nodiscard]] static SurfacePlan of(const model::Scene& scene);
+    /// Whether it is anything but open ground.
+    [[nodiscard]] bool isWorthwhile() const;
+    /// Whether ways lead the same where the stages are the same.
+    [[nodiscard]] bool hasSameWays(const SurfacePlan& other) const;
 };
 
 /// What can be walked on: made by Recast from the stages and the ground (the plane y = 0), asked
@@ -39,8 +46,7 @@ public:
 
     /// Takes some seconds for a city; made to be called on a thread of its own.
     [[nodiscard]] static model::Result<std::shared_ptr<const WalkSurface>>
-    build(std::span<const model::StageEntry> stages, std::span<const glm::vec3> alsoNear,
-          const SurfaceSettings& settings, Progress& progress);
+    build(const SurfacePlan& plan, Progress& progress);
     ~WalkSurface();
     WalkSurface(const WalkSurface&) = delete;
     WalkSurface& operator=(const WalkSurface&) = delete;

@@ -43,6 +43,12 @@ MainNumber numberOfOrientation(const HeadingSettings& heading)
             0};
 }
 
+/// The range from another lowest speed on, as wide as before where that can be walked.
+ValueRange movedTo(float low, const ValueRange& range)
+{
+    return {low, std::min(kMaxWalkingSpeed, std::max(low, low + range.high - range.low))};
+}
+
 } // namespace
 
 bool SeatGridSettings::allows(int rank, int wedge) const
@@ -91,6 +97,8 @@ MainNumber BrushSettings::mainNumber() const
         return {MainQuantity::Speed, animation.speed.low, 0.0, 4.0, 0.1, 1};
     case BrushKind::Walk:
         return {MainQuantity::WalkSpeed, walk.speed.low, 0.0, kMaxWalkingSpeed, 0.1, 1};
+    case BrushKind::Style:
+        return {MainQuantity::WalkSpeed, style.speed.low, 0.0, kMaxWalkingSpeed, 0.1, 1};
     case BrushKind::Tag:
     case BrushKind::Untag:
         return {MainQuantity::Tag, tag.tag + 1.0, 1.0, kTagCount, 1.0, 0};
@@ -150,10 +158,13 @@ BrushSettings BrushSettings::withMainNumber(double value) const
         changed.animation.setsSpeed = true;
         break;
     case MainQuantity::WalkSpeed:
-        changed.walk.speed.high =
-            std::min(kMaxWalkingSpeed, std::max(kept, kept + walk.speed.high - walk.speed.low));
-        changed.walk.speed.low = kept;
-        changed.walk.setsSpeed = true;
+        if (kind == BrushKind::Style) {
+            changed.style.speed = movedTo(kept, style.speed);
+            changed.style.setsSpeed = true;
+        } else {
+            changed.walk.speed = movedTo(kept, walk.speed);
+            changed.walk.setsSpeed = true;
+        }
         break;
     case MainQuantity::Tag:
         changed.tag.tag = static_cast<std::uint8_t>(std::lround(kept) - 1);

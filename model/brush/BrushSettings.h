@@ -30,7 +30,8 @@ enum class BrushKind : std::uint8_t {
     Event,       ///< speaks to the running session, never to the document
     Path,        ///< adds places to a path; no stroke over people
     Environment, ///< adds places that act by themselves; no stroke over people
-    Script       ///< what it changes, a script says
+    Script,      ///< what it changes, a script says
+    Style        ///< with which clip and how fast people walk
 };
 enum class BrushSelection : std::uint8_t {
     Point,       ///< what is under the cursor
@@ -159,6 +160,15 @@ struct WalkSettings
     friend bool operator==(const WalkSettings&, const WalkSettings&) = default;
 };
 
+struct StyleSettings
+{
+    bool setsStyle = true;
+    std::vector<ClipWeight> clips; ///< to walk with; empty: the one that fits the speed
+    bool setsSpeed = true;
+    ValueRange speed{1.1F, 1.5F}; ///< m/s
+    friend bool operator==(const StyleSettings&, const StyleSettings&) = default;
+};
+
 struct TagSettings
 {
     std::uint8_t tag = 0; ///< bit
@@ -207,7 +217,7 @@ enum class MainQuantity : std::uint8_t {
     Heading,       ///< orientation: degrees
     Turn,          ///< orientation by something else: degrees from it
     Speed,         ///< animation: playback speed
-    WalkSpeed,     ///< walk: m/s
+    WalkSpeed,     ///< walk and style: m/s
     Tag,           ///< tag and untag: which
     Payload,       ///< event: the number that goes with it
     PlaceRadius    ///< path and environment: metres
@@ -247,6 +257,7 @@ struct BrushSettings
     EventSettings event;
     PlaceSettings place;
     ScriptSettings script;
+    StyleSettings style;
 
     [[nodiscard]] MainNumber mainNumber() const;
     /// The same brush with another main number, kept within its limits.

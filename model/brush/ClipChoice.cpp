@@ -2,6 +2,7 @@
 #include "model/brush/ClipChoice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace crowd::model {
@@ -53,6 +54,19 @@ std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetC
         return std::nullopt;
     }
     return columnOfName(entry, entry.asset->clips[static_cast<std::size_t>(assetClip)].name);
+}
+
+float groundSpeed(const TemplateEntry& entry, std::size_t column, std::size_t assetClip)
+{
+    const bool isEdited = column < entry.clipSpeeds.size() && !std::isnan(entry.clipSpeeds[column]);
+    return isEdited ? entry.clipSpeeds[column] : entry.asset->clips[assetClip].speed;
+}
+
+bool movesOverGround(const TemplateEntry& entry, std::size_t column, std::size_t assetClip)
+{
+    constexpr float kSlowest = 0.05F;
+    const Clip& clip = entry.asset->clips[assetClip];
+    return clip.loop && clip.seconds > 0.0F && groundSpeed(entry, column, assetClip) > kSlowest;
 }
 
 std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated)

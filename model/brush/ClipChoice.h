@@ -18,6 +18,14 @@ namespace crowd::model {
 /// Value of the clip column for a clip of the asset; nothing when the entry does not list its name.
 [[nodiscard]] std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip);
 
+/// Whether a clip takes people over the ground: a loop with a speed, the artist's or else the
+/// asset's. `column` counts as the clip column does, `assetClip` as the asset's clips.
+[[nodiscard]] bool movesOverGround(const TemplateEntry& entry, std::size_t column,
+                                   std::size_t assetClip);
+/// Its ground speed at playback speed 1 and height 1, m/s.
+[[nodiscard]] float groundSpeed(const TemplateEntry& entry, std::size_t column,
+                                std::size_t assetClip);
+
 /// How somebody new stands (or sits, on a seat) when no clip is wanted.
 [[nodiscard]] std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated);
 

@@ -293,6 +293,56 @@ ChangeResult changeWalks(const ChangeRequest& request)
     return result;
 }
 
+/// Whether somebody can walk with a clip, as the clip column counts.
+bool isToWalkWith(const TemplateEntry& entry, std::uint16_t clip)
+{
+    const int index = entry.asset ? entry.asset->clipIndex(entry.clipNames[clip]) : -1;
+    return index >= 0 && movesOverGround(entry, clip, static_cast<std::size_t>(index));
+}
+
+ChangeResult changeStyles(const ChangeRequest& request)
+{
+    const Scene& scene = request.edit.scene();
+    const Population& people = scene.population;
+    const StyleSettings& settings = request.settings.style;
+    const auto templates = people.column(columns::templateId);
+    const auto styles = people.column(columns::walkStyle);
+    const auto speeds = people.column(columns::walkSpeed);
+    const Shares shares(request);
+    // Nobody walks like his neighbour: the operator decides only how evenly.
+    const auto shareOf = [&](std::size_t row, IndividualId id, DrawPurpose purpose) {
+        return request.settings.op == BrushOperator::Gradient ? shares.at(row, id, purpose)
+                                                              : shares.drawn(id, purpose, 2);
+    };
+    ColumnChange<std::uint16_t> styleChange;
+    ColumnChange<float> speedChange;
+    bool hasValue = settings.setsSpeed || (settings.setsStyle && settings.clips.empty());
+    forEachRow(request, [&](std::size_t row, IndividualId id) {
+        const TemplateEntry* entry = scene.findTemplate(templates[row]);
+        if (settings.setsStyle && settings.clips.empty()) {
+            styleChange.set(id, styles[row], 0);
+        } else if (settings.setsStyle && entry != nullptr) {
+            const auto chosen =
+                chosenClip(*entry, settings.clips, shareOf(row, id, DrawPurpose::Clip));
+            if (chosen && isToWalkWith(*entry, *chosen)) {
+                hasValue = true;
+                styleChange.set(id, styles[row], static_cast<std::uint16_t>(*chosen + 1));
+            }
+        }
+        if (settings.setsSpeed) {
+            speedChange.set(id, speeds[row],
+                            inRange(settings.speed, shareOf(row, id, DrawPurpose::Speed)));
+        }
+    });
+    ChangeResult result;
+    styleChange.apply(request.edit, columns::walkStyle, result.changed);
+    speedChange.apply(request.edit, columns::walkSpeed, result.changed);
+    const StrokeReason missing =
+        settings.setsStyle ? StrokeReason::NoSuchClip : StrokeReason::NothingChosen;
+    result.reason = hasValue ? StrokeReason::AlreadyThisWalk : missing;
+    return result;
+}
+
 ChangeResult changeTags(const ChangeRequest& request)
 {
     const auto tags = request.edit.scene().population.column(columns::tags);
@@ -325,6 +375,9 @@ ChangeResult changeProperties(const ChangeRequest& request)
         break;
     case BrushKind::Walk:
         result = changeWalks(request);
+        break;
+    case BrushKind::Style:
+        result = changeStyles(request);
         break;
     case BrushKind::Tag:
     case BrushKind::Untag:

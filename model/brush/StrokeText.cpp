@@ -32,6 +32,8 @@ QString strokeText(const BrushSettings& settings, int affected)
         return Brushes::tr("Animate %n individual(s)", nullptr, affected);
     case BrushKind::Walk:
         return Brushes::tr("Set the walk of %n individual(s)", nullptr, affected);
+    case BrushKind::Style:
+        return Brushes::tr("Set how %n individual(s) walk", nullptr, affected);
     case BrushKind::Tag:
         return Brushes::tr("Tag %n individual(s)", nullptr, affected);
     case BrushKind::Untag:

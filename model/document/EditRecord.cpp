@@ -126,6 +126,27 @@ void EditRecord::touchTags(const Scene& scene)
     }
 }
 
+void EditRecord::touchNumbers(const Scene& scene)
+{
+    if (!m_numbers) {
+        m_numbers = scene.numbers;
+    }
+}
+
+void EditRecord::touchCues(const Scene& scene)
+{
+    if (!m_cues) {
+        m_cues = scene.cues;
+    }
+}
+
+void EditRecord::touchSurface(const Scene& scene)
+{
+    if (!m_surface) {
+        m_surface = scene.surface;
+    }
+}
+
 SceneDelta EditRecord::delta(const Scene& scene) const
 {
     SceneDelta delta;
@@ -156,6 +177,15 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     }
     if (m_tags && *m_tags != scene.tags) {
         delta.tags = ValueDelta<std::vector<TagName>>{*m_tags, scene.tags};
+    }
+    if (m_numbers && *m_numbers != scene.numbers) {
+        delta.numbers = ValueDelta<std::vector<NumberName>>{*m_numbers, scene.numbers};
+    }
+    if (m_cues && *m_cues != scene.cues) {
+        delta.cues = ValueDelta<std::vector<Cue>>{*m_cues, scene.cues};
+    }
+    if (m_surface && *m_surface != scene.surface) {
+        delta.surface = ValueDelta<SurfaceSettings>{*m_surface, scene.surface};
     }
     return delta;
 }

@@ -32,6 +32,9 @@ public:
     void touchPath(PathId id, const Scene& scene);
     void touchRules(const Scene& scene);
     void touchTags(const Scene& scene);
+    void touchNumbers(const Scene& scene);
+    void touchCues(const Scene& scene);
+    void touchSurface(const Scene& scene);
 
     [[nodiscard]] IndividualId nextIdBefore() const { return m_nextIdBefore; }
     /// From the scene before the edit to `scene`.
@@ -50,6 +53,9 @@ private:
     std::map<PathId, std::optional<Path>> m_paths;
     std::optional<std::vector<Rule>> m_rules;
     std::optional<std::vector<TagName>> m_tags;
+    std::optional<std::vector<NumberName>> m_numbers;
+    std::optional<std::vector<Cue>> m_cues;
+    std::optional<SurfaceSettings> m_surface;
 };
 
 } // namespace crowd::model

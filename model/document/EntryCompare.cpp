@@ -78,7 +78,8 @@ bool isSame(const Lighting& a, const Lighting& b)
 bool isSame(const Place& a, const Place& b)
 {
     return a.name == b.name && isSame(a.position, b.position) && isSame(a.radius, b.radius) &&
-           a.color == b.color && a.role == b.role && a.unknownMembers == b.unknownMembers;
+           a.color == b.color && a.role == b.role && a.capacity == b.capacity &&
+           isSame(a.speedShare, b.speedShare) && a.unknownMembers == b.unknownMembers;
 }
 
 bool isSame(const Path& a, const Path& b)

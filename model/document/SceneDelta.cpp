@@ -74,9 +74,11 @@ std::size_t bytesOf(const std::vector<Rule>& rules)
     return total;
 }
 
-std::size_t bytesOf(const std::vector<TagName>& tags)
+/// Of entries with short texts.
+template<class Named>
+std::size_t bytesOfNames(const std::optional<ValueDelta<std::vector<Named>>>& names)
 {
-    return tags.size() * sizeof(TagName);
+    return names ? (names->before.size() + names->after.size()) * sizeof(Named) : 0;
 }
 
 template<class Entry>
@@ -165,7 +167,7 @@ bool SceneDelta::isEmpty() const
 {
     return added.ids.empty() && removed.ids.empty() && columns.empty() && templates.empty() &&
            stages.empty() && !cameras && !lighting && places.empty() && paths.empty() && !rules &&
-           !tags;
+           !tags && !numbers && !cues && !surface;
 }
 
 std::size_t SceneDelta::bulkBytes() const
@@ -191,10 +193,7 @@ std::size_t SceneDelta::bytes() const
     if (rules) {
         total += bytesOf(rules->before) + bytesOf(rules->after);
     }
-    if (tags) {
-        total += bytesOf(tags->before) + bytesOf(tags->after);
-    }
-    return total;
+    return total + bytesOfNames(tags) + bytesOfNames(numbers) + bytesOfNames(cues);
 }
 
 void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
@@ -245,8 +244,18 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
     if (delta.rules) {
         scene.rules = isRedo ? delta.rules->after : delta.rules->before;
     }
-    if (delta.tags || delta.rules) {
+    if (delta.numbers) {
+        scene.numbers = isRedo ? delta.numbers->after : delta.numbers->before;
+    }
+    if (delta.cues) {
+        scene.cues = isRedo ? delta.cues->after : delta.cues->before;
+    }
+    if (delta.tags || delta.rules || delta.numbers || delta.cues) {
         announce(RulesChanged{});
+    }
+    if (delta.surface) {
+        scene.surface = isRedo ? delta.surface->after : delta.surface->before;
+        announce(PathsChanged{});
     }
 }
 

@@ -51,6 +51,9 @@ struct SceneDelta
     std::vector<EntryDelta<Path>> paths;
     std::optional<ValueDelta<std::vector<Rule>>> rules;
     std::optional<ValueDelta<std::vector<TagName>>> tags;
+    std::optional<ValueDelta<std::vector<NumberName>>> numbers;
+    std::optional<ValueDelta<std::vector<Cue>>> cues;
+    std::optional<ValueDelta<SurfaceSettings>> surface;
 
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).

@@ -51,6 +51,9 @@ PathId highestPathNamed(const Scene& scene)
     }
     for (const Rule& rule : scene.rules) {
         highest = std::max(highest, rule.trigger.path);
+        for (const Condition& condition : rule.conditions) {
+            highest = std::max(highest, condition.path);
+        }
         for (const Action& action : rule.actions) {
             highest = std::max(highest, action.path);
         }
@@ -294,6 +297,27 @@ void SceneEdit::setTags(std::vector<TagName> tags)
     m_record->touchTags(scene());
     m_document.m_scene.tags = std::move(tags);
     m_document.announce(RulesChanged{});
+}
+
+void SceneEdit::setNumbers(std::vector<NumberName> numbers)
+{
+    m_record->touchNumbers(scene());
+    m_document.m_scene.numbers = std::move(numbers);
+    m_document.announce(RulesChanged{});
+}
+
+void SceneEdit::setCues(std::vector<Cue> cues)
+{
+    m_record->touchCues(scene());
+    m_document.m_scene.cues = std::move(cues);
+    m_document.announce(RulesChanged{});
+}
+
+void SceneEdit::setSurface(const SurfaceSettings& surface)
+{
+    m_record->touchSurface(scene());
+    m_document.m_scene.surface = surface;
+    m_document.announce(PathsChanged{});
 }
 
 void SceneEdit::rollback()

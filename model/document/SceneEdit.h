@@ -58,6 +58,9 @@ public:
     void removePath(PathId id);
     void setRules(std::vector<Rule> rules);
     void setTags(std::vector<TagName> tags);
+    void setNumbers(std::vector<NumberName> numbers); ///< ascending ids
+    void setCues(std::vector<Cue> cues);
+    void setSurface(const SurfaceSettings& surface);
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();

@@ -30,6 +30,7 @@ constexpr std::array<ColumnInfo, kColumnCount> kColumns{{
     {"seed", ColumnType::UInt32, sizeof(std::uint32_t)},
     {"path", ColumnType::UInt32, sizeof(std::uint32_t)},
     {"walkSpeed", ColumnType::Float, sizeof(float)},
+    {"walkStyle", ColumnType::UInt16, sizeof(std::uint16_t)},
 }};
 
 } // namespace

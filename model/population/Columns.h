@@ -47,6 +47,7 @@ enum class ColumnId : std::uint8_t {
     Seed,
     Path,
     WalkSpeed,
+    WalkStyle,
     Count
 };
 inline constexpr std::size_t kColumnCount = static_cast<std::size_t>(ColumnId::Count);
@@ -91,6 +92,8 @@ inline constexpr ColumnKey<std::uint32_t> group{ColumnId::Group};
 inline constexpr ColumnKey<std::uint32_t> seed{ColumnId::Seed};
 inline constexpr ColumnKey<std::uint32_t> path{ColumnId::Path};   ///< PathId followed, 0: none
 inline constexpr ColumnKey<float> walkSpeed{ColumnId::WalkSpeed}; ///< desired, m/s; 0: the usual
+/// Clip to walk with, as the clip column counts, plus 1; 0: the one that fits the speed.
+inline constexpr ColumnKey<std::uint16_t> walkStyle{ColumnId::WalkStyle};
 /// Tint of slot 0..7.
 [[nodiscard]] constexpr ColumnKey<Tint> tint(int slot)
 {

@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 6> kRoles{"spot",     "obstacle", "attractor",
-                                            "repeller", "exit",     "slow"};
+constexpr std::array kRoles{"spot", "obstacle", "attractor", "repeller",
+                            "exit", "slow",     "forbidden", "preferred"};
 constexpr std::array<const char*, 3> kKinds{"simple", "cyclic", "teleport"};
 constexpr float kMaxWeight = 1000.0F;
 
@@ -25,6 +25,12 @@ json toJson(const Place& place)
                    {"color", colorText(place.color)}};
     if (place.role != PlaceRole::Spot) {
         object["role"] = kRoles[static_cast<std::size_t>(place.role)];
+    }
+    if (place.capacity != 0) {
+        object["capacity"] = place.capacity;
+    }
+    if (place.speedShare != Place().speedShare) {
+        object["speedShare"] = number(place.speedShare);
     }
     return withUnknown(place.unknownMembers, object);
 }
@@ -52,6 +58,11 @@ Place placeFrom(JsonFields fields)
     readWithin(fields, "radius", kMinPlaceRadius, kMaxPlaceRadius, place.radius);
     readColor(fields, "color", place.color);
     readName(fields, "role", kRoles, place.role);
+    fields.read("capacity", place.capacity);
+    if (place.capacity > kMaxPlaceCapacity) {
+        fields.complain("capacity", "must be at most " + std::to_string(kMaxPlaceCapacity));
+    }
+    readWithin(fields, "speedShare", kMinSpeedShare, 1.0F, place.speedShare);
     place.unknownMembers = fields.unknown();
     return place;
 }
@@ -89,6 +100,16 @@ Path pathFrom(JsonFields fields, const std::string& where, std::string& problem)
                 });
     path.unknownMembers = fields.unknown();
     return path;
+}
+
+SurfaceSettings surfaceFrom(JsonFields fields)
+{
+    SurfaceSettings surface;
+    readWithin(fields, "radius", 0.05F, 5.0F, surface.radius);
+    readWithin(fields, "height", 0.2F, 20.0F, surface.height);
+    readWithin(fields, "climb", 0.0F, 5.0F, surface.climb);
+    readWithin(fields, "slope", 0.0F, 85.0F, surface.slopeDegrees);
+    return surface;
 }
 
 /// Ascending ids, none 0, none twice.
@@ -152,6 +173,14 @@ void readColor(JsonFields& fields, const char* key, std::array<std::uint8_t, 3>&
     fields.complain(key, "must be a colour, as \"#f0962c\"");
 }
 
+json surfaceJson(const SurfaceSettings& surface)
+{
+    return {{"radius", number(surface.radius)},
+            {"height", number(surface.height)},
+            {"climb", number(surface.climb)},
+            {"slope", number(surface.slopeDegrees)}};
+}
+
 void writeEnvironment(const Scene& scene, json& top)
 {
     for (const Place& place : scene.places) {
@@ -159,6 +188,9 @@ void writeEnvironment(const Scene& scene, json& top)
     }
     for (const Path& path : scene.paths) {
         top["paths"].push_back(toJson(path));
+    }
+    if (scene.surface != SurfaceSettings()) {
+        top["surface"] = surfaceJson(scene.surface);
     }
 }
 
@@ -171,6 +203,9 @@ void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
                 [&scene, &problem](JsonFields fields, const std::string& where) {
                     scene.paths.push_back(pathFrom(std::move(fields), where, problem));
                 });
+    if (const json* surface = top.find("surface")) {
+        scene.surface = surfaceFrom(JsonFields(*surface, "surface", problem));
+    }
     sortEntries(scene.places, "places", problem);
     sortEntries(scene.paths, "paths", problem);
     checkNames(scene, problem);

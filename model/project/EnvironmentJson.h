@@ -8,13 +8,16 @@
 #include "model/project/JsonFields.h"
 #include "model/scene/Scene.h"
 
-/// Places, paths, rules and tags as optional members of the project file's top-level object: what
-/// a scene does not have is not written, and files from before there were any read as having none.
+/// Places, paths, what can be walked on, rules, tags, numbers and cues as optional members of the
+/// project file's top-level object: what a scene does not have is not written, and files from
+/// before there were any read as having none.
 namespace crowd::model {
 
 void writeEnvironment(const Scene& scene, nlohmann::json& top);
 /// Problems name the member that is wrong.
 void readEnvironment(JsonFields& top, Scene& scene, std::string& problem);
+
+[[nodiscard]] nlohmann::json surfaceJson(const SurfaceSettings& surface);
 
 void writeRules(const Scene& scene, nlohmann::json& top);
 void readRules(JsonFields& top, Scene& scene, std::string& problem);

@@ -12,7 +12,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array kMembers{"places", "paths", "tags", "rules"};
+constexpr std::array kMembers{"places", "paths", "tags", "rules", "numbers", "cues"};
+constexpr const char* kSurface = "surface";
 
 } // namespace
 
@@ -21,12 +22,16 @@ std::string environmentText(const Scene& scene, const EnvironmentParts& parts)
     json all = json::object();
     writeEnvironment(scene, all);
     writeRules(scene, all);
-    const std::array isMeant{parts.places, parts.paths, parts.tags, parts.rules};
+    const std::array isMeant{parts.places, parts.paths,   parts.tags,
+                             parts.rules,  parts.numbers, parts.cues};
     json meant = json::object();
     for (std::size_t i = 0; i < kMembers.size(); ++i) {
         if (isMeant[i]) {
             meant[kMembers[i]] = all.contains(kMembers[i]) ? all[kMembers[i]] : json::array();
         }
+    }
+    if (parts.surface) {
+        meant[kSurface] = surfaceJson(scene.surface);
     }
     return meant.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -35,12 +40,13 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene)
 {
     const json top = json::parse(text, nullptr, false);
     if (top.is_discarded() || !top.is_object()) {
-        return Error{"The environment must be an object with lists of places, paths, tags, rules."};
+        return Error{"The environment must be an object with lists of places, paths, tags, rules, "
+                     "numbers and cues."};
     }
     for (const auto& [name, value] : top.items()) {
-        if (std::ranges::find(kMembers, name) == kMembers.end()) {
+        if (name != kSurface && std::ranges::find(kMembers, name) == kMembers.end()) {
             return Error{"The environment has no \"" + name +
-                         "\": there are places, paths, tags and rules."};
+                         "\": there are places, paths, tags, rules, numbers, cues and surface."};
         }
     }
     Scene changed = scene;
@@ -55,6 +61,12 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene)
     }
     if (top.contains("rules")) {
         changed.rules.clear();
+    }
+    if (top.contains("numbers")) {
+        changed.numbers.clear();
+    }
+    if (top.contains("cues")) {
+        changed.cues.clear();
     }
     std::string problem;
     JsonFields fields(top, "", problem);

@@ -6,7 +6,8 @@
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 
-/// Places, paths, tags and rules apart from the rest of a project, for scripts.
+/// Places, paths, tags, rules and what belongs to them apart from the rest of a project, for
+/// scripts.
 namespace crowd::model {
 
 /// Which of them are meant.
@@ -16,10 +17,13 @@ struct EnvironmentParts
     bool paths = true;
     bool tags = true;
     bool rules = true;
+    bool numbers = true;
+    bool cues = true;
+    bool surface = true;
 };
 
-/// A JSON object with the members "places", "paths", "tags", "rules" as the project file has them;
-/// those that are meant, also where they are empty.
+/// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "surface"
+/// as the project file has them; those that are meant, also where they are empty.
 [[nodiscard]] std::string environmentText(const Scene& scene, const EnvironmentParts& parts = {});
 
 /// Puts what the text holds in the place of what the scene has; members that are not there stay.

@@ -10,16 +10,23 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 9> kTriggers{"start",      "event", "arrived",
-                                               "entered",    "left",  "path ended",
-                                               "clip ended", "every", "tag near"};
-constexpr std::array<const char*, 6> kConditions{"tag",     "template", "in place",
-                                                 "follows", "seated",   "chance"};
-constexpr std::array<const char*, 14> kActions{"play",  "follow", "go to",       "flee", "stop",
-                                               "go on", "wait",   "speed",       "turn", "tag",
-                                               "untag", "send",   "leave scene", "again"};
+constexpr std::array kTriggers{"start",    "event",       "arrived",    "entered",
+                               "left",     "path ended",  "clip ended", "every",
+                               "tag near", "speed limit", "waited"};
+constexpr std::array kConditions{"tag",    "template", "in place", "follows", "seated",   "chance",
+                                 "number", "speed",    "payload",  "full",    "people in"};
+constexpr std::array kActions{"play",           "follow",     "go to",         "flee",
+                              "stop",           "go on",      "wait",          "speed",
+                              "turn",           "tag",        "untag",         "send",
+                              "leave scene",    "again",      "sit down",      "stand up",
+                              "wait for event", "set number", "add to number", "appear"};
+constexpr std::array kComparisons{"less", "equal", "more"};
+constexpr std::array kChoices{"given", "nearest", "nearest free", "first free", "ahead"};
+constexpr std::array kYields{"further up", "anybody", "nobody"};
+constexpr std::array kCueReaches{"everybody", "selected", "tagged"};
 constexpr std::array<const char*, 5> kReaches{"self", "near", "tagged", "group", "everybody"};
 constexpr std::array<const char*, 3> kMeetings{"interrupt", "queue", "ignore"};
+constexpr std::array<std::string_view, 8> kCueKeys{"F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10"};
 constexpr float kMaxSeconds = 86400.0F;
 constexpr float kMaxMetres = 10000.0F;
 constexpr float kMaxPayload = 1e6F;
@@ -40,7 +47,9 @@ json toJson(const Trigger& trigger)
             {"seconds", number(trigger.seconds)},
             {"jitter", number(trigger.jitter)},
             {"tag", trigger.tag},
-            {"metres", number(trigger.metres)}};
+            {"metres", number(trigger.metres)},
+            {"metresPerSecond", number(trigger.metresPerSecond)},
+            {"above", trigger.isAbove}};
 }
 
 json toJson(const Condition& condition)
@@ -51,7 +60,10 @@ json toJson(const Condition& condition)
             {"template", condition.templateId},
             {"place", condition.place},
             {"path", condition.path},
-            {"chance", number(condition.chance)}};
+            {"chance", number(condition.chance)},
+            {"number", condition.number},
+            {"compare", nameOf(kComparisons, condition.comparison)},
+            {"value", number(condition.value)}};
 }
 
 json toJson(const Action& action)
@@ -71,7 +83,9 @@ json toJson(const Action& action)
             {"event", action.event},
             {"reach", nameOf(kReaches, action.reach)},
             {"metres", number(action.metres)},
-            {"secondsPerMetre", number(action.secondsPerMetre)}};
+            {"secondsPerMetre", number(action.secondsPerMetre)},
+            {"choice", nameOf(kChoices, action.choice)},
+            {"number", action.number}};
 }
 
 json toJson(const Rule& rule)
@@ -84,6 +98,7 @@ json toJson(const Rule& rule)
                    {"any", rule.isAnyEnough},
                    {"do", json::array()},
                    {"meeting", nameOf(kMeetings, rule.meeting)},
+                   {"yields", nameOf(kYields, rule.yields)},
                    {"cooldown", number(rule.cooldownSeconds)},
                    {"limit", rule.limit}};
     for (const Condition& condition : rule.conditions) {
@@ -113,6 +128,8 @@ void readTrigger(JsonFields fields, Trigger& trigger)
     readWithin(fields, "jitter", 0.0F, 1.0F, trigger.jitter);
     readTag(fields, "tag", trigger.tag);
     readWithin(fields, "metres", 0.0F, kMaxMetres, trigger.metres);
+    readWithin(fields, "metresPerSecond", 0.0F, kMaxWalkingSpeed * 10.0F, trigger.metresPerSecond);
+    fields.read("above", trigger.isAbove);
 }
 
 void readCondition(JsonFields fields, Condition& condition)
@@ -124,6 +141,9 @@ void readCondition(JsonFields fields, Condition& condition)
     fields.read("place", condition.place);
     fields.read("path", condition.path);
     readWithin(fields, "chance", 0.0F, 1.0F, condition.chance);
+    fields.read("number", condition.number);
+    readName(fields, "compare", kComparisons, condition.comparison);
+    readWithin(fields, "value", -kMaxNumber, kMaxNumber, condition.value);
 }
 
 void readAction(JsonFields fields, Action& action, const std::string& where, std::string& problem)
@@ -144,6 +164,8 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
     readName(fields, "reach", kReaches, action.reach);
     readWithin(fields, "metres", 0.0F, kMaxMetres, action.metres);
     readWithin(fields, "secondsPerMetre", 0.0F, kMaxSeconds, action.secondsPerMetre);
+    readName(fields, "choice", kChoices, action.choice);
+    fields.read("number", action.number);
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
@@ -163,6 +185,7 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
         readAction(std::move(item), rule.actions.emplace_back(), place, problem);
     });
     readName(fields, "meeting", kMeetings, rule.meeting);
+    readName(fields, "yields", kYields, rule.yields);
     readWithin(fields, "cooldown", 0.0F, kMaxSeconds, rule.cooldownSeconds);
     fields.read("limit", rule.limit);
     if (rule.conditions.size() > kMaxParts || rule.actions.size() > kMaxParts) {
@@ -181,6 +204,58 @@ void checkRules(const Scene& scene, std::string& problem)
                       (rule.id == 0 ? " is not allowed" : " is given twice");
         }
         ids.push_back(rule.id);
+    }
+}
+
+json toJson(const Cue& cue)
+{
+    return {{"id", cue.id},       {"name", cue.name},
+            {"event", cue.event}, {"payload", number(cue.payload)},
+            {"key", cue.key},     {"reach", nameOf(kCueReaches, cue.reach)},
+            {"tag", cue.tag}};
+}
+
+void readCue(JsonFields fields, Cue& cue)
+{
+    fields.require("id", cue.id);
+    fields.read("name", cue.name);
+    fields.read("event", cue.event);
+    readWithin(fields, "payload", -kMaxPayload, kMaxPayload, cue.payload);
+    fields.read("key", cue.key);
+    if (!cue.key.empty() && std::ranges::find(kCueKeys, cue.key) == kCueKeys.end()) {
+        fields.complain("key", "must be one of F3 to F10 or empty");
+    }
+    readName(fields, "reach", kCueReaches, cue.reach);
+    readTag(fields, "tag", cue.tag);
+}
+
+void readNumber(JsonFields fields, NumberName& named)
+{
+    fields.require("id", named.id);
+    fields.read("name", named.name);
+    readWithin(fields, "low", -kMaxNumber, kMaxNumber, named.low);
+    readWithin(fields, "high", named.low, kMaxNumber, named.high);
+}
+
+/// Not too many, each with an id of its own.
+template<class Entry>
+void checkEntryIds(const std::vector<Entry>& entries, const char* key, std::string& problem)
+{
+    std::vector<std::uint32_t> ids;
+    for (const Entry& entry : entries) {
+        ids.push_back(entry.id);
+    }
+    std::ranges::sort(ids);
+    const auto twice = std::ranges::adjacent_find(ids);
+    if (!problem.empty()) {
+        return;
+    }
+    if (ids.size() > kMaxNamed) {
+        problem = std::string(key) + ": there are more than " + std::to_string(kMaxNamed);
+    } else if (!ids.empty() && ids.front() == 0) {
+        problem = std::string(key) + ": the id 0 is not allowed";
+    } else if (twice != ids.end()) {
+        problem = std::string(key) + ": the id " + std::to_string(*twice) + " is given twice";
     }
 }
 
@@ -204,6 +279,15 @@ void writeRules(const Scene& scene, json& top)
         top["tags"].push_back(
             {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}});
     }
+    for (const NumberName& named : scene.numbers) {
+        top["numbers"].push_back({{"id", named.id},
+                                  {"name", named.name},
+                                  {"low", number(named.low)},
+                                  {"high", number(named.high)}});
+    }
+    for (const Cue& cue : scene.cues) {
+        top["cues"].push_back(toJson(cue));
+    }
 }
 
 void readRules(JsonFields& top, Scene& scene, std::string& problem)
@@ -217,8 +301,17 @@ void readRules(JsonFields& top, Scene& scene, std::string& problem)
         fields.read("name", tag.name);
         readColor(fields, "color", tag.color);
     });
+    readObjects(top, "numbers", "", problem, [&](JsonFields fields, const std::string&) {
+        readNumber(std::move(fields), scene.numbers.emplace_back());
+    });
+    readObjects(top, "cues", "", problem, [&](JsonFields fields, const std::string&) {
+        readCue(std::move(fields), scene.cues.emplace_back());
+    });
     checkRules(scene, problem);
     checkTags(scene, problem);
+    checkEntryIds(scene.numbers, "numbers", problem);
+    checkEntryIds(scene.cues, "cues", problem);
+    std::ranges::sort(scene.numbers, {}, &NumberName::id);
 }
 
 } // namespace crowd::model

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,15 @@
 #include "model/scene/Scene.h"
 
 namespace crowd::model {
+
+/// Somebody's change from one clip to another: between the two for a moment, so that no limb jumps.
+struct ClipFade
+{
+    std::uint32_t row = 0;
+    std::uint16_t clip = 0; ///< that he comes from, as the clip column counts
+    float place = 0.0F;     ///< in it, 0..1
+    float share = 1.0F;     ///< 0..1 of the clip that he has now
+};
 
 /// What is shown at one moment: an immutable snapshot that the scene (or a running session)
 /// publishes and that the renderer, picking and brushes read on any thread. Cheap to make: the
@@ -17,7 +27,8 @@ struct CrowdFrame
     Population population;
     /// Assets and clip names; entries without asset are not drawn.
     std::shared_ptr<const std::vector<TemplateEntry>> templates;
-    double seconds = 0.0; ///< the transport's time
+    double seconds = 0.0;          ///< the transport's time
+    std::vector<ClipFade> fades{}; ///< ascending rows; whoever is not here shows his clip alone
 };
 
 using CrowdFramePtr = std::shared_ptr<const CrowdFrame>;

@@ -22,7 +22,9 @@ enum class PlaceRole : std::uint8_t {
     Attractor, ///< people near it are drawn to it
     Repeller,  ///< people near it keep away
     Exit,      ///< who reaches it leaves the scene
-    Slow       ///< people walk at half their speed
+    Slow,      ///< people walk slower
+    Forbidden, ///< ways lead around it; who is in it walks out
+    Preferred  ///< ways lead over it where that is not much longer
 };
 
 /// A spot with a size on the ground. World frame, metres.
@@ -35,11 +37,32 @@ struct Place
     std::array<std::uint8_t, 3> color{240, 150, 40}; ///< sRGB
     PlaceRole role = PlaceRole::Spot;
     std::string unknownMembers{}; ///< see Scene::unknownMembers
+    std::uint32_t capacity = 0;   ///< so many have room; 0: as many as come
+    float speedShare = 0.5F;      ///< Slow: of the speed that people would walk with
     friend bool operator==(const Place&, const Place&) = default;
 };
 
 inline constexpr float kMinPlaceRadius = 0.05F;
 inline constexpr float kMaxPlaceRadius = 200.0F;
+inline constexpr std::uint32_t kMaxPlaceCapacity = 100'000;
+inline constexpr float kMinSpeedShare = 0.05F;
+
+/// Whether it changes which ways people take, beside what they meet on them.
+[[nodiscard]] constexpr bool changesWays(PlaceRole role)
+{
+    return role == PlaceRole::Slow || role == PlaceRole::Forbidden || role == PlaceRole::Preferred;
+}
+
+/// Bodies that walk, and what they can climb: what the walkable surface is made for. Metres,
+/// degrees.
+struct SurfaceSettings
+{
+    float radius = 0.35F;
+    float height = 1.8F;
+    float climb = 0.45F; ///< steps
+    float slopeDegrees = 40.0F;
+    friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
+};
 
 /// What happens at the last place: stop; go on to the first; jump to the first.
 enum class PathKind : std::uint8_t { Simple, Cyclic, Teleport };

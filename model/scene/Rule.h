@@ -17,6 +17,10 @@ using RuleId = std::uint32_t;
 
 inline constexpr int kTagCount = 64; ///< bits of the tags column
 
+/// Stable name of an artist's number within a scene; 0 is none.
+using NumberId = std::uint32_t;
+using CueId = std::uint32_t;
+
 struct ClipWeight
 {
     std::string clip; ///< by name: each template has its own
@@ -33,28 +37,62 @@ struct TagName
     friend bool operator==(const TagName&, const TagName&) = default;
 };
 
+/// A number that everybody has, as the artist knows it; rules ask for it and change it while a
+/// session runs. Everybody begins with one of his own between low and high.
+struct NumberName
+{
+    NumberId id = 0;
+    std::string name;
+    float low = 0.0F;
+    float high = 0.0F;
+    friend bool operator==(const NumberName&, const NumberName&) = default;
+};
+inline constexpr float kMaxNumber = 1e6F;
+/// Numbers, and cues, that a scene may have.
+inline constexpr std::size_t kMaxNamed = 256;
+
+/// Whom a cue speaks to.
+enum class CueReach : std::uint8_t { Everybody, Selected, Tagged };
+
+/// A button, and a key where one is given, that send an event to a running session.
+struct Cue
+{
+    CueId id = 0;
+    std::string name;
+    std::string event;
+    float payload = 0.0F;
+    std::string key; ///< "F3" to "F10"; empty: none
+    CueReach reach = CueReach::Everybody;
+    std::uint8_t tag = 0; ///< Tagged
+    friend bool operator==(const Cue&, const Cue&) = default;
+};
+
 enum class TriggerKind : std::uint8_t {
-    Start,     ///< the session begins
-    Event,     ///< an event by name
-    Arrived,   ///< reached the place it was going to
-    Entered,   ///< came into a place's circle
-    Left,      ///< came out of it
-    PathEnded, ///< reached the end of a simple path
-    ClipEnded, ///< a clip that was played once is over
-    Every,     ///< again and again
-    TagNear    ///< somebody with a tag came near
+    Start,      ///< the session begins
+    Event,      ///< an event by name
+    Arrived,    ///< reached the place it was going to
+    Entered,    ///< came into a place's circle
+    Left,       ///< came out of it
+    PathEnded,  ///< reached the end of a simple path
+    ClipEnded,  ///< a clip that was played once is over
+    Every,      ///< again and again
+    TagNear,    ///< somebody with a tag came near
+    SpeedLimit, ///< became faster or slower than so many metres a second
+    Waited      ///< has stood still for so many seconds
 };
 
 struct Trigger
 {
     TriggerKind kind = TriggerKind::Event;
-    std::string event;    ///< Event
-    PlaceId place = 0;    ///< Arrived, Entered, Left; 0: any
-    PathId path = 0;      ///< PathEnded; 0: any
-    float seconds = 5.0F; ///< Every
-    float jitter = 0.2F;  ///< Every: share of the time, 0..1
-    std::uint8_t tag = 0; ///< TagNear
-    float metres = 3.0F;  ///< TagNear
+    std::string event;            ///< Event
+    PlaceId place = 0;            ///< Arrived, Entered, Left; 0: any
+    PathId path = 0;              ///< PathEnded; 0: any
+    float seconds = 5.0F;         ///< Every, Waited
+    float jitter = 0.2F;          ///< Every: share of the time, 0..1
+    std::uint8_t tag = 0;         ///< TagNear
+    float metres = 3.0F;          ///< TagNear
+    float metresPerSecond = 2.0F; ///< SpeedLimit
+    bool isAbove = true;          ///< SpeedLimit: faster than it, else slower
     friend bool operator==(const Trigger&, const Trigger&) = default;
 };
 
@@ -64,8 +102,15 @@ enum class ConditionKind : std::uint8_t {
     InPlace,
     FollowsPath, ///< path 0: any
     IsSeated,
-    Chance
+    Chance,
+    Number,  ///< an artist's number, compared
+    Speed,   ///< on the ground, m/s, compared
+    Payload, ///< the number of the event, compared
+    IsFull,  ///< the place has no room left
+    PeopleIn ///< how many are in the place, compared
 };
+
+enum class Comparison : std::uint8_t { Less, Equal, More };
 
 struct Condition
 {
@@ -76,6 +121,9 @@ struct Condition
     PlaceId place = 0;
     PathId path = 0;
     float chance = 0.5F; ///< 0..1
+    NumberId number = 0;
+    Comparison comparison = Comparison::More;
+    float value = 0.0F;
     friend bool operator==(const Condition&, const Condition&) = default;
 };
 
@@ -92,8 +140,24 @@ enum class ActionKind : std::uint8_t {
     AddTag,
     RemoveTag,
     SendEvent,
-    LeaveScene,
-    Again ///< from the first action on
+    LeaveScene, ///< at the place; 0: where he is
+    Again,      ///< from the first action on
+    SitDown,    ///< on the nearest free seat within so many metres; 0: however far
+    StandUp,
+    WaitForEvent, ///< the event, or so many seconds; 0: for ever
+    SetNumber,    ///< number becomes value
+    AddToNumber,  ///< value is added
+    Appear        ///< at the place, also after leaving the scene
+};
+
+/// Which place to go to. Candidates of all but Given: the path's places where one is given, else
+/// all that are called as the given place, else all spots.
+enum class PlaceChoice : std::uint8_t {
+    Given,
+    Nearest,
+    NearestFree,
+    FirstFree, ///< in the path's order
+    Ahead      ///< the one before his in the path's order, once it is free: queues move up
 };
 
 /// Whom a sent event reaches.
@@ -112,12 +176,21 @@ struct Action
     std::string event;
     EventReach reach = EventReach::Near;
     float metres = 2.0F;
-    float secondsPerMetre = 0.0F; ///< SendEvent: so that a wave runs
+    float secondsPerMetre = 0.0F;            ///< SendEvent: so that a wave runs
+    PlaceChoice choice = PlaceChoice::Given; ///< GoToPlace
+    NumberId number = 0;                     ///< SetNumber, AddToNumber
     friend bool operator==(const Action&, const Action&) = default;
 };
 
 /// What happens to somebody who is busy with another rule.
 enum class RuleMeeting : std::uint8_t { Interrupt, Queue, Ignore };
+
+/// Which rules may break off what a rule lets somebody do.
+enum class RuleYield : std::uint8_t {
+    FurtherUp, ///< rules above it in the list, and itself
+    Anybody,
+    Nobody
+};
 
 struct Rule
 {
@@ -129,6 +202,7 @@ struct Rule
     bool isAnyEnough = false; ///< one of the conditions, else all
     std::vector<Action> actions;
     RuleMeeting meeting = RuleMeeting::Interrupt;
+    RuleYield yields = RuleYield::FurtherUp;
     float cooldownSeconds = 0.0F; ///< for the same individual
     std::uint32_t limit = 0;      ///< so often for the same individual; 0: as often as it comes
     std::string unknownMembers;   ///< see Scene::unknownMembers

@@ -170,6 +170,45 @@ std::vector<Rule> flock()
     return {startle, wander};
 }
 
+Action goTo(PlaceChoice choice, PathId path)
+{
+    Action go = action(ActionKind::GoToPlace);
+    go.choice = choice;
+    go.path = path;
+    return go;
+}
+
+/// On the places of the first path, its first place in front; without one on all places.
+std::vector<Rule> queue(const Scene& scene)
+{
+    const auto line =
+        std::ranges::find_if(scene.paths, [](const Path& path) { return path.places.size() > 1; });
+    const PathId path = line != scene.paths.end() ? line->id : 0;
+    Rule join = onEvent("queue", Names::tr("Line up"));
+    join.actions = {goTo(PlaceChoice::FirstFree, path)};
+    join.meeting = RuleMeeting::Ignore;
+    Rule serve;
+    serve.name = named(Names::tr("Be served, then leave"));
+    serve.trigger.kind = TriggerKind::Arrived;
+    serve.trigger.place = line != scene.paths.end() ? line->places.front()
+                          : scene.places.empty()    ? 0
+                                                    : scene.places.front().id;
+    serve.actions = {action(ActionKind::Wait, 4.0F), action(ActionKind::LeaveScene)};
+    const auto exit = std::ranges::find(scene.places, PlaceRole::Exit, &Place::role);
+    if (exit != scene.places.end()) {
+        serve.actions.back().place = exit->id;
+    }
+    serve.yields = RuleYield::Nobody;
+    Rule moveUp;
+    moveUp.name = named(Names::tr("Move up"));
+    moveUp.trigger.kind = TriggerKind::Every;
+    moveUp.trigger.seconds = 0.7F;
+    moveUp.trigger.jitter = 0.5F;
+    moveUp.actions = {goTo(PlaceChoice::Ahead, path)};
+    moveUp.meeting = RuleMeeting::Ignore;
+    return {join, serve, moveUp};
+}
+
 } // namespace
 
 std::vector<Rule> rulesOf(RuleSet set, const Scene& scene)
@@ -189,6 +228,8 @@ std::vector<Rule> rulesOf(RuleSet set, const Scene& scene)
         return panic(scene);
     case RuleSet::Flock:
         return flock();
+    case RuleSet::Queue:
+        return queue(scene);
     case RuleSet::Count:
         break;
     }

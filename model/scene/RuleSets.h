@@ -14,6 +14,7 @@ enum class RuleSet : std::uint8_t {
     Pedestrians, ///< some stop, look and go on; events make them run, walk or stop
     Panic,       ///< away from it, on to others, out at the exits
     Flock,       ///< animals that wander, and run when startled
+    Queue,       ///< people line up on the places of a path, move up and are served at its first
     Count
 };
 

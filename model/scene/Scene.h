@@ -109,10 +109,13 @@ struct Scene
     std::vector<StageEntry> stages;       ///< ascending ids
     std::vector<NamedCamera> cameras;
     Lighting lighting;
-    std::vector<Place> places; ///< ascending ids
-    std::vector<Path> paths;   ///< ascending ids; their places are there
-    std::vector<Rule> rules;   ///< the first ones matter most; may name what is gone
-    std::vector<TagName> tags; ///< ascending bits; those that have a name
+    std::vector<Place> places;       ///< ascending ids
+    std::vector<Path> paths;         ///< ascending ids; their places are there
+    std::vector<Rule> rules;         ///< the first ones matter most; may name what is gone
+    std::vector<TagName> tags;       ///< ascending bits; those that have a name
+    std::vector<NumberName> numbers; ///< ascending ids
+    std::vector<Cue> cues;           ///< in the order in which they are shown
+    SurfaceSettings surface;
     std::uint32_t seed = 1;
     /// JSON text of an object with those top-level members of the project file that this version
     /// does not know, empty for none; written back unchanged. Entries keep theirs in the same way.

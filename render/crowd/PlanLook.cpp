@@ -138,7 +138,8 @@ PlanLook::PlanLook(const CrowdPlan::Request& request)
       m_girths(request.frame.population.column(columns::girth)),
       m_clips(request.frame.population.column(columns::clip)),
       m_phases(request.frame.population.column(columns::phase)),
-      m_speeds(request.frame.population.column(columns::playbackSpeed))
+      m_speeds(request.frame.population.column(columns::playbackSpeed)),
+      m_fades(request.frame.fades)
 {
     const Camera& camera = request.view.camera();
     const glm::mat4 m = glm::transpose(request.view.viewProjection());
@@ -296,8 +297,42 @@ void PlanLook::emit(std::size_t begin, std::span<const std::uint8_t> flags, cons
         key[k] = {keyframe, piece.levels[k] * m_groupsPerLevel + course.group + piece.steps[i]};
         isMissing |= course.isMissing;
     }
+    if (!m_fades.empty()) {
+        fade(begin, piece, {instance, piece.count});
+    }
     seen.count += piece.count;
     seen.isMissing = isMissing;
+}
+
+/// Who changes clips is drawn between the nearest keyframes of both. Their place in the order
+/// stays: it is only there for the sake of speed.
+void PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> instances) const
+{
+    auto next = std::ranges::lower_bound(m_fades, begin, {}, &ClipFade::row);
+    for (std::size_t k = 0; k < piece.count && next != m_fades.end(); ++k) {
+        const std::size_t row = begin + piece.seen[k];
+        while (next != m_fades.end() && next->row < row) {
+            ++next;
+        }
+        if (next == m_fades.end() || next->row != row) {
+            continue;
+        }
+        const Clips clips = m_clipsOfId[m_templates[row]];
+        const Course& from = m_courses[clips.first + std::min(next->clip, clips.last)];
+        if (from.isMissing || m_courses[piece.clips[piece.seen[k]]].isMissing) {
+            continue;
+        }
+        const float at = next->place * from.seconds * static_cast<float>(kKeyframeRate);
+        const auto nearest = static_cast<std::int32_t>(std::lround(std::max(at, 0.0F)));
+        Instance& shown = instances[k];
+        const std::uint32_t to = shown.blend < 0.5F ? shown.keyframeA : shown.keyframeB;
+        shown.keyframeA =
+            from.firstKeyframe +
+            from.step * static_cast<std::uint32_t>(std::min(nearest, from.lastInterval + 1));
+        shown.keyframeB = to;
+        shown.boxes = (from.boxes & 0xFFFFU) | (shown.boxes & 0xFFFF0000U);
+        shown.blend = std::clamp(next->share, 0.0F, 1.0F);
+    }
 }
 
 } // namespace crowd::render

@@ -84,6 +84,7 @@ private:
     void chooseLevels(std::span<std::uint8_t> levels, Piece& piece) const;
     void emit(std::size_t begin, std::span<const std::uint8_t> flags, const Piece& piece,
               PlanSeen& seen) const;
+    void fade(std::size_t begin, const Piece& piece, std::span<Instance> instances) const;
 
     Eye m_eye;
     double m_seconds;
@@ -102,6 +103,7 @@ private:
     std::span<const std::uint16_t> m_clips;
     std::span<const float> m_phases;
     std::span<const float> m_speeds;
+    std::span<const model::ClipFade> m_fades;
 };
 
 } // namespace crowd::render

@@ -1,5 +1,6 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
+    tst_RuleActions
     tst_Rules
     tst_Session
     tst_Validation

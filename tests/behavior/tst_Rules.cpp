@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <numeric>
-
 #include <QtTest/QTest>
 
 #include "behavior/session/Session.h"
 #include "behavior/session/SessionPlayer.h"
 #include "model/base/Parallel.h"
 #include "model/scene/RuleSets.h"
+#include "tests/behavior/Actors.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -15,66 +14,9 @@ using model::Action;
 using model::ActionKind;
 using model::Rule;
 using model::TriggerKind;
+using namespace crowd::testing;
 
 namespace {
-
-model::TemplateEntry actorTemplate()
-{
-    auto asset = std::make_shared<model::Template>();
-    const auto clip = [&asset](const char* name, float seconds, float speed, bool isLooped) {
-        model::Clip made;
-        made.name = name;
-        made.seconds = seconds;
-        made.speed = speed;
-        made.loop = isLooped;
-        asset->clips.push_back(made);
-    };
-    clip("idle", 2.0F, 0.0F, true);
-    clip("walk", 1.0F, 1.3F, true);
-    clip("run", 0.7F, 3.0F, true);
-    clip("clap", 1.5F, 0.0F, false);
-    asset->defaultClip = 0;
-    model::TemplateEntry entry;
-    entry.id = 1;
-    entry.name = "actor";
-    entry.asset = asset;
-    entry.clipNames = {"idle", "walk", "run", "clap"};
-    entry.clipSpeeds.assign(4, std::numeric_limits<float>::quiet_NaN());
-    return entry;
-}
-
-/// So many people in a row, two metres apart.
-model::Scene rowOf(std::size_t people)
-{
-    model::Scene scene;
-    scene.templates.push_back(actorTemplate());
-    std::vector<model::IndividualId> ids(people);
-    std::iota(ids.begin(), ids.end(), 1U);
-    auto rows = model::IndividualRows::withDefaults(ids);
-    for (std::size_t i = 0; i < people; ++i) {
-        rows.column(model::columns::templateId)[i] = 1;
-        rows.column(model::columns::position)[i] = {2.0F * static_cast<float>(i), 0.0F, 0.0F};
-    }
-    scene.population.add(rows);
-    return scene;
-}
-
-Rule onEvent(const char* event, std::vector<Action> actions)
-{
-    Rule rule;
-    rule.id = 1;
-    rule.name = event;
-    rule.trigger.event = event;
-    rule.actions = std::move(actions);
-    return rule;
-}
-
-Action action(ActionKind kind)
-{
-    Action made;
-    made.kind = kind;
-    return made;
-}
 
 Action clap()
 {
@@ -91,23 +33,6 @@ Action tell(const char* event, float metres, float secondsPerMetre)
     made.metres = metres;
     made.secondsPerMetre = secondsPerMetre;
     return made;
-}
-
-std::uint16_t clipOf(const Session& session, std::size_t row)
-{
-    return session.frame()->population.column(model::columns::clip)[row];
-}
-
-glm::vec3 placeOf(const Session& session, std::size_t row)
-{
-    return session.frame()->population.column(model::columns::position)[row];
-}
-
-void run(Session& session, int steps)
-{
-    for (int i = 0; i < steps; ++i) {
-        session.step();
-    }
 }
 
 } // namespace

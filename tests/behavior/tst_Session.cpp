@@ -23,6 +23,8 @@ class SessionTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void clipsGoOverIntoEachOther();
+    void groupsKeepTogether();
     void pathsEndAsTheyShould_data();
     void pathsEndAsTheyShould();
     void neverTouchesTheScene();
@@ -103,6 +105,67 @@ double distance(const glm::vec3& a, const glm::vec3& b)
 }
 
 } // namespace
+
+void SessionTest::clipsGoOverIntoEachOther()
+{
+    const model::Scene scene = sceneOf({{0.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 9.0F}});
+    Session session(scene, trianglePlan(PathKind::Cyclic, 1));
+    QVERIFY(session.frame()->fades.empty());
+    std::uint16_t before = session.frame()->population.column(model::columns::clip)[0];
+    std::vector<float> shares;
+    for (int step = 0; step < 60; ++step) {
+        session.step();
+        const auto frame = session.frame();
+        const std::uint16_t clip = frame->population.column(model::columns::clip)[0];
+        for (const model::ClipFade& fade : frame->fades) {
+            QCOMPARE(fade.row, 0U); // the other one stands
+            QCOMPARE(fade.clip, before);
+            QVERIFY(fade.place >= 0.0F && fade.place <= 1.0F);
+            QVERIFY(clip != before);
+            shares.push_back(fade.share);
+        }
+        before = frame->fades.empty() ? clip : before;
+    }
+    // A quarter of a second at thirty steps a second, once: from standing to walking.
+    QVERIFY2(shares.size() == 8, QByteArray::number(static_cast<int>(shares.size())));
+    QCOMPARE(shares.front(), 0.0F);
+    QVERIFY(std::ranges::is_sorted(shares) && shares.back() > 0.85F && shares.back() < 1.0F);
+}
+
+void SessionTest::groupsKeepTogether()
+{
+    // Four people of very different paces, with and without a group, over 40 m.
+    const auto spreadOf = [](std::uint32_t group) {
+        model::Scene scene = sceneOf(
+            {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.5F}, {1.0F, 0.0F, 2.0F}});
+        const std::vector<model::IndividualId> ids{1, 2, 3, 4};
+        const std::vector<model::PathId> paths(4, 1);
+        const std::vector<std::uint32_t> groups(4, group);
+        const std::vector<float> speeds{0.9F, 1.1F, 1.5F, 1.8F};
+        scene.population.setValues<model::PathId>(model::columns::path, ids, paths);
+        scene.population.setValues<std::uint32_t>(model::columns::group, ids, groups);
+        scene.population.setValues<float>(model::columns::walkSpeed, ids, speeds);
+        scene.places = {placeAt(1, 0.0F, 60.0F, 4.0F)};
+        scene.paths = {{1, "way", PathKind::Simple, {1}}};
+        Session session(scene);
+        float most = 0.0F;
+        for (int step = 0; step < 30 * 25; ++step) {
+            session.step();
+            float first = 1e9F;
+            float last = -1e9F;
+            for (std::size_t row = 0; row < 4; ++row) {
+                first = std::min(first, positionOf(*session.frame(), row).z);
+                last = std::max(last, positionOf(*session.frame(), row).z);
+            }
+            most = std::max(most, last - first);
+        }
+        return most;
+    };
+    const float alone = spreadOf(0);
+    const float together = spreadOf(7);
+    QVERIFY2(alone > 12.0F, QByteArray::number(alone));
+    QVERIFY2(together < 4.0F, QByteArray::number(together));
+}
 
 void SessionTest::pathsEndAsTheyShould_data()
 {

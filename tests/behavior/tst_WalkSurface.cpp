@@ -63,8 +63,7 @@ model::StageEntry stairs()
 std::shared_ptr<const WalkSurface> surfaceOf(const model::StageEntry& stage)
 {
     WalkSurface::Progress progress;
-    const std::vector<model::StageEntry> stages{stage};
-    auto built = WalkSurface::build(stages, {}, {}, progress);
+    auto built = WalkSurface::build({{stage}, {}, {}, {}}, progress);
     if (!built) {
         qWarning("%s", built.error().message.c_str());
         return nullptr;
@@ -84,6 +83,28 @@ model::Scene walkerFrom(const glm::vec3& from, const glm::vec3& to)
     return scene;
 }
 
+model::Place area(model::PlaceId id, float x, float z, float radius, model::PlaceRole role)
+{
+    return {id, "area", {x, 0.0F, z}, radius, {}, role};
+}
+
+std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene)
+{
+    WalkSurface::Progress progress;
+    auto built = WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
+    return built ? built.value() : nullptr;
+}
+
+glm::vec3 shownAt(const Session& session)
+{
+    return session.frame()->population.column(model::columns::position)[0];
+}
+
+float flatLength(const glm::vec3& at)
+{
+    return std::sqrt(at.x * at.x + at.z * at.z);
+}
+
 } // namespace
 
 class TestWalkSurface : public QObject
@@ -95,6 +116,10 @@ private Q_SLOTS:
     void aWalkerGoesAroundAHouse();
     void aPathIntoAHouseEndsBeforeIt();
     void stairsAreClimbed();
+    void waysLeadAroundForbiddenGround();
+    void waysPreferLikedGroundAndAvoidSlow();
+    void obstaclesOnOpenGroundAreWalkedAround();
+    void bodiesAndSlopesAreAsSet();
     void nothingToWalkOnIsSaid();
     void canBeCancelled();
 };
@@ -165,10 +190,97 @@ void TestWalkSurface::stairsAreClimbed()
     QVERIFY(highest < 2.2F);
 }
 
+void TestWalkSurface::waysLeadAroundForbiddenGround()
+{
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(area(2, 0.0F, 0.0F, 4.0F, model::PlaceRole::Forbidden));
+    const auto surface = surfaceOf(scene);
+    QVERIFY(surface);
+    QVERIFY(surface->walls().empty()); // nobody is held back who is pushed
+    QVERIFY(surface->way({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F}).size() >= 3);
+    Session session(scene);
+    session.setSurface(surface);
+    float nearest = 100.0F;
+    for (int step = 0; step < 30 * 25; ++step) {
+        session.step();
+        nearest = std::min(nearest, flatLength(shownAt(session)));
+    }
+    QVERIFY2(nearest > 3.8F, QByteArray::number(static_cast<double>(nearest)));
+    QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+    // Who stands in it gets out of it.
+    scene = walkerFrom({1.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(area(2, 0.0F, 0.0F, 4.0F, model::PlaceRole::Forbidden));
+    Session inside(scene);
+    inside.setSurface(surfaceOf(scene));
+    for (int step = 0; step < 30 * 12; ++step) {
+        inside.step();
+    }
+    QVERIFY(std::abs(shownAt(inside).x - 9.0F) < 0.6F);
+}
+
+void TestWalkSurface::waysPreferLikedGroundAndAvoidSlow()
+{
+    const auto lengthThrough = [](model::PlaceRole role, float share) {
+        // Two ways past a wall: straight ahead, or a little longer by the side.
+        model::Scene scene = walkerFrom({-12.0F, 0.0F, 0.0F}, {12.0F, 0.0F, 0.0F});
+        scene.places.push_back(area(2, 0.0F, 0.0F, 5.0F, role));
+        scene.places.back().speedShare = share;
+        const auto surface = surfaceOf(scene);
+        float farthest = 0.0F;
+        for (const glm::vec2& corner : surface->way({-12.0F, 0.0F, 0.0F}, {12.0F, 0.0F, 0.0F})) {
+            farthest = std::max(farthest, std::abs(corner.y));
+        }
+        return farthest;
+    };
+    QVERIFY(lengthThrough(model::PlaceRole::Slow, 0.1F) > 3.0F);
+    QVERIFY(lengthThrough(model::PlaceRole::Slow, 1.0F) < 1.0F);
+    QVERIFY(lengthThrough(model::PlaceRole::Preferred, 0.5F) < 1.0F);
+    // The speed is as the place says.
+    model::Scene scene = walkerFrom({-2.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(area(2, 0.0F, 0.0F, 6.0F, model::PlaceRole::Slow));
+    scene.places.back().speedShare = 0.25F;
+    Session session(scene);
+    for (int step = 0; step < 120; ++step) {
+        session.step();
+    }
+    const float walked = shownAt(session).x + 2.0F;
+    QVERIFY2(walked > 0.8F && walked < 1.6F, QByteArray::number(static_cast<double>(walked)));
+}
+
+void TestWalkSurface::obstaclesOnOpenGroundAreWalkedAround()
+{
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {9.0F, 0.0F, 0.0F});
+    scene.places.push_back(area(2, 0.0F, 0.0F, 4.0F, model::PlaceRole::Obstacle));
+    const auto surface = surfaceOf(scene);
+    QVERIFY(surface);
+    Session session(scene);
+    session.setSurface(surface);
+    for (int step = 0; step < 30 * 25; ++step) {
+        session.step();
+        QVERIFY(flatLength(shownAt(session)) > 3.8F);
+    }
+    QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+}
+
+void TestWalkSurface::bodiesAndSlopesAreAsSet()
+{
+    model::Scene scene;
+    scene.stages = {stairs()};
+    QVERIFY(surfaceOf(scene)->reaches({0.0F, 2.0F, 9.0F}, 1.0F));
+    const std::size_t usual = surfaceOf(scene)->way({0.0F, 0.0F, -4.0F}, {0.0F, 2.0F, 9.0F}).size();
+    QVERIFY(usual > 0);
+    scene.surface.climb = 0.1F; // no step is low enough
+    const auto low = surfaceOf(scene);
+    QVERIFY(low);
+    const auto way = low->way({0.0F, 0.0F, -4.0F}, {0.0F, 2.0F, 9.0F});
+    QVERIFY(way.empty() || way.back().y < 0.1F || std::abs(way.back().x) > 2.9F);
+    QVERIFY(!behavior::SurfacePlan::of(scene).hasSameWays({}));
+}
+
 void TestWalkSurface::nothingToWalkOnIsSaid()
 {
     WalkSurface::Progress progress;
-    const auto built = WalkSurface::build({}, {}, {}, progress);
+    const auto built = WalkSurface::build({}, progress);
     QVERIFY(!built.isOk());
     QVERIFY(built.error().message.find("no stage") != std::string::npos);
 }
@@ -177,8 +289,7 @@ void TestWalkSurface::canBeCancelled()
 {
     WalkSurface::Progress progress;
     progress.isCancelled = true;
-    const std::vector<model::StageEntry> stages{house()};
-    const auto built = WalkSurface::build(stages, {}, {}, progress);
+    const auto built = WalkSurface::build({{house()}, {}, {}, {}}, progress);
     QVERIFY(!built.isOk());
     QVERIFY(built.error().message.find("cancelled") != std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include "model/scene/RuleSets.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/state/Cues.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -95,6 +96,9 @@ private Q_SLOTS:
     void paintWalkPlayStopAndKeep();
     void brushesReachPeopleWhoWalk();
     void anEventMakesPeopleRun();
+    void aCueIsHeardByItsKey();
+    void aWalkingStyleIsPaintedOn();
+    void paintedGroundChangesTheWay();
 };
 
 void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
@@ -266,6 +270,85 @@ void TestWalkingCrowd::anEventMakesPeopleRun()
     QTRY_COMPARE(studio.state.session().firedCount(run),
                  static_cast<std::uint64_t>(studio.people()));
     QCOMPARE(studio.document.undoStack().count(), steps);
+}
+
+void TestWalkingCrowd::aCueIsHeardByItsKey()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    const CueKeys keys(studio.state, studio.view->window());
+    paintPath(studio);
+    paintPeople(studio);
+    paintWalk(studio);
+    auto edit = studio.document.beginEdit();
+    std::vector<model::Rule> rules =
+        model::rulesOf(model::RuleSet::Pedestrians, studio.document.scene());
+    model::giveIds(rules, studio.document.scene());
+    const model::RuleId run = rules.front().id;
+    edit->setRules(rules);
+    edit->setCues({{1, "Run", "run", 2.5F, "F3", model::CueReach::Everybody, 0}});
+    edit->commit(QStringLiteral("Rules"));
+    key(studio, Qt::Key_F3);
+    QCOMPARE(studio.state.session().firedCount(run), std::uint64_t{0}); // nothing runs yet
+    studio.state.transport().setPlaying(true);
+    QTRY_VERIFY(studio.state.session().isRunning());
+    key(studio, Qt::Key_F3);
+    QTRY_COMPARE(studio.state.session().firedCount(run),
+                 static_cast<std::uint64_t>(studio.people()));
+    // Another key, and the old one is silent.
+    edit = studio.document.beginEdit();
+    edit->setCues({{1, "Run", "run", 2.5F, "F7", model::CueReach::Selected, 0}});
+    edit->commit(QStringLiteral("Cue"));
+    studio.state.selection().set(studio.document.scene().population.ids().first(1));
+    key(studio, Qt::Key_F3);
+    key(studio, Qt::Key_F7);
+    QTRY_COMPARE(studio.state.session().firedCount(run),
+                 static_cast<std::uint64_t>(studio.people()) + 1);
+}
+
+void TestWalkingCrowd::aWalkingStyleIsPaintedOn()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPeople(studio);
+    key(studio, Qt::Key_R);
+    QCOMPARE(studio.state.tool(), ToolId::BrushStyle);
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Style);
+    brush.selection = model::BrushSelection::Rectangle;
+    brush.style.speed = {2.0F, 2.0F};
+    studio.state.setBrush(brush);
+    key(studio, Qt::Key_Plus);
+    const std::string before = bytesOf(studio);
+    studio.drag({5, 5}, {314, 234});
+    const auto speeds = studio.document.scene().population.column(model::columns::walkSpeed);
+    for (const float speed : speeds) {
+        QVERIFY2(std::abs(speed - 2.1F) < 1e-3F, QByteArray::number(static_cast<double>(speed)));
+    }
+    studio.document.undoStack().undo();
+    QCOMPARE(bytesOf(studio), before);
+}
+
+void TestWalkingCrowd::paintedGroundChangesTheWay()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    paintPeople(studio);
+    paintWalk(studio);
+    QCOMPARE(studio.state.session().surfacePolygons(), std::size_t{0}); // open ground
+    key(studio, Qt::Key_I);
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Environment);
+    brush.place.role = model::PlaceRole::Forbidden;
+    studio.state.setBrush(brush);
+    click(studio, {160, 120});
+    QTRY_VERIFY(studio.state.session().surfacePolygons() > 0);
+    const std::size_t polygons = studio.state.session().surfacePolygons();
+    click(studio, {110, 150});
+    QTRY_VERIFY(studio.state.session().surfacePolygons() > polygons);
+    while (studio.document.scene().places.size() > 3) {
+        studio.document.undoStack().undo();
+    }
+    QTRY_COMPARE(studio.state.session().surfacePolygons(), std::size_t{0});
 }
 
 CROWD_WINDOW_TEST(TestWalkingCrowd)

@@ -47,7 +47,31 @@ void furnish(SceneDocument& document)
     action.reach = EventReach::Tagged;
     rule.actions = {action, action};
     rule.limit = 3;
-    edit->setRules({rule});
+    rule.yields = RuleYield::Nobody;
+    Rule other;
+    other.id = 5;
+    other.trigger.kind = TriggerKind::SpeedLimit;
+    other.trigger.metresPerSecond = 1.75F;
+    other.trigger.isAbove = false;
+    other.conditions.push_back({ConditionKind::Number});
+    other.conditions.back().number = 2;
+    other.conditions.back().comparison = Comparison::Less;
+    other.conditions.back().value = -3.5F;
+    other.actions.resize(3);
+    other.actions[0].kind = ActionKind::GoToPlace;
+    other.actions[0].choice = PlaceChoice::Ahead;
+    other.actions[1].kind = ActionKind::AddToNumber;
+    other.actions[1].number = 2;
+    other.actions[2].kind = ActionKind::Appear;
+    edit->setRules({rule, other});
+    edit->setNumbers({{2, "patience", -1.0F, 4.5F}, {7, "hunger", 0.0F, 0.0F}});
+    edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});
+    edit->setSurface({0.5F, 2.0F, 0.3F, 35.0F});
+    Place full = *edit->scene().findPlace(b);
+    full.capacity = 12;
+    full.role = PlaceRole::Slow;
+    full.speedShare = 0.25F;
+    edit->changePlace(full);
     edit->setTags({{0, "brave", {9, 8, 7}}, {63, "late", {1, 1, 1}}});
     edit->commit(QStringLiteral("Furnish"));
 }
@@ -77,6 +101,7 @@ private Q_SLOTS:
     void aRemovedPlaceLeavesItsPaths();
     void aRemovedPathIsFollowedByNobody();
     void aNewPathIsNotTakenForADeletedOne();
+    void tooManyAreRefused();
     void refusesWhatIsWrong_data();
     void refusesWhatIsWrong();
 };
@@ -92,6 +117,9 @@ void TestEnvironment::savingKeepsEverything()
     QCOMPARE(read.value().paths, document.scene().paths);
     QCOMPARE(read.value().rules, document.scene().rules);
     QCOMPARE(read.value().tags, document.scene().tags);
+    QCOMPARE(read.value().numbers, document.scene().numbers);
+    QCOMPARE(read.value().cues, document.scene().cues);
+    QCOMPARE(read.value().surface, document.scene().surface);
     QCOMPARE(textOf(read.value()), text);
 }
 
@@ -106,6 +134,9 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
         edit->removePlace(2);
         edit->removePath(1);
         edit->setRules({});
+        edit->setNumbers({});
+        edit->setCues({});
+        edit->setSurface({});
         edit->commit(QStringLiteral("Clear"));
     }
     const std::string less = textOf(document.scene());
@@ -125,7 +156,15 @@ void TestEnvironment::filesFromBeforeHaveNone()
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QVERIFY(read.value().places.empty() && read.value().paths.empty());
     QVERIFY(read.value().rules.empty() && !read.value().hasBehaviour());
-    QVERIFY(textOf(read.value()).find("paths") == std::string::npos);
+    QVERIFY(read.value().numbers.empty() && read.value().cues.empty());
+    QVERIFY(read.value().surface == SurfaceSettings());
+    for (const char* member : {"paths", "numbers", "cues", "surface"}) {
+        QVERIFY(textOf(read.value()).find(member) == std::string::npos);
+    }
+    // A rule from before rules said whom they yield to.
+    const auto old = projectFromText(sceneText(R"("rules": [{"id": 1}],)"));
+    QVERIFY(old.isOk());
+    QCOMPARE(old.value().rules[0].yields, RuleYield::FurtherUp);
 }
 
 void TestEnvironment::aRemovedPlaceLeavesItsPaths()
@@ -177,6 +216,20 @@ void TestEnvironment::aNewPathIsNotTakenForADeletedOne()
     edit->rollback();
 }
 
+void TestEnvironment::tooManyAreRefused()
+{
+    std::string cues;
+    for (int id = 1; id <= 300; ++id) {
+        cues += (id == 1 ? "" : ",") + std::string("{\"id\": ") + std::to_string(id) + "}";
+    }
+    for (const char* member : {"cues", "numbers"}) {
+        const auto read =
+            projectFromText(sceneText("\"" + std::string(member) + "\": [" + cues + "],"));
+        QVERIFY(!read.isOk());
+        QVERIFY(read.error().message.find("more than 256") != std::string::npos);
+    }
+}
+
 void TestEnvironment::refusesWhatIsWrong_data()
 {
     QTest::addColumn<QString>("members");
@@ -211,6 +264,47 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "rules[0].if[0].chance must lie between");
     row("a clip without a name", R"("rules": [{"id": 1, "do": [{"clips": [{}]}]}],)",
         "rules[0].do[0].clips[0].clip is missing");
+    row("more room than there is",
+        R"("places": [{"id": 1, "position": [0,0,0], "capacity": 1e9}],)",
+        "places[0].capacity must be");
+    row("room for less than nobody",
+        R"("places": [{"id": 1, "position": [0,0,0], "capacity": -1}],)",
+        "places[0].capacity must be a whole number");
+    row("ground that nobody gets over",
+        R"("places": [{"id": 1, "position": [0,0,0], "speedShare": 0}],)",
+        "places[0].speedShare must lie between");
+    row("a surface that is none", R"("surface": 3,)", "surface must be an object");
+    row("bodies without width", R"("surface": {"radius": 0},)", "surface.radius must lie between");
+    row("slopes like walls", R"("surface": {"slope": 90},)", "surface.slope must lie between");
+    row("steps without end", R"("surface": {"climb": 1e30},)", "surface.climb must lie between");
+    row("a rule that yields to the wind", R"("rules": [{"id": 1, "yields": "wind"}],)",
+        "rules[0].yields must be one of");
+    row("a speed below nothing", R"("rules": [{"id": 1, "when": {"metresPerSecond": -1}}],)",
+        "rules[0].when.metresPerSecond must lie between");
+    row("an unknown comparison", R"("rules": [{"id": 1, "if": [{"compare": "like"}]}],)",
+        "rules[0].if[0].compare must be one of");
+    row("a number without end", R"("rules": [{"id": 1, "if": [{"value": 1e300}]}],)",
+        "rules[0].if[0].value must be a finite number");
+    row("an unknown choice", R"("rules": [{"id": 1, "do": [{"choice": "any"}]}],)",
+        "rules[0].do[0].choice must be one of");
+    row("a name for a number", R"("rules": [{"id": 1, "do": [{"number": "x"}]}],)",
+        "rules[0].do[0].number must be a whole number");
+    row("numbers that are no list", R"("numbers": {},)", "numbers must be a list");
+    row("a number without id", R"("numbers": [{}],)", "numbers[0].id is missing");
+    row("the same number twice", R"("numbers": [{"id": 1}, {"id": 1}],)",
+        "numbers: the id 1 is given twice");
+    row("a number the wrong way round", R"("numbers": [{"id": 1, "low": 2, "high": 1}],)",
+        "numbers[0].high must lie between");
+    row("the number of nobody", R"("numbers": [{"id": 0}],)", "numbers: the id 0 is not allowed");
+    row("a cue without id", R"("cues": [{}],)", "cues[0].id is missing");
+    row("a cue with the key of a panel", R"("cues": [{"id": 1, "key": "F12"}],)",
+        "cues[0].key must be one of F3 to F10");
+    row("a cue with the key of a brush", R"("cues": [{"id": 1, "key": "x"}],)",
+        "cues[0].key must be one of F3 to F10");
+    row("a cue for a tag that is none", R"("cues": [{"id": 1, "tag": 64}],)",
+        "cues[0].tag must be a tag");
+    row("a cue to nowhere", R"("cues": [{"id": 1, "reach": "nowhere"}],)",
+        "cues[0].reach must be one of");
     row("a tag that is too large", R"("tags": [{"tag": 64}],)", "tags[0].tag must be a tag");
 }
 

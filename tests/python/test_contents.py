@@ -114,6 +114,53 @@ class Contents(unittest.TestCase):
                 scene.change([1], **{column: value})
         self.assertEqual(scene.environment, same)
 
+    def test_numbers_cues_surface_and_the_newer_rules(self):
+        scene = crowdbrush.Scene()
+        wanted = {
+            "numbers": [{"id": 2, "name": "patience", "low": 1, "high": 4}],
+            "cues": [{"id": 1, "name": "Go", "event": "go", "key": "F4", "reach": "tagged", "tag": 3}],
+            "surface": {"radius": 0.5, "height": 2, "climb": 0.25, "slope": 30},
+            "places": [{"id": 1, "position": [0, 0, 0], "capacity": 4, "role": "forbidden"}],
+            "rules": [{"id": 1, "name": "sit", "yields": "anybody",
+                       "when": {"kind": "speed limit", "metresPerSecond": 2.5, "above": False},
+                       "if": [{"kind": "number", "number": 2, "compare": "less", "value": 3}],
+                       "do": [{"kind": "sit down"}, {"kind": "wait for event", "event": "up"},
+                              {"kind": "go to", "choice": "nearest free", "place": 1}]}]}
+        self.undone_and_redone(scene, lambda: scene.set_environment(wanted))
+        self.assertEqual(scene.environment["numbers"], wanted["numbers"])
+        self.assertEqual(scene.environment["surface"]["climb"], 0.25)
+        self.assertEqual(scene.environment["rules"][0]["do"][2]["choice"], "nearest free")
+        same = scene.environment
+        for wrong in ({"surface": {"slope": 90}}, {"cues": [{"id": 1, "key": "7"}]},
+                      {"numbers": [{"id": 0}]}, {"numbers": [{"id": 1, "low": 3, "high": 2}]}):
+            with self.subTest(wrong=wrong), self.assertRaises(crowdbrush.Error):
+                scene.set_environment(wrong)
+        self.assertEqual(scene.environment, same)
+
+    def test_the_walking_style_brush(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template(MAN)
+        clips = man.clip_names
+        positions = np.stack([np.linspace(-3, 3, 60), np.zeros(60), np.zeros(60)], axis=1)
+        scene.create(template=man, position=positions, count=60)
+        style = crowdbrush.Brush(crowdbrush.BrushKind.STYLE)
+        style.selection = crowdbrush.Selection.RECTANGLE
+        style.through = True
+        style.style.clips = {"run": 1.0, "walk_2": 1.0, "clap": 5.0}
+        style.style.speed = (2.0, 3.0)
+        view = crowdbrush.Camera((0, 6, 12), (0, 0, 0))
+        done = scene.stroke(style, [(0, 0), (640, 360)], size=(640, 360), camera=view)
+        self.assertGreater(done.affected, 10)
+        chosen = {clips[i - 1] for i in scene.column("walkStyle") if i}
+        self.assertEqual(chosen, {"run", "walk_2"})  # nobody gets anywhere by clapping
+        speeds = scene.column("walkSpeed")
+        self.assertTrue(((speeds == 0) | ((speeds >= 2) & (speeds <= 3))).all())
+        scene.undo()
+        self.assertFalse(scene.column("walkStyle").any())
+        with self.assertRaises(crowdbrush.Error):
+            scene.change([1], walkStyle=len(clips) + 1)
+        scene.change([1], walkStyle=len(clips))
+
     def test_walk_and_tag_brushes(self):
         scene = crowdbrush.open("builtin:scenes/theatre.crowd")
         scene.set_environment({"places": [{"id": k, "position": [k, 0, 0]} for k in (1, 2)],

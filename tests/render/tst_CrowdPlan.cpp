@@ -30,6 +30,7 @@ private Q_SLOTS:
     void highlightedAreListed();
     void keyframesAreThoseOfTheShownPhase();
     void standInsAreReported();
+    void whoChangesClipsIsDrawnBetweenBoth();
     void onlyChangedRowsAreListed();
     void rowsThatComeBackAreListed();
     void olderPopulationIsNoticed();
@@ -254,6 +255,43 @@ void TestCrowdPlan::keyframesAreThoseOfTheShownPhase()
         const float got = static_cast<float>(shown.keyframeA - clip.firstKeyframe) + shown.blend;
         QVERIFY2(std::abs(got - expected) < 1e-3F, qPrintable(QString::number(row)));
     }
+}
+
+void TestCrowdPlan::whoChangesClipsIsDrawnBetweenBoth()
+{
+    const model::Population people = makeField(3000);
+    const auto frame = std::make_shared<model::CrowdFrame>(*frameOf(people, m_entries));
+    for (std::uint32_t row = 0; row < 3000; row += 3) {
+        frame->fades.push_back({row, static_cast<std::uint16_t>((row / 3) % 2), 0.5F, 0.25F});
+    }
+    render::CrowdPlan plain;
+    render::CrowdPlan faded;
+    const model::View view = frontView({1280.0F, 720.0F}, 60.0F);
+    const std::vector<float> lifts(3000, 0.0F);
+    plain.make({*frameOf(people, m_entries), m_templates, lifts, view, 1.0F, {}, {}, 0});
+    faded.make({*frame, m_templates, lifts, view, 1.0F, {}, {}, 0});
+    QCOMPARE(faded.instances().size(), plain.instances().size());
+    int changed = 0;
+    for (std::size_t i = 0; i < faded.instances().size(); ++i) {
+        const render::Instance& was = plain.instances()[i];
+        const render::Instance& now = faded.instances()[i];
+        QCOMPARE(now.rowAndFlags, was.rowAndFlags); // the order is the same
+        const std::uint32_t row = now.rowAndFlags & render::Instance::kRowMask;
+        if (row % 3 != 0) {
+            QVERIFY(std::memcmp(&now, &was, sizeof now) == 0);
+            continue;
+        }
+        ++changed;
+        const render::PlanClip& from = m_templates[0].clips[(row / 3) % 2];
+        QCOMPARE(now.blend, 0.25F);
+        QVERIFY(now.keyframeA >= from.firstKeyframe &&
+                now.keyframeA <
+                    from.firstKeyframe + static_cast<std::uint32_t>(from.clip->keyframeCount()));
+        QCOMPARE(now.boxes & 0xFFFFU, std::uint32_t{from.box});
+        QCOMPARE(now.boxes >> 16U, was.boxes >> 16U);
+        QCOMPARE(now.keyframeB, was.blend < 0.5F ? was.keyframeA : was.keyframeB);
+    }
+    QVERIFY(changed > 300);
 }
 
 void TestCrowdPlan::standInsAreReported()

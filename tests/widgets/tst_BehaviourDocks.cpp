@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
+#include <QtCore/QTimer>
+#include <QtGui/QShortcut>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
@@ -11,10 +14,13 @@
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/dialogs/CueDialog.h"
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/NumberField.h"
+#include "widgets/docks/NumberList.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
+#include "widgets/state/Cues.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -61,6 +67,12 @@ private Q_SLOTS:
     void everyReadyMadeSetIsSound_data();
     void everyReadyMadeSetIsSound();
     void aRuleSaysWhatIsWrong();
+    void everyKindHasASentenceAndFields();
+    void cuesAreButtonsAndKeys();
+    void tagsAndNumbersGetNames();
+    void tagsAreWrittenByName();
+    void branchesAreAddedWeighedAndRemoved();
+    void roomSpeedAndSurfaceAreEdited();
 };
 
 void TestBehaviourDocks::initTestCase()
@@ -168,6 +180,191 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{2});
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{1});
+}
+
+/// Whatever a rule may hold, its editor can be built and says it in words.
+void TestBehaviourDocks::everyKindHasASentenceAndFields()
+{
+    Desk<RulesDock> desk;
+    QVERIFY(desk.isReady());
+    QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::Waited) + 1);
+    QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::PeopleIn) + 1);
+    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::Appear) + 1);
+    QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);
+    QVERIFY(yieldNames().size() == static_cast<int>(model::RuleYield::Nobody) + 1);
+    model::Rule rule;
+    rule.id = 1;
+    for (int kind = 0; kind < conditionNames().size(); ++kind) {
+        rule.conditions.emplace_back().kind = static_cast<model::ConditionKind>(kind);
+    }
+    for (int kind = 0; kind < actionNames().size(); ++kind) {
+        rule.actions.emplace_back().kind = static_cast<model::ActionKind>(kind);
+    }
+    for (int choice = 0; choice < choiceNames().size(); ++choice) {
+        rule.actions.emplace_back().kind = model::ActionKind::GoToPlace;
+        rule.actions.back().choice = static_cast<model::PlaceChoice>(choice);
+    }
+    auto* list = desk.dock->findChild<QListWidget*>();
+    for (int kind = 0; kind < triggerNames().size(); ++kind) {
+        rule.trigger.kind = static_cast<model::TriggerKind>(kind);
+        auto edit = desk.document.beginEdit();
+        edit->setRules({rule});
+        edit->commit(QStringLiteral("Rule"));
+        QTRY_COMPARE(list->count(), 1);
+        list->setCurrentRow(0);
+        QTRY_VERIFY(desk.all<QComboBox>().size() > 40);
+        const QString sentence = ruleSentence(desk.document.scene(), rule);
+        QVERIFY2(!sentence.contains(QStringLiteral("%")) || sentence.contains(QStringLiteral("50")),
+                 qPrintable(sentence));
+        QVERIFY(!sentence.contains(QStringLiteral(", then , ")));
+    }
+}
+
+void TestBehaviourDocks::cuesAreButtonsAndKeys()
+{
+    Desk<RulesDock> desk;
+    QVERIFY(desk.isReady());
+    const CueKeys keys(desk.state, &desk.window);
+    auto* add = desk.dock->findChild<QToolButton*>(QStringLiteral("addCue"));
+    QTimer::singleShot(0, [] {
+        auto* dialog = qobject_cast<CueDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog != nullptr);
+        dialog->findChild<QComboBox*>(QStringLiteral("cueEvent"))
+            ->setCurrentText(QStringLiteral("panic"));
+        dialog->accept();
+    });
+    QTest::mouseClick(add, Qt::LeftButton);
+    const auto& cues = desk.document.scene().cues;
+    QCOMPARE(cues.size(), std::size_t{1});
+    QCOMPARE(cues[0].event, std::string("panic"));
+    QCOMPARE(cues[0].key, std::string("F3"));
+    const auto shown = [&] { return desk.dock->findChild<QToolButton*>(QStringLiteral("cue1")); };
+    QTRY_VERIFY(shown() != nullptr && shown()->isVisible());
+    QVERIFY(shown()->text().contains(QStringLiteral("panic")));
+    QString said;
+    connect(&desk.state, &EditorState::statusMessage, &desk.window,
+            [&said](const QString& text) { said = text; });
+    QTest::mouseClick(shown(), Qt::LeftButton);
+    QVERIFY2(said.contains(QStringLiteral("Play")), qPrintable(said)); // nobody listens yet
+    QCOMPARE(desk.window.findChildren<QShortcut*>().size(), 1);
+    desk.document.undoStack().undo();
+    QVERIFY(desk.document.scene().cues.empty());
+    QTRY_VERIFY(desk.window.findChildren<QShortcut*>().isEmpty());
+}
+
+void TestBehaviourDocks::tagsAndNumbersGetNames()
+{
+    Desk<RulesDock> desk;
+    QVERIFY(desk.isReady());
+    auto* fold = desk.dock->findChild<QToolButton*>(QStringLiteral("foldNames"));
+    fold->setChecked(true);
+    const auto press = [&](const char* name) {
+        auto* button = desk.dock->findChild<QToolButton*>(QLatin1String(name));
+        QVERIFY(button != nullptr);
+        QTest::mouseClick(button, Qt::LeftButton);
+    };
+    press("addTagName");
+    QCOMPARE(desk.document.scene().tags.size(), std::size_t{1});
+    const auto fieldNamed = [&](const QString& text) -> QLineEdit* {
+        for (QLineEdit* field : desk.all<QLineEdit>()) {
+            if (field->text() == text) {
+                return field;
+            }
+        }
+        return nullptr;
+    };
+    const QString given = QString::fromStdString(desk.document.scene().tags[0].name);
+    QTRY_VERIFY(fieldNamed(given) != nullptr);
+    testing::type(*fieldNamed(given), QStringLiteral("brave"));
+    QCOMPARE(desk.document.scene().tags[0].name, std::string("brave"));
+    QCOMPARE(tagText(desk.document.scene(), 0), QStringLiteral("brave"));
+    QTRY_VERIFY(fieldNamed(QStringLiteral("brave")) != nullptr);
+    press("addNumberName");
+    QCOMPARE(desk.document.scene().numbers.size(), std::size_t{1});
+    QTRY_VERIFY(desk.all<NumberField>().size() == 2);
+    testing::type(*desk.all<NumberField>()[1], QStringLiteral("5"));
+    QCOMPARE(desk.document.scene().numbers[0].high, 5.0F);
+    QTRY_VERIFY(desk.all<NumberField>().size() == 2);
+    testing::type(*desk.all<NumberField>()[0], QStringLiteral("7"));
+    QCOMPARE(desk.document.scene().numbers[0].low, 7.0F);
+    QCOMPARE(desk.document.scene().numbers[0].high, 7.0F); // never the wrong way round
+    for (int i = 0; i < 5; ++i) {
+        desk.document.undoStack().undo();
+    }
+    QVERIFY(desk.document.scene().tags.empty() && desk.document.scene().numbers.empty());
+}
+
+void TestBehaviourDocks::tagsAreWrittenByName()
+{
+    const std::vector<model::TagName> names{{0, "brave", {}}, {4, "late", {}}, {9, "", {}}};
+    QCOMPARE(tagListText(names, 0), QString());
+    const std::uint64_t some = 1U | 1U << 2U | 1U << 3U | 1U << 4U | 1U << 9U;
+    QCOMPARE(tagListText(names, some), QStringLiteral("brave, late, 3, 4, 10"));
+    QCOMPARE(tagListOf(names, tagListText(names, some)), some);
+    QCOMPARE(tagListOf(names, QStringLiteral("LATE , 2-3, nobody")),
+             std::uint64_t{1U << 4U | 1U << 1U | 1U << 2U});
+    QCOMPARE(tagListOf(names, QStringLiteral("65, 0, 64")), std::uint64_t{1} << 63U);
+}
+
+void TestBehaviourDocks::branchesAreAddedWeighedAndRemoved()
+{
+    Desk<EnvironmentDock> desk;
+    QVERIFY(desk.isReady());
+    furnish(desk.document);
+    desk.state.paths().select({});
+    desk.state.paths().look(1);
+    const auto add = [&] {
+        return desk.dock->findChild<QToolButton*>(QStringLiteral("addBranch"));
+    };
+    QTRY_VERIFY(add() != nullptr);
+    QVERIFY(!add()->isEnabled()); // there is nowhere to branch off to
+    auto edit = desk.document.beginEdit();
+    model::Place place;
+    place.position = {6.0F, 0.05F, 9.0F};
+    model::appendPlace(*edit, 0, place, model::PathKind::Simple);
+    edit->commit(QStringLiteral("Another"));
+    QTRY_VERIFY(add() != nullptr && add()->isEnabled());
+    QTest::mouseClick(add(), Qt::LeftButton);
+    const auto& scene = desk.document.scene();
+    // From the place that is nearest to where the other path begins.
+    QCOMPARE(scene.findPath(1)->branches, (std::vector<model::PathBranch>{{2, 2, 1.0F}}));
+    QTRY_COMPARE(desk.all<QDoubleSpinBox>().size(), 1);
+    desk.all<QDoubleSpinBox>()[0]->setValue(3.0);
+    QCOMPARE(scene.findPath(1)->branches[0].weight, 3.0F);
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo();
+    QVERIFY(scene.findPath(1)->branches.empty());
+    QTRY_COMPARE(desk.all<QDoubleSpinBox>().size(), 0);
+}
+
+void TestBehaviourDocks::roomSpeedAndSurfaceAreEdited()
+{
+    Desk<EnvironmentDock> desk;
+    QVERIFY(desk.isReady());
+    furnish(desk.document);
+    desk.state.paths().select({2});
+    const auto number = [&](const char* name) {
+        return desk.dock->findChild<NumberField*>(QLatin1String(name));
+    };
+    QTRY_VERIFY(number("placeCapacity")->isVisible());
+    testing::type(*number("placeCapacity"), QStringLiteral("12"));
+    QCOMPARE(desk.document.scene().places[1].capacity, 12U);
+    QVERIFY(!number("placeSpeed")->isVisible());
+    auto* role = desk.dock->findChild<QComboBox*>(QStringLiteral("placeRole"));
+    QCOMPARE(role->count(), static_cast<int>(model::PlaceRole::Preferred) + 1);
+    Q_EMIT role->activated(static_cast<int>(model::PlaceRole::Slow));
+    QTRY_VERIFY(number("placeSpeed")->isVisible());
+    testing::type(*number("placeSpeed"), QStringLiteral("30"));
+    QCOMPARE(desk.document.scene().places[1].speedShare, 0.3F);
+    desk.dock->findChild<QToolButton*>(QStringLiteral("foldSurface"))->setChecked(true);
+    QTRY_VERIFY(number("surfaceClimb")->isVisible());
+    testing::type(*number("surfaceClimb"), QStringLiteral("0.25"));
+    QCOMPARE(desk.document.scene().surface.climb, 0.25F);
+    while (desk.document.undoStack().index() > 1) {
+        desk.document.undoStack().undo(); // all but the furniture
+    }
+    QVERIFY(desk.document.scene().surface == model::SurfaceSettings());
+    QCOMPARE(desk.document.scene().places[1].capacity, 0U);
 }
 
 CROWD_WINDOW_TEST(TestBehaviourDocks)

@@ -12,6 +12,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QToolButton>
 
+#include "model/brush/ClipChoice.h"
 #include "widgets/docks/ClipMix.h"
 #include "widgets/docks/CurveEditor.h"
 #include "widgets/docks/NumberList.h"
@@ -34,13 +35,18 @@ QWidget* labelled(const QString& label, QWidget* control, QWidget* parent)
 }
 
 /// Each name once, in the order of the templates.
-std::vector<std::string> clipNamesOf(const model::Scene& scene)
+/// Each once; those to walk with, or all.
+std::vector<std::string> clipNamesOf(const model::Scene& scene, ClipsOnOffer offer)
 {
     std::vector<std::string> names;
     for (const model::TemplateEntry& entry : scene.templates) {
-        for (const std::string& name : entry.clipNames) {
-            if (std::ranges::find(names, name) == names.end()) {
-                names.push_back(name);
+        for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
+            const int index = entry.asset ? entry.asset->clipIndex(entry.clipNames[i]) : -1;
+            const bool isMeant =
+                offer == ClipsOnOffer::All ||
+                (index >= 0 && model::movesOverGround(entry, i, static_cast<std::size_t>(index)));
+            if (isMeant && std::ranges::find(names, entry.clipNames[i]) == names.end()) {
+                names.push_back(entry.clipNames[i]);
             }
         }
     }
@@ -290,9 +296,10 @@ void BrushForm::addCurve(std::function<model::DistributionCurve(const Settings&)
         [curve, get](const Settings& s) { curve->setCurve(get(s)); }, isShown);
 }
 
-void BrushForm::addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips)
+void BrushForm::addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips,
+                         ClipsOnOffer offer)
 {
-    auto* mix = new ClipMix(clipNamesOf(m_state.scene()), this);
+    auto* mix = new ClipMix(clipNamesOf(m_state.scene(), offer), this);
     connect(mix, &ClipMix::edited, this, [this, clips](const model::ClipWeight& edited) {
         change([&](Settings& settings) {
             auto& all = clips(settings);

@@ -16,6 +16,9 @@ class QToolButton;
 
 namespace crowd::widgets {
 
+/// Clips that a form lets choose from: all, or those that people can walk with.
+enum class ClipsOnOffer { All, Moving };
+
 /// Puts controls bound to one brush's settings one below the other. Every control reads its value
 /// through a refresher and writes through EditorState::setBrush. A row can be shown only when
 /// the settings make it matter; sections fold, and stay folded in later sessions.
@@ -62,7 +65,8 @@ public:
                   std::function<void(Settings&, const model::DistributionCurve&)> set,
                   Condition isShown = {});
     /// Clips of the scene's templates with a tick and a weight each.
-    void addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips);
+    void addClips(std::function<std::vector<model::ClipWeight>&(Settings&)> clips,
+                  ClipsOnOffer offer = ClipsOnOffer::All);
     void addButton(const QString& label, const QString& tip, std::function<void()> run,
                    Condition isShown = {});
     void addText(const QString& label, std::function<std::string(const Settings&)> get,

@@ -400,13 +400,48 @@ void addWalk(BrushForm& form, const EditorState& state)
         [](const BrushSettings& s) { return s.walk.setsSpeed; });
 }
 
-void addTag(BrushForm& form)
+void addStyle(BrushForm& form)
+{
+    form.beginSection(BrushForm::tr("Walk with (none: what fits the speed)"),
+                      QStringLiteral("style"));
+    addFlag(form, BrushForm::tr("Change how they walk"),
+            BrushForm::tr("With which clip people walk; a clip that stays in place is left out"),
+            [](BrushSettings& s) -> bool& { return s.style.setsStyle; });
+    form.addClips(
+        [](BrushSettings & s) -> auto& { return s.style.clips; }, ClipsOnOffer::Moving);
+    form.beginSection(BrushForm::tr("Speed"), QStringLiteral("speed"));
+    addFlag(form, BrushForm::tr("Change the speed"), {},
+            [](BrushSettings& s) -> bool& { return s.style.setsSpeed; });
+    form.addRange(
+        BrushForm::tr("Walking"), {0.0, 6.0, 0.1, 2, BrushForm::tr(" m/s"), false},
+        [](BrushSettings& s) -> ValueRange& { return s.style.speed; },
+        [](const BrushSettings& s) { return s.style.setsSpeed; });
+}
+
+void addTag(BrushForm& form, const EditorState& state)
 {
     form.beginSection(BrushForm::tr("Tag"), QStringLiteral("tag"));
     form.addSlider(
         BrushForm::tr("Tag"), {1.0, 64.0, 1.0, 0, {}, false},
         [](const BrushSettings& s) { return s.tag.tag + 1.0; },
         [](BrushSettings& s, double v) { s.tag.tag = static_cast<std::uint8_t>(v - 1.0); });
+    const std::vector<model::TagName>& tags = state.scene().tags;
+    if (tags.empty()) {
+        return;
+    }
+    QStringList names;
+    std::vector<std::uint8_t> bits;
+    for (const model::TagName& tag : tags) {
+        names << QString::fromStdString(tag.name);
+        bits.push_back(tag.bit);
+    }
+    form.addChoice(
+        BrushForm::tr("Named"), names,
+        [bits](const BrushSettings& s) {
+            const auto found = std::ranges::find(bits, s.tag.tag);
+            return found == bits.end() ? -1 : static_cast<int>(found - bits.begin());
+        },
+        [bits](BrushSettings& s, int i) { s.tag.tag = bits[static_cast<std::size_t>(i)]; });
 }
 
 void addEvent(BrushForm& form, const EditorState& state)
@@ -445,7 +480,8 @@ void addPlaces(BrushForm& form, BrushKind kind)
             BrushForm::tr("What"),
             {BrushForm::tr("Place to go to"), BrushForm::tr("Obstacle"),
              BrushForm::tr("Attracts people"), BrushForm::tr("Repels people"),
-             BrushForm::tr("Exit: people leave"), BrushForm::tr("Slow ground")},
+             BrushForm::tr("Exit: people leave"), BrushForm::tr("Slow ground"),
+             BrushForm::tr("Nobody walks there"), BrushForm::tr("Liked ground")},
             [](const BrushSettings& s) { return static_cast<int>(s.place.role); },
             [](BrushSettings& s, int i) { s.place.role = static_cast<model::PlaceRole>(i); });
     }
@@ -498,9 +534,13 @@ void fillBrushForm(BrushForm& form, BrushKind kind, EditorState& state)
     case BrushKind::Walk:
         addWalk(form, state);
         break;
+    case BrushKind::Style:
+        addStyle(form);
+        addOperator(form, BrushForm::tr("From the slower to the faster along the line."));
+        break;
     case BrushKind::Tag:
     case BrushKind::Untag:
-        addTag(form);
+        addTag(form, state);
         break;
     case BrushKind::Event:
         addEvent(form, state);

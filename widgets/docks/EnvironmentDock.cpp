@@ -19,7 +19,9 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "widgets/docks/BranchList.h"
 #include "widgets/docks/NumberField.h"
+#include "widgets/docks/SurfaceForm.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -72,6 +74,7 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     layout->addLayout(m_form);
     buildForm(m_form);
     m_tree->setMinimumHeight(110);
+    layout->addWidget(new SurfaceForm(m_state, content));
     setScrolledContent(content);
 
     m_rebuild.setSingleShot(true);
@@ -132,13 +135,33 @@ void EnvironmentDock::buildForm(QFormLayout* form)
         changePlace(tr("Resize a place"),
                     [&](model::Place& each) { each.radius = static_cast<float>(value); });
     });
+    m_capacity = new NumberField(0.0, static_cast<double>(model::kMaxPlaceCapacity), 0, this);
+    m_capacity->setObjectName(QStringLiteral("placeCapacity"));
+    m_capacity->setToolTip(tr("So many have room, for rules that ask whether it is full or free; "
+                              "0: as many as come"));
+    form->addRow(tr("Room for"), m_capacity);
+    connect(m_capacity, &NumberField::valueEdited, this, [this](double value) {
+        changePlace(tr("Change the room of a place"),
+                    [&](model::Place& each) { each.capacity = static_cast<std::uint32_t>(value); });
+    });
     m_role = new QComboBox(this);
+    m_role->setObjectName(QStringLiteral("placeRole"));
     m_role->addItems({tr("A place to go to"), tr("Obstacle"), tr("Attracts people"),
-                      tr("Repels people"), tr("Exit: people leave"), tr("Slow ground")});
+                      tr("Repels people"), tr("Exit: people leave"), tr("Slow ground"),
+                      tr("Nobody walks there"), tr("Liked ground")});
     form->addRow(tr("Is"), m_role);
     connect(m_role, &QComboBox::activated, this, [this](int index) {
         changePlace(tr("Change what a place is"),
                     [&](model::Place& each) { each.role = static_cast<model::PlaceRole>(index); });
+    });
+    m_speedShare =
+        new NumberField(static_cast<double>(model::kMinSpeedShare) * 100.0, 100.0, 0, this);
+    m_speedShare->setObjectName(QStringLiteral("placeSpeed"));
+    form->addRow(tr("Speed, %"), m_speedShare);
+    connect(m_speedShare, &NumberField::valueEdited, this, [this](double value) {
+        changePlace(tr("Change the speed on slow ground"), [&](model::Place& each) {
+            each.speedShare = static_cast<float>(value / 100.0);
+        });
     });
     m_kind = new QComboBox(this);
     m_kind->setObjectName(QStringLiteral("pathKind"));
@@ -154,6 +177,8 @@ void EnvironmentDock::buildForm(QFormLayout* form)
     connect(m_color, &QToolButton::clicked, this, &EnvironmentDock::chooseColor);
     m_people = new QLabel(this);
     form->addRow(tr("People"), m_people);
+    m_branches = new BranchList(m_state, this);
+    form->addRow(m_branches);
 }
 
 const model::Place* EnvironmentDock::place() const
@@ -315,7 +340,10 @@ void EnvironmentDock::refreshForm()
     show(m_name, hasAny);
     show(m_color, hasAny);
     show(m_radius, shownPlace != nullptr);
+    show(m_capacity, shownPlace != nullptr);
     show(m_role, shownPlace != nullptr);
+    show(m_speedShare, shownPlace != nullptr && shownPlace->role == model::PlaceRole::Slow);
+    m_branches->setPath(shownPath != nullptr ? shownPath->id : 0);
     show(m_kind, shownPath != nullptr);
     show(m_people, shownPath != nullptr);
     for (int axis = 0; axis < 3; ++axis) {
@@ -329,7 +357,9 @@ void EnvironmentDock::refreshForm()
             m_position[axis]->setValue(static_cast<double>(shownPlace->position[axis]));
         }
         m_radius->setValue(static_cast<double>(shownPlace->radius));
+        m_capacity->setValue(static_cast<double>(shownPlace->capacity));
         m_role->setCurrentIndex(static_cast<int>(shownPlace->role));
+        m_speedShare->setValue(static_cast<double>(shownPlace->speedShare) * 100.0);
     } else if (shownPath != nullptr) {
         m_name->setText(QString::fromStdString(shownPath->name));
         m_color->setIcon(swatch(shownPath->color));

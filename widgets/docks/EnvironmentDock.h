@@ -19,6 +19,7 @@ class QTreeWidgetItem;
 
 namespace crowd::widgets {
 
+class BranchList;
 class NumberField;
 
 /// Places and paths as a tree, with all their values below it. What is selected here is selected
@@ -57,10 +58,13 @@ private:
     QLineEdit* m_name;
     NumberField* m_position[3];
     NumberField* m_radius;
+    NumberField* m_capacity;
+    NumberField* m_speedShare;
     QComboBox* m_role;
     QComboBox* m_kind;
     QToolButton* m_color;
     QLabel* m_people;
+    BranchList* m_branches;
     QLabel* m_note;
     QFormLayout* m_form;
     bool m_isFilling = false;

@@ -56,17 +56,6 @@ void fill(QComboBox& box, const std::vector<std::string>& names)
     }
 }
 
-std::vector<int> bitsOf(std::uint64_t tags)
-{
-    std::vector<int> bits;
-    for (int bit = 0; bit < 64; ++bit) {
-        if ((tags >> static_cast<unsigned>(bit) & 1U) != 0) {
-            bits.push_back(bit);
-        }
-    }
-    return bits;
-}
-
 } // namespace
 
 IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
@@ -141,7 +130,7 @@ void IndividualDock::buildForm(QFormLayout* form)
     addFloat(form, tr("Speed"), model::columns::playbackSpeed, 0.0, 20.0, 2, 1.0);
     addSeat(form);
     form->addRow(tr("Group"), m_group);
-    m_tags->setToolTip(tr("Numbers of tags from 1 to 64, as 1, 3-5"));
+    m_tags->setToolTip(tr("Names or numbers of tags from 1 to 64, as brave, 3-5"));
     form->addRow(tr("Tags"), m_tags);
 }
 
@@ -247,7 +236,7 @@ void IndividualDock::refreshNumbers(const SelectedPeople& selected)
     const auto tags = selected.common<std::uint64_t>(
         [&](std::size_t row) { return all.column(model::columns::tags)[row]; });
     if (!m_tags->hasFocus() || !m_tags->isModified()) {
-        m_tags->setText(tags ? numberListText(bitsOf(*tags)) : QString());
+        m_tags->setText(tags ? tagListText(m_state.scene().tags, *tags) : QString());
         m_tags->setPlaceholderText(tags ? tr("none") : tr("mixed"));
     }
 }

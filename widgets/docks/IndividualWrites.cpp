@@ -74,11 +74,7 @@ void IndividualDock::setGroup(double group)
 
 void IndividualDock::setTags(const QString& text)
 {
-    std::uint64_t tags = 0;
-    for (const int tag : numberListOf(text)) {
-        tags |= tag < kTagCount ? std::uint64_t{1} << static_cast<unsigned>(tag) : 0;
-    }
-    writeSame(model::columns::tags, tags, tr("Change Tags"));
+    writeSame(model::columns::tags, tagListOf(m_state.scene().tags, text), tr("Change Tags"));
 }
 
 void IndividualDock::setClip(const QString& name)

@@ -41,4 +41,44 @@ std::vector<int> numberListOf(const QString& text)
     return {numbers.begin(), numbers.end()};
 }
 
+QString tagListText(const std::vector<model::TagName>& names, std::uint64_t tags)
+{
+    QStringList named;
+    std::vector<int> others;
+    for (int bit = 0; bit < model::kTagCount; ++bit) {
+        if ((tags >> static_cast<unsigned>(bit) & 1U) == 0) {
+            continue;
+        }
+        const auto known = std::ranges::find(names, bit, &model::TagName::bit);
+        if (known != names.end() && !known->name.empty()) {
+            named << QString::fromStdString(known->name);
+        } else {
+            others.push_back(bit);
+        }
+    }
+    if (!others.empty()) {
+        named << numberListText(others);
+    }
+    return named.join(QStringLiteral(", "));
+}
+
+std::uint64_t tagListOf(const std::vector<model::TagName>& names, const QString& text)
+{
+    std::uint64_t tags = 0;
+    for (const QString& piece : text.split(QLatin1Char(','))) {
+        const auto known = std::ranges::find_if(names, [&](const model::TagName& tag) {
+            return QString::fromStdString(tag.name).compare(piece.trimmed(), Qt::CaseInsensitive) ==
+                   0;
+        });
+        if (known != names.end() && !known->name.empty()) {
+            tags |= std::uint64_t{1} << known->bit;
+            continue;
+        }
+        for (const int bit : numberListOf(piece)) {
+            tags |= bit < model::kTagCount ? std::uint64_t{1} << static_cast<unsigned>(bit) : 0;
+        }
+    }
+    return tags;
+}
+
 } // namespace crowd::widgets

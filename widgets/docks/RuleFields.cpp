@@ -64,9 +64,10 @@ void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
 }
 
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
-                    const std::function<void(double)>& changed)
+                    const std::function<void(double)>& changed, const QString& zero)
 {
     auto* box = new QDoubleSpinBox;
+    box->setSpecialValueText(zero);
     box->setRange(low, high);
     box->setDecimals(2);
     box->setSingleStep(high <= 1.0 ? 0.05 : 0.5);
@@ -103,6 +104,12 @@ void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId pat
                   const QString& any, const std::function<void(model::PathId)>& changed)
 {
     addEntryField(row, scene.paths, path, any, changed);
+}
+
+void addArtistNumberField(QHBoxLayout* row, const model::Scene& scene, model::NumberId number,
+                          const std::function<void(model::NumberId)>& changed)
+{
+    addEntryField(row, scene.numbers, number, {}, changed);
 }
 
 void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,

@@ -14,8 +14,9 @@ namespace crowd::widgets {
 
 void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
                     const std::function<void(int)>& changed);
+/// `zero`: what it says at the lowest value, where that means something else.
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
-                    const std::function<void(double)>& changed);
+                    const std::function<void(double)>& changed, const QString& zero = {});
 void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
                   const std::function<void(const QString&)>& changed);
 /// Places of the scene, with "any" for 0 where that is allowed.
@@ -25,6 +26,9 @@ void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId pat
                   const QString& any, const std::function<void(model::PathId)>& changed);
 void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
                  const std::function<void(std::uint8_t)>& changed);
+/// The artist's own numbers.
+void addArtistNumberField(QHBoxLayout* row, const model::Scene& scene, model::NumberId number,
+                          const std::function<void(model::NumberId)>& changed);
 /// Clips of the scene's templates, ticked in a menu.
 void addClipField(QHBoxLayout* row, const model::Scene& scene,
                   const std::vector<model::ClipWeight>& clips,

@@ -38,6 +38,56 @@ QString pathText(const Scene& scene, PathId id)
                                       : RuleTextsContext::tr("(gone)"));
 }
 
+QString numberText(const Scene& scene, NumberId id)
+{
+    const auto found = std::ranges::find(scene.numbers, id, &NumberName::id);
+    return found != scene.numbers.end()
+               ? QString::fromStdString(found->name)
+               : (id == 0 ? RuleTextsContext::tr("a number") : RuleTextsContext::tr("(gone)"));
+}
+
+QString comparedText(const QString& what, const Condition& condition)
+{
+    switch (condition.comparison) {
+    case Comparison::Less:
+        return RuleTextsContext::tr("%1 below %2").arg(what, number(condition.value));
+    case Comparison::Equal:
+        return RuleTextsContext::tr("%1 at %2").arg(what, number(condition.value));
+    case Comparison::More:
+        return RuleTextsContext::tr("%1 above %2").arg(what, number(condition.value));
+    }
+    return {};
+}
+
+QString goText(const Scene& scene, const Action& action)
+{
+    if (action.choice == PlaceChoice::Given) {
+        return RuleTextsContext::tr("go to %1").arg(placeText(scene, action.place));
+    }
+    const QString of =
+        action.path != 0    ? RuleTextsContext::tr("of %1").arg(pathText(scene, action.path))
+        : action.place != 0 ? RuleTextsContext::tr("named %1").arg(placeText(scene, action.place))
+                            : QString();
+    QString text;
+    switch (action.choice) {
+    case PlaceChoice::Given:
+        break;
+    case PlaceChoice::Nearest:
+        text = RuleTextsContext::tr("go to the nearest place %1").arg(of);
+        break;
+    case PlaceChoice::NearestFree:
+        text = RuleTextsContext::tr("go to the nearest free place %1").arg(of);
+        break;
+    case PlaceChoice::FirstFree:
+        text = RuleTextsContext::tr("go to the first free place %1").arg(of);
+        break;
+    case PlaceChoice::Ahead:
+        text = RuleTextsContext::tr("move up to the next free place %1").arg(of);
+        break;
+    }
+    return text.trimmed();
+}
+
 QString triggerText(const Scene& scene, const Trigger& trigger)
 {
     const QString event = QString::fromStdString(trigger.event);
@@ -63,6 +113,12 @@ QString triggerText(const Scene& scene, const Trigger& trigger)
     case TriggerKind::TagNear:
         return RuleTextsContext::tr("When someone tagged %1 comes within %2 m")
             .arg(tagText(scene, trigger.tag), number(trigger.metres));
+    case TriggerKind::SpeedLimit:
+        return (trigger.isAbove ? RuleTextsContext::tr("When someone gets faster than %1 m/s")
+                                : RuleTextsContext::tr("When someone gets slower than %1 m/s"))
+            .arg(number(trigger.metresPerSecond));
+    case TriggerKind::Waited:
+        return RuleTextsContext::tr("When someone has stood for %1 s").arg(number(trigger.seconds));
     }
     return {};
 }
@@ -91,6 +147,22 @@ QString conditionText(const Scene& scene, const Condition& condition)
         break;
     case ConditionKind::Chance:
         text = RuleTextsContext::tr("with %1 % chance").arg(number(condition.chance * 100.0F));
+        break;
+    case ConditionKind::Number:
+        text = comparedText(numberText(scene, condition.number), condition);
+        break;
+    case ConditionKind::Speed:
+        text = comparedText(RuleTextsContext::tr("speed"), condition);
+        break;
+    case ConditionKind::Payload:
+        text = comparedText(RuleTextsContext::tr("the event’s number"), condition);
+        break;
+    case ConditionKind::IsFull:
+        text = RuleTextsContext::tr("%1 full").arg(placeText(scene, condition.place));
+        break;
+    case ConditionKind::PeopleIn:
+        text = comparedText(
+            RuleTextsContext::tr("people in %1").arg(placeText(scene, condition.place)), condition);
         break;
     }
     return condition.isNot ? RuleTextsContext::tr("not %1").arg(text) : text;
@@ -130,7 +202,7 @@ QString actionText(const Scene& scene, const Action& action)
     case ActionKind::FollowPath:
         return RuleTextsContext::tr("walk along %1").arg(pathText(scene, action.path));
     case ActionKind::GoToPlace:
-        return RuleTextsContext::tr("go to %1").arg(placeText(scene, action.place));
+        return goText(scene, action);
     case ActionKind::Flee:
         return RuleTextsContext::tr("run %1 m away").arg(number(action.metres));
     case ActionKind::Stop:
@@ -154,22 +226,80 @@ QString actionText(const Scene& scene, const Action& action)
         return RuleTextsContext::tr("send “%1” to %2")
             .arg(QString::fromStdString(action.event), reachText(scene, action));
     case ActionKind::LeaveScene:
-        return RuleTextsContext::tr("leave the scene");
+        return action.place == 0 ? RuleTextsContext::tr("leave the scene")
+                                 : RuleTextsContext::tr("leave the scene at %1")
+                                       .arg(placeText(scene, action.place));
     case ActionKind::Again:
         return RuleTextsContext::tr("do it again");
+    case ActionKind::SitDown:
+        return action.metres > 0.0F
+                   ? RuleTextsContext::tr("sit on the nearest free seat within %1 m")
+                         .arg(number(action.metres))
+                   : RuleTextsContext::tr("sit on the nearest free seat");
+    case ActionKind::StandUp:
+        return RuleTextsContext::tr("stand up");
+    case ActionKind::WaitForEvent: {
+        const QString event = QString::fromStdString(action.event);
+        return action.seconds > 0.0F ? RuleTextsContext::tr("wait for “%1”, at most %2 s")
+                                           .arg(event, number(action.seconds))
+                                     : RuleTextsContext::tr("wait for “%1”").arg(event);
+    }
+    case ActionKind::SetNumber:
+        return RuleTextsContext::tr("set %1 to %2")
+            .arg(numberText(scene, action.number), number(action.value));
+    case ActionKind::AddToNumber:
+        return RuleTextsContext::tr("add %1 to %2")
+            .arg(number(action.value), numberText(scene, action.number));
+    case ActionKind::Appear:
+        return RuleTextsContext::tr("appear at %1").arg(placeText(scene, action.place));
     }
     return {};
 }
 
+bool hasNumber(const Scene& scene, NumberId id)
+{
+    return std::ranges::find(scene.numbers, id, &NumberName::id) != scene.numbers.end();
+}
+
+/// Whether an action names a place that must be there.
+bool needsPlace(const Action& action)
+{
+    switch (action.kind) {
+    case ActionKind::GoToPlace:
+        return action.choice == PlaceChoice::Given || (action.path == 0 && action.place != 0);
+    case ActionKind::Appear:
+        return true;
+    case ActionKind::TurnTo:
+    case ActionKind::LeaveScene:
+        return action.place != 0;
+    default:
+        return false;
+    }
+}
+
+bool needsPath(const Action& action)
+{
+    return action.kind == ActionKind::FollowPath ||
+           (action.kind == ActionKind::GoToPlace && action.choice != PlaceChoice::Given &&
+            action.path != 0);
+}
+
 QString actionProblem(const Scene& scene, const Action& action)
 {
-    const bool isGoing = action.kind == ActionKind::GoToPlace;
-    if ((isGoing || (action.kind == ActionKind::TurnTo && action.place != 0)) &&
-        scene.findPlace(action.place) == nullptr) {
+    if (needsPlace(action) && scene.findPlace(action.place) == nullptr) {
         return RuleTextsContext::tr("The place is not there any more: choose another one.");
     }
-    if (action.kind == ActionKind::FollowPath && scene.findPath(action.path) == nullptr) {
+    if (needsPath(action) && scene.findPath(action.path) == nullptr) {
         return RuleTextsContext::tr("The path is not there any more: choose another one.");
+    }
+    const bool isOnNumber =
+        action.kind == ActionKind::SetNumber || action.kind == ActionKind::AddToNumber;
+    if (isOnNumber && !hasNumber(scene, action.number)) {
+        return RuleTextsContext::tr(
+            "The number is not there: make one below, under “Tags and numbers”.");
+    }
+    if (action.kind == ActionKind::WaitForEvent && action.event.empty()) {
+        return RuleTextsContext::tr("The event to wait for has no name: type one.");
     }
     if (action.kind == ActionKind::PlayClip) {
         const bool isAny = std::ranges::any_of(action.clips, [&](const ClipWeight& clip) {
@@ -199,14 +329,19 @@ QStringList triggerNames()
             RuleTextsContext::tr("a path ends"),
             RuleTextsContext::tr("a clip is over"),
             RuleTextsContext::tr("every so often"),
-            RuleTextsContext::tr("someone tagged is near")};
+            RuleTextsContext::tr("someone tagged is near"),
+            RuleTextsContext::tr("a speed is passed"),
+            RuleTextsContext::tr("someone has stood for")};
 }
 
 QStringList conditionNames()
 {
-    return {RuleTextsContext::tr("tagged"),       RuleTextsContext::tr("of template"),
-            RuleTextsContext::tr("inside place"), RuleTextsContext::tr("walking path"),
-            RuleTextsContext::tr("seated"),       RuleTextsContext::tr("by chance")};
+    return {RuleTextsContext::tr("tagged"),         RuleTextsContext::tr("of template"),
+            RuleTextsContext::tr("inside place"),   RuleTextsContext::tr("walking path"),
+            RuleTextsContext::tr("seated"),         RuleTextsContext::tr("by chance"),
+            RuleTextsContext::tr("own number"),     RuleTextsContext::tr("speed"),
+            RuleTextsContext::tr("event’s number"), RuleTextsContext::tr("place full"),
+            RuleTextsContext::tr("people in place")};
 }
 
 QStringList actionNames()
@@ -224,7 +359,13 @@ QStringList actionNames()
             RuleTextsContext::tr("untag"),
             RuleTextsContext::tr("send an event"),
             RuleTextsContext::tr("leave the scene"),
-            RuleTextsContext::tr("do it again")};
+            RuleTextsContext::tr("do it again"),
+            RuleTextsContext::tr("sit on a free seat"),
+            RuleTextsContext::tr("stand up"),
+            RuleTextsContext::tr("wait for an event"),
+            RuleTextsContext::tr("set a number"),
+            RuleTextsContext::tr("add to a number"),
+            RuleTextsContext::tr("appear at a place")};
 }
 
 QStringList reachNames()
@@ -241,6 +382,32 @@ QStringList meetingNames()
             RuleTextsContext::tr("only who is free")};
 }
 
+QStringList yieldNames()
+{
+    return {RuleTextsContext::tr("yields to rules further up"),
+            RuleTextsContext::tr("yields to any rule"), RuleTextsContext::tr("yields to no rule")};
+}
+
+QStringList comparisonNames()
+{
+    return {RuleTextsContext::tr("below"), RuleTextsContext::tr("at"),
+            RuleTextsContext::tr("above")};
+}
+
+QStringList choiceNames()
+{
+    return {RuleTextsContext::tr("this place"), RuleTextsContext::tr("the nearest"),
+            RuleTextsContext::tr("the nearest free one"),
+            RuleTextsContext::tr("the first free one"),
+            RuleTextsContext::tr("the one ahead, when free")};
+}
+
+QStringList cueReachNames()
+{
+    return {RuleTextsContext::tr("everybody"), RuleTextsContext::tr("the selected people"),
+            RuleTextsContext::tr("those tagged")};
+}
+
 QString ruleSetName(RuleSet set)
 {
     switch (set) {
@@ -254,6 +421,8 @@ QString ruleSetName(RuleSet set)
         return RuleTextsContext::tr("Panic and Exit");
     case RuleSet::Flock:
         return RuleTextsContext::tr("Flock of Animals");
+    case RuleSet::Queue:
+        return RuleTextsContext::tr("Queue");
     case RuleSet::Count:
         break;
     }
@@ -302,12 +471,16 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
         return RuleTextsContext::tr("The path is not there any more: choose another one.");
     }
     for (const Condition& condition : rule.conditions) {
-        const bool isGone = (condition.kind == ConditionKind::InPlace &&
-                             scene.findPlace(condition.place) == nullptr) ||
-                            (condition.kind == ConditionKind::FollowsPath && condition.path != 0 &&
-                             scene.findPath(condition.path) == nullptr) ||
-                            (condition.kind == ConditionKind::OfTemplate &&
-                             scene.findTemplate(condition.templateId) == nullptr);
+        const bool isOfPlace = condition.kind == ConditionKind::InPlace ||
+                               condition.kind == ConditionKind::IsFull ||
+                               condition.kind == ConditionKind::PeopleIn;
+        const bool isGone =
+            (isOfPlace && scene.findPlace(condition.place) == nullptr) ||
+            (condition.kind == ConditionKind::Number && !hasNumber(scene, condition.number)) ||
+            (condition.kind == ConditionKind::FollowsPath && condition.path != 0 &&
+             scene.findPath(condition.path) == nullptr) ||
+            (condition.kind == ConditionKind::OfTemplate &&
+             scene.findTemplate(condition.templateId) == nullptr);
         if (isGone) {
             return RuleTextsContext::tr(
                 "A condition asks for something that is not there: choose again.");

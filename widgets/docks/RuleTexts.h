@@ -9,11 +9,15 @@
 /// Rules as sentences in the artist's language.
 namespace crowd::widgets {
 
-[[nodiscard]] QStringList triggerNames();   ///< by TriggerKind
-[[nodiscard]] QStringList conditionNames(); ///< by ConditionKind
-[[nodiscard]] QStringList actionNames();    ///< by ActionKind
-[[nodiscard]] QStringList reachNames();     ///< by EventReach
-[[nodiscard]] QStringList meetingNames();   ///< by RuleMeeting
+[[nodiscard]] QStringList triggerNames();    ///< by TriggerKind
+[[nodiscard]] QStringList conditionNames();  ///< by ConditionKind
+[[nodiscard]] QStringList actionNames();     ///< by ActionKind
+[[nodiscard]] QStringList reachNames();      ///< by EventReach
+[[nodiscard]] QStringList meetingNames();    ///< by RuleMeeting
+[[nodiscard]] QStringList yieldNames();      ///< by RuleYield
+[[nodiscard]] QStringList comparisonNames(); ///< by Comparison
+[[nodiscard]] QStringList choiceNames();     ///< by PlaceChoice
+[[nodiscard]] QStringList cueReachNames();   ///< by CueReach
 [[nodiscard]] QString ruleSetName(model::RuleSet set);
 [[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
 

@@ -16,16 +16,14 @@
 
 #include "behavior/rules/RuleEngine.h"
 #include "model/document/SceneEdit.h"
-#include "widgets/docks/RuleFields.h"
+#include "widgets/docks/CueBar.h"
+#include "widgets/docks/NamesForm.h"
+#include "widgets/docks/RuleEditor.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
-using model::Action;
-using model::ActionKind;
-using model::Condition;
-using model::ConditionKind;
 using model::Rule;
 using model::TriggerKind;
 
@@ -33,22 +31,6 @@ namespace {
 
 constexpr int kCountMs = 250;
 constexpr std::size_t kMaxLines = 400;
-
-QHBoxLayout* rowIn(QVBoxLayout* layout)
-{
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    layout->addLayout(row);
-    return row;
-}
-
-/// What belongs to the row above, a little further in.
-QHBoxLayout* indentedRowIn(QVBoxLayout* layout)
-{
-    QHBoxLayout* row = rowIn(layout);
-    row->addSpacing(20);
-    return row;
-}
 
 QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
 {
@@ -68,6 +50,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(makeButtons(content));
+    layout->addWidget(new CueBar(state, content));
     m_list->setObjectName(QStringLiteral("ruleList"));
     m_list->setWordWrap(true);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
@@ -97,6 +80,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_log->setPlaceholderText(tr("What fired, while it plays"));
     m_log->setMinimumHeight(50);
     layout->addWidget(m_log, 1);
+    layout->addWidget(new NamesForm(state, content));
     setScrolledContent(content);
 
     m_rebuild.setSingleShot(true);
@@ -215,6 +199,7 @@ void RulesDock::addRule()
     made.front().name = tr("New rule").toStdString();
     made.front().trigger.event = "cheer";
     made.front().actions.emplace_back();
+    made.front().yields = model::RuleYield::Anybody;
     model::giveIds(made, m_state.scene());
     m_current = made.front().id;
     std::vector<Rule> rules = m_state.scene().rules;
@@ -387,276 +372,13 @@ void RulesDock::rebuildEditor()
     }
     const Rule shown = *rule;
     m_isFilling = true;
-    m_editor = new QWidget(m_editorArea);
-    auto* layout = new QVBoxLayout(m_editor);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(3);
-    QHBoxLayout* name = rowIn(layout);
-    addTextField(name, QString::fromStdString(shown.name), tr("Name"), [this](const QString& text) {
-        change([&](Rule& each) { each.name = text.toStdString(); });
-    });
-    addTrigger(layout, shown);
-    for (std::size_t i = 0; i < shown.conditions.size(); ++i) {
-        addCondition(layout, shown, i);
-    }
-    for (std::size_t i = 0; i < shown.actions.size(); ++i) {
-        addAction(layout, shown, i);
-    }
-    QHBoxLayout* more = rowIn(layout);
-    auto* condition = new QToolButton(m_editor);
-    condition->setText(tr("+ only if…"));
-    condition->setAutoRaise(true);
-    more->addWidget(condition);
-    connect(condition, &QToolButton::clicked, this,
-            [this] { change([](Rule& each) { each.conditions.emplace_back(); }); });
-    auto* action = new QToolButton(m_editor);
-    action->setObjectName(QStringLiteral("addAction"));
-    action->setText(tr("+ then…"));
-    action->setAutoRaise(true);
-    more->addWidget(action);
-    more->addStretch(1);
-    connect(action, &QToolButton::clicked, this, [this] {
-        change([](Rule& each) { each.actions.emplace_back().kind = ActionKind::Wait; });
-    });
-    addMeeting(layout, shown);
+    m_editor = new RuleEditor(
+        m_state.scene(), shown, [this](const auto& apply) { change(apply); }, m_editorArea);
     m_editorArea->layout()->addWidget(m_editor);
     const QString problem = ruleProblem(m_state.scene(), shown);
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
     m_isFilling = false;
-}
-
-void RulesDock::addTrigger(QVBoxLayout* layout, const Rule& rule)
-{
-    QHBoxLayout* row = rowIn(layout);
-    row->addWidget(new QLabel(tr("When")));
-    const model::Trigger& trigger = rule.trigger;
-    addChoiceField(row, triggerNames(), static_cast<int>(trigger.kind), [this](int index) {
-        change([&](Rule& each) { each.trigger.kind = static_cast<TriggerKind>(index); });
-    });
-    const model::Scene& scene = m_state.scene();
-    if (trigger.kind != TriggerKind::Start && trigger.kind != TriggerKind::ClipEnded) {
-        row = indentedRowIn(layout);
-    }
-    switch (trigger.kind) {
-    case TriggerKind::Event:
-        addTextField(row, QString::fromStdString(trigger.event), tr("event"),
-                     [this](const QString& text) {
-                         change([&](Rule& each) { each.trigger.event = text.toStdString(); });
-                     });
-        break;
-    case TriggerKind::Arrived:
-    case TriggerKind::Entered:
-    case TriggerKind::Left:
-        addPlaceField(row, scene, trigger.place, tr("any place"), [this](model::PlaceId place) {
-            change([&](Rule& each) { each.trigger.place = place; });
-        });
-        break;
-    case TriggerKind::PathEnded:
-        addPathField(row, scene, trigger.path, tr("any path"), [this](model::PathId path) {
-            change([&](Rule& each) { each.trigger.path = path; });
-        });
-        break;
-    case TriggerKind::Every:
-        addNumberField(
-            row, static_cast<double>(trigger.seconds), 0.1, 3600.0, tr(" s"), [this](double value) {
-                change([&](Rule& each) { each.trigger.seconds = static_cast<float>(value); });
-            });
-        break;
-    case TriggerKind::TagNear:
-        addTagField(row, scene, trigger.tag, [this](std::uint8_t tag) {
-            change([&](Rule& each) { each.trigger.tag = tag; });
-        });
-        addNumberField(
-            row, static_cast<double>(trigger.metres), 0.1, 100.0, tr(" m"), [this](double value) {
-                change([&](Rule& each) { each.trigger.metres = static_cast<float>(value); });
-            });
-        break;
-    case TriggerKind::Start:
-    case TriggerKind::ClipEnded:
-        break;
-    }
-}
-
-void RulesDock::addCondition(QVBoxLayout* layout, const Rule& rule, std::size_t index)
-{
-    QHBoxLayout* row = rowIn(layout);
-    const Condition& condition = rule.conditions[index];
-    const auto set = [this, index](const std::function<void(Condition&)>& apply) {
-        change([&](Rule& each) { apply(each.conditions[index]); });
-    };
-    if (index == 0) {
-        row->addWidget(new QLabel(tr("if")));
-    } else {
-        addChoiceField(row, {tr("and"), tr("or")}, rule.isAnyEnough ? 1 : 0, [this](int choice) {
-            change([&](Rule& each) { each.isAnyEnough = choice == 1; });
-        });
-    }
-    addChoiceField(row, {tr("is"), tr("is not")}, condition.isNot ? 1 : 0,
-                   [set](int choice) { set([&](Condition& each) { each.isNot = choice == 1; }); });
-    addChoiceField(row, conditionNames(), static_cast<int>(condition.kind), [set](int kind) {
-        set([&](Condition& each) { each.kind = static_cast<ConditionKind>(kind); });
-    });
-    addRemoveButton(row, tr("Remove this condition"), [this, index] {
-        change([&](Rule& each) {
-            each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
-    const model::Scene& scene = m_state.scene();
-    if (condition.kind != ConditionKind::IsSeated) {
-        row = indentedRowIn(layout);
-    }
-    switch (condition.kind) {
-    case ConditionKind::HasTag:
-        addTagField(row, scene, condition.tag,
-                    [set](std::uint8_t tag) { set([&](Condition& each) { each.tag = tag; }); });
-        break;
-    case ConditionKind::OfTemplate: {
-        QStringList names;
-        int chosen = -1;
-        for (const model::TemplateEntry& entry : scene.templates) {
-            chosen = entry.id == condition.templateId ? static_cast<int>(names.size()) : chosen;
-            names << QString::fromStdString(entry.name);
-        }
-        addChoiceField(row, names, chosen, [this, set](int choice) {
-            const model::TemplateId id =
-                m_state.scene().templates[static_cast<std::size_t>(choice)].id;
-            set([&](Condition& each) { each.templateId = id; });
-        });
-        break;
-    }
-    case ConditionKind::InPlace:
-        addPlaceField(row, scene, condition.place, {}, [set](model::PlaceId place) {
-            set([&](Condition& each) { each.place = place; });
-        });
-        break;
-    case ConditionKind::FollowsPath:
-        addPathField(row, scene, condition.path, tr("any path"), [set](model::PathId path) {
-            set([&](Condition& each) { each.path = path; });
-        });
-        break;
-    case ConditionKind::Chance:
-        addNumberField(
-            row, static_cast<double>(condition.chance) * 100.0, 0.0, 100.0, tr(" %"),
-            [set](double value) {
-                set([&](Condition& each) { each.chance = static_cast<float>(value / 100.0); });
-            });
-        break;
-    case ConditionKind::IsSeated:
-        break;
-    }
-}
-
-void RulesDock::addAction(QVBoxLayout* layout, const Rule& rule, std::size_t index)
-{
-    QHBoxLayout* row = rowIn(layout);
-    const Action& action = rule.actions[index];
-    const auto set = [this, index](const std::function<void(Action&)>& apply) {
-        change([&](Rule& each) { apply(each.actions[index]); });
-    };
-    const auto addNumber = [&](float value, double low, double high, const QString& suffix,
-                               float Action::*member) {
-        addNumberField(row, static_cast<double>(value), low, high, suffix,
-                       [set, member](double edited) {
-                           set([&](Action& each) { each.*member = static_cast<float>(edited); });
-                       });
-    };
-    row->addWidget(new QLabel(index == 0 ? tr("do") : tr("then")));
-    addChoiceField(row, actionNames(), static_cast<int>(action.kind), [set](int kind) {
-        set([&](Action& each) { each.kind = static_cast<ActionKind>(kind); });
-    });
-    addRemoveButton(row, tr("Remove this"), [this, index] {
-        change([&](Rule& each) {
-            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
-    const model::Scene& scene = m_state.scene();
-    if (action.kind != ActionKind::Stop && action.kind != ActionKind::GoOn &&
-        action.kind != ActionKind::LeaveScene && action.kind != ActionKind::Again) {
-        row = indentedRowIn(layout);
-    }
-    switch (action.kind) {
-    case ActionKind::PlayClip:
-        addClipField(row, scene, action.clips,
-                     [set](const auto& clips) { set([&](Action& each) { each.clips = clips; }); });
-        addChoiceField(row, {tr("once"), tr("for")}, action.isLooped ? 1 : 0, [set](int choice) {
-            set([&](Action& each) { each.isLooped = choice == 1; });
-        });
-        if (action.isLooped) {
-            addNumber(action.seconds, 0.0, 3600.0, tr(" s"), &Action::seconds);
-        }
-        break;
-    case ActionKind::FollowPath:
-        addPathField(row, scene, action.path, {},
-                     [set](model::PathId path) { set([&](Action& each) { each.path = path; }); });
-        break;
-    case ActionKind::GoToPlace:
-        addPlaceField(row, scene, action.place, {}, [set](model::PlaceId place) {
-            set([&](Action& each) { each.place = place; });
-        });
-        break;
-    case ActionKind::TurnTo:
-        addPlaceField(
-            row, scene, action.place, tr("where it came from"),
-            [set](model::PlaceId place) { set([&](Action& each) { each.place = place; }); });
-        break;
-    case ActionKind::Flee:
-        addNumber(action.metres, 0.0, 1000.0, tr(" m"), &Action::metres);
-        break;
-    case ActionKind::Wait:
-        addNumber(action.seconds, 0.0, 3600.0, tr(" s"), &Action::seconds);
-        break;
-    case ActionKind::SetSpeed:
-        addNumber(action.value, 0.0, 10.0, tr(" m/s"), &Action::value);
-        break;
-    case ActionKind::AddTag:
-    case ActionKind::RemoveTag:
-        addTagField(row, scene, action.tag,
-                    [set](std::uint8_t tag) { set([&](Action& each) { each.tag = tag; }); });
-        break;
-    case ActionKind::SendEvent:
-        addTextField(row, QString::fromStdString(action.event), tr("event"),
-                     [set](const QString& text) {
-                         set([&](Action& each) { each.event = text.toStdString(); });
-                     });
-        addChoiceField(row, reachNames(), static_cast<int>(action.reach), [set](int reach) {
-            set([&](Action& each) { each.reach = static_cast<model::EventReach>(reach); });
-        });
-        if (action.reach == model::EventReach::Near) {
-            addNumber(action.metres, 0.0, 1000.0, tr(" m"), &Action::metres);
-        } else if (action.reach == model::EventReach::Tagged) {
-            addTagField(row, scene, action.tag,
-                        [set](std::uint8_t tag) { set([&](Action& each) { each.tag = tag; }); });
-        }
-        addNumber(action.secondsPerMetre, 0.0, 60.0, tr(" s/m"), &Action::secondsPerMetre);
-        break;
-    case ActionKind::Stop:
-    case ActionKind::GoOn:
-    case ActionKind::LeaveScene:
-    case ActionKind::Again:
-        break;
-    }
-}
-
-void RulesDock::addMeeting(QVBoxLayout* layout, const Rule& rule)
-{
-    QHBoxLayout* row = rowIn(layout);
-    addChoiceField(row, meetingNames(), static_cast<int>(rule.meeting), [this](int index) {
-        change([&](Rule& each) { each.meeting = static_cast<model::RuleMeeting>(index); });
-    });
-    row = indentedRowIn(layout);
-    row->addWidget(new QLabel(tr("pause")));
-    addNumberField(row, static_cast<double>(rule.cooldownSeconds), 0.0, 3600.0, tr(" s"),
-                   [this](double value) {
-                       change(
-                           [&](Rule& each) { each.cooldownSeconds = static_cast<float>(value); });
-                   });
-    row = indentedRowIn(layout);
-    row->addWidget(new QLabel(tr("at most")));
-    addNumberField(row, static_cast<double>(rule.limit), 0.0, 1000.0, tr(" ×"),
-                   [this](double value) {
-                       change([&](Rule& each) { each.limit = static_cast<std::uint32_t>(value); });
-                   });
 }
 
 } // namespace crowd::widgets

@@ -14,7 +14,6 @@ class QLabel;
 class QListWidget;
 class QCheckBox;
 class QPlainTextEdit;
-class QVBoxLayout;
 
 namespace crowd::widgets {
 
@@ -43,10 +42,6 @@ private:
     void duplicateRule();
     void removeRule();
     void tryRule();
-    void addTrigger(QVBoxLayout* layout, const model::Rule& rule);
-    void addCondition(QVBoxLayout* layout, const model::Rule& rule, std::size_t index);
-    void addAction(QVBoxLayout* layout, const model::Rule& rule, std::size_t index);
-    void addMeeting(QVBoxLayout* layout, const model::Rule& rule);
     void showLog();
     [[nodiscard]] const model::Rule* current() const;
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double kStepSeconds = 1.0 / 30.0;
 constexpr double kAheadSeconds = 0.1; ///< at speed 1
 constexpr int kProgressMs = 150;
+constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
 
 using SurfacePtr = std::shared_ptr<const behavior::WalkSurface>;
 
@@ -33,9 +34,21 @@ bool hasWalks(const model::Scene& scene)
         return std::ranges::any_of(rule.actions, [](const model::Action& action) {
             return action.kind == model::ActionKind::FollowPath ||
                    action.kind == model::ActionKind::GoToPlace ||
+                   action.kind == model::ActionKind::SitDown ||
+                   (action.kind == model::ActionKind::LeaveScene && action.place != 0) ||
                    action.kind == model::ActionKind::Flee;
         });
     });
+}
+
+/// Whether it is more than open ground.
+bool isGroundOfInterest(const model::Scene& scene)
+{
+    return std::ranges::any_of(scene.stages,
+                               [](const auto& stage) { return stage.asset != nullptr; }) ||
+           std::ranges::any_of(scene.places, [](const model::Place& place) {
+               return model::changesWays(place.role) || place.role == model::PlaceRole::Obstacle;
+           });
 }
 
 bool touchesPeople(const model::SceneChange& change)
@@ -55,6 +68,7 @@ struct SessionControl::Surface
     std::optional<model::Result<SurfacePtr>> result; ///< of the thread, once it is done
     std::atomic<bool> isDone{false};
     std::jthread thread;
+    behavior::SurfacePlan plan; ///< of the one that is there or being built
 
     ~Surface() { cancel(); }
     void cancel()
@@ -83,6 +97,9 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
     connect(&m_hand, &QTimer::timeout, this, &SessionControl::hand);
     m_progress.setInterval(kProgressMs);
     connect(&m_progress, &QTimer::timeout, this, &SessionControl::surfaceChanged);
+    m_ways.setSingleShot(true);
+    m_ways.setInterval(kWaysMs);
+    connect(&m_ways, &QTimer::timeout, this, &SessionControl::followWays);
     connect(&document, &model::SceneDocument::changed, this, &SessionControl::followScene);
 }
 
@@ -118,8 +135,21 @@ void SessionControl::followScene(const model::SceneChange& change)
     if (isRunning() && isOfInterest && !m_isKeepingPose) {
         m_hand.start();
     }
-    if (std::holds_alternative<model::PathsChanged>(change) && !isRunning()) {
-        (void)isReady(); // it will be wanted soon
+    if (std::holds_alternative<model::PathsChanged>(change)) {
+        m_ways.start();
+        if (!isRunning()) {
+            (void)isReady(); // it will be wanted soon
+        }
+    }
+}
+
+/// Areas or the settings of the surface are others now.
+void SessionControl::followWays()
+{
+    if (!m_isSurfaceStale &&
+        !behavior::SurfacePlan::of(m_document.scene()).hasSameWays(m_surface->plan)) {
+        m_isSurfaceStale = true;
+        (void)isReady();
     }
 }
 
@@ -133,11 +163,19 @@ void SessionControl::hand()
 
 bool SessionControl::isReady()
 {
-    const bool hasStage = std::ranges::any_of(
-        m_document.scene().stages, [](const auto& stage) { return stage.asset != nullptr; });
-    const bool isNeeded = hasStage && hasWalks(m_document.scene());
+    const model::Scene& scene = m_document.scene();
+    const bool isNeeded = hasWalks(scene) && isGroundOfInterest(scene);
     if (m_isSurfaceStale && isNeeded) {
         buildSurface();
+    } else if (m_isSurfaceStale && m_surface->current && !isGroundOfInterest(scene)) {
+        m_surface->cancel();
+        m_surface->current.reset(); // the last area is gone, and there is no stage
+        m_surface->plan = {};
+        m_isSurfaceStale = false;
+        if (isRunning()) {
+            m_player->setSurface(nullptr);
+        }
+        Q_EMIT surfaceChanged();
     }
     return !isNeeded || !m_surface->isBuilding();
 }
@@ -149,24 +187,18 @@ void SessionControl::buildSurface()
     m_surfaceProblem.clear();
     m_surface->isDone = false;
     m_surface->progress = std::make_shared<behavior::WalkSurface::Progress>();
-    std::vector<glm::vec3> points;
-    for (const glm::vec3& point : m_document.scene().population.column(model::columns::position)) {
-        points.push_back(point);
-    }
-    for (const model::Place& place : m_document.scene().places) {
-        points.push_back(place.position);
-    }
-    m_surface->thread = std::jthread([this, stages = m_document.scene().stages,
-                                      points = std::move(points), progress = m_surface->progress] {
-        auto built = behavior::WalkSurface::build(stages, points, {}, *progress);
-        if (progress->isCancelled) {
-            return;
-        }
-        // Read after the join only.
-        m_surface->result.emplace(std::move(built));
-        m_surface->isDone = true;
-        QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
-    });
+    m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
+    m_surface->thread =
+        std::jthread([this, plan = m_surface->plan, progress = m_surface->progress] {
+            auto built = behavior::WalkSurface::build(plan, *progress);
+            if (progress->isCancelled) {
+                return;
+            }
+            // Read after the join only.
+            m_surface->result.emplace(std::move(built));
+            m_surface->isDone = true;
+            QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
+        });
     m_progress.start();
     Q_EMIT surfaceChanged();
 }
@@ -268,6 +300,11 @@ void SessionControl::send(const model::EventSettings& event,
     m_player->send(event.name, event.payload, {ids.begin(), ids.end()});
 }
 
+void SessionControl::sendTagged(const model::EventSettings& event, std::uint8_t tag)
+{
+    m_player->sendTagged(event.name, event.payload, tag);
+}
+
 void SessionControl::pose(model::CrowdFrame& frame) const
 {
     if (isRunning()) {
@@ -331,6 +368,9 @@ bool SessionControl::keepPose()
     std::vector<model::IndividualId> ids;
     std::vector<glm::vec3> positions;
     std::vector<float> headings;
+    std::vector<model::IndividualId> moved; // to a seat or away from one
+    std::vector<model::SeatId> seats;
+    std::vector<std::uint16_t> clips;
     for (std::size_t row = 0; row < now.size(); ++row) {
         const glm::vec3 position = now.column(keys::position)[row];
         const float heading = now.column(keys::heading)[row];
@@ -341,11 +381,18 @@ bool SessionControl::keepPose()
             positions.push_back(position);
             headings.push_back(heading);
         }
+        if (isThere && now.column(keys::seat)[row] != before.column(keys::seat)[row]) {
+            moved.push_back(now.ids()[row]);
+            seats.push_back(now.column(keys::seat)[row]);
+            clips.push_back(now.column(keys::clip)[row]);
+        }
     }
     m_isKeepingPose = true;
     auto edit = m_document.beginEdit();
     edit->setColumn(keys::position, ids, std::span<const glm::vec3>(positions));
     edit->setColumn(keys::heading, ids, std::span<const float>(headings));
+    edit->setColumn(keys::seat, moved, std::span<const model::SeatId>(seats));
+    edit->setColumn(keys::clip, moved, std::span<const std::uint16_t>(clips));
     const bool isKept = edit->commit(
         tr("Keep the pose of %n individual(s)", nullptr, static_cast<int>(ids.size())));
     m_isKeepingPose = false;

@@ -44,6 +44,8 @@ public:
     bool keepPose();
     /// To a running session only.
     void send(const model::EventSettings& event, std::span<const model::IndividualId> ids);
+    /// To those who have a tag now.
+    void sendTagged(const model::EventSettings& event, std::uint8_t tag);
 
     /// What is shown at a time of the transport.
     [[nodiscard]] model::CrowdFramePtr frame(double seconds) const;
@@ -82,6 +84,7 @@ private:
     [[nodiscard]] bool isReady();
     void buildSurface();
     void takeSurface();
+    void followWays();
 
     model::SceneDocument& m_document;
     Transport& m_transport;
@@ -90,6 +93,7 @@ private:
     QString m_surfaceProblem;
     QTimer m_hand;               ///< the edits of one stroke's moment go together
     QTimer m_progress;           ///< while the surface is built
+    QTimer m_ways;               ///< until areas that are being changed come to rest
     double m_startSeconds = 0.0; ///< of the transport, when the session began
     bool m_isKeepingPose = false;
     bool m_isSurfaceStale = true;

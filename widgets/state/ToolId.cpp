@@ -26,6 +26,8 @@ const std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)>& toolTable()
          BrushKind::Path},
         {ToolId::BrushWalk, "brush-walk", QT_TRANSLATE_NOOP("Tools", "Walk Brush"), "W",
          BrushKind::Walk},
+        {ToolId::BrushStyle, "brush-style", QT_TRANSLATE_NOOP("Tools", "Walking Style Brush"), "R",
+         BrushKind::Style},
         {ToolId::BrushEnvironment, "brush-environment",
          QT_TRANSLATE_NOOP("Tools", "Environment Brush"), "I", BrushKind::Environment},
         {ToolId::BrushEvent, "brush-event", QT_TRANSLATE_NOOP("Tools", "Event Brush"), "E",
@@ -85,6 +87,7 @@ model::BrushSettings initialBrush(BrushKind kind)
         settings.op = model::BrushOperator::Random;
         break;
     case BrushKind::Walk:
+    case BrushKind::Style:
     case BrushKind::Tag:
     case BrushKind::Untag:
     case BrushKind::Event:

@@ -20,6 +20,7 @@ enum class ToolId : std::uint8_t {
     BrushAnimation,
     BrushPath,
     BrushWalk,
+    BrushStyle,
     BrushEnvironment,
     BrushEvent,
     BrushTag,
@@ -44,7 +45,7 @@ struct ToolInfo
 [[nodiscard]] std::optional<model::BrushKind> brushKindOf(ToolId id);
 [[nodiscard]] ToolId toolOf(model::BrushKind kind);
 
-inline constexpr std::size_t kBrushCount = 12;
+inline constexpr std::size_t kBrushCount = 13;
 /// How a brush is set when the editor starts.
 [[nodiscard]] model::BrushSettings initialBrush(model::BrushKind kind);
 

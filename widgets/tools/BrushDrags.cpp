@@ -35,6 +35,8 @@ QString affectedText(BrushKind kind, int count)
         return BrushDragsText::tr("%n people do something else", nullptr, count);
     case BrushKind::Walk:
         return BrushDragsText::tr("%n people walk differently", nullptr, count);
+    case BrushKind::Style:
+        return BrushDragsText::tr("%n people walk in another way", nullptr, count);
     case BrushKind::Tag:
         return BrushDragsText::tr("%n people tagged", nullptr, count);
     case BrushKind::Untag:

@@ -42,6 +42,8 @@ QString whatItDoes(BrushKind kind)
             "Drag: change what people do · + −: speed · Ctrl+click: take the clip");
     case BrushKind::Walk:
         return BrushToolText::tr("Drag: let people walk along the path · + −: walking speed");
+    case BrushKind::Style:
+        return BrushToolText::tr("Drag: set how people walk and how fast · + −: speed");
     case BrushKind::Tag:
         return BrushToolText::tr("Drag: tag people · + −: which tag");
     case BrushKind::Untag:

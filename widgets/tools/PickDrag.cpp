@@ -71,6 +71,7 @@ std::optional<PickKind> pickOfBrush(BrushKind kind)
         return PickKind::Clip;
     case BrushKind::Delete:
     case BrushKind::Walk:
+    case BrushKind::Style:
     case BrushKind::Tag:
     case BrushKind::Untag:
     case BrushKind::Event:

@@ -39,6 +39,10 @@ QString roleName(model::PlaceRole role)
         return PlaceToolText::tr("Exit");
     case model::PlaceRole::Slow:
         return PlaceToolText::tr("Slow ground");
+    case model::PlaceRole::Forbidden:
+        return PlaceToolText::tr("Forbidden ground");
+    case model::PlaceRole::Preferred:
+        return PlaceToolText::tr("Liked ground");
     }
     return {};
 }
@@ -58,6 +62,10 @@ std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
         return {60, 140, 230};
     case model::PlaceRole::Slow:
         return {150, 120, 80};
+    case model::PlaceRole::Forbidden:
+        return {225, 60, 110};
+    case model::PlaceRole::Preferred:
+        return {120, 200, 130};
     }
     return {240, 150, 40};
 }

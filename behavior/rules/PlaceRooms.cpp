@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/rules/PlaceRooms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crowd::behavior {
+
+void PlaceRooms::setPlaces(std::vector<model::Place> places, std::vector<model::Path> paths)
+{
+    m_places = std::move(places);
+    m_paths = std::move(paths);
+    m_rooms.assign(m_places.size(), {});
+    m_isCounted = false;
+}
+
+std::size_t PlaceRooms::indexOf(model::PlaceId id) const
+{
+    const auto found = std::ranges::find(m_places, id, &model::Place::id);
+    return static_cast<std::size_t>(found - m_places.begin());
+}
+
+const model::Place* PlaceRooms::find(model::PlaceId id) const
+{
+    const std::size_t index = indexOf(id);
+    return index < m_places.size() ? &m_places[index] : nullptr;
+}
+
+bool PlaceRooms::isInside(model::PlaceId id, const glm::vec3& position) const
+{
+    const model::Place* place = find(id);
+    return place != nullptr && flatDistance(place->position, position) <= place->radius;
+}
+
+void PlaceRooms::count(std::span<const Guest> guests)
+{
+    m_rooms.assign(m_places.size(), {});
+    for (const Guest& guest : guests) {
+        const std::size_t held = guest.holds != 0 ? indexOf(guest.holds) : m_places.size();
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            const bool isIn =
+                flatDistance(m_places[i].position, guest.position) <= m_places[i].radius;
+            m_rooms[i].inside += isIn ? 1U : 0U;
+            m_rooms[i].taken += held == i || (isIn && guest.holds == 0) ? 1U : 0U;
+        }
+    }
+    m_isCounted = true;
+}
+
+void PlaceRooms::move(model::PlaceId from, model::PlaceId to)
+{
+    const std::size_t left = from != 0 ? indexOf(from) : m_places.size();
+    const std::size_t taken = to != 0 ? indexOf(to) : m_places.size();
+    if (left < m_rooms.size() && m_rooms[left].taken > 0) {
+        --m_rooms[left].taken;
+    }
+    if (taken < m_rooms.size()) {
+        ++m_rooms[taken].taken;
+    }
+}
+
+bool PlaceRooms::isFull(model::PlaceId id) const
+{
+    const std::size_t index = indexOf(id);
+    return index < m_places.size() && m_places[index].capacity != 0 &&
+           m_rooms[index].taken >= m_places[index].capacity;
+}
+
+std::uint32_t PlaceRooms::inside(model::PlaceId id) const
+{
+    const std::size_t index = indexOf(id);
+    return index < m_rooms.size() ? m_rooms[index].inside : 0;
+}
+
+bool PlaceRooms::isFree(model::PlaceId id, model::PlaceId holds) const
+{
+    const std::size_t index = indexOf(id);
+    const std::uint32_t own = holds == id ? 1 : 0;
+    return index < m_rooms.size() &&
+           m_rooms[index].taken < std::max(1U, m_places[index].capacity) + own;
+}
+
+std::vector<model::PlaceId> PlaceRooms::candidates(model::PlaceId place, model::PathId path) const
+{
+    std::vector<model::PlaceId> ids;
+    if (path != 0) {
+        const auto found = std::ranges::find(m_paths, path, &model::Path::id);
+        return found == m_paths.end() ? ids : found->places;
+    }
+    const model::Place* named = place != 0 ? find(place) : nullptr;
+    for (const model::Place& each : m_places) {
+        const bool isMeant = place == 0 ? each.role == model::PlaceRole::Spot
+                                        : named != nullptr && each.name == named->name;
+        if (isMeant) {
+            ids.push_back(each.id);
+        }
+    }
+    return ids;
+}
+
+std::optional<model::PlaceId> PlaceRooms::choose(model::PlaceChoice choice, model::PlaceId place,
+                                                 model::PathId path, const glm::vec3& near,
+                                                 model::PlaceId holds) const
+{
+    if (choice == model::PlaceChoice::Given) {
+        return find(place) != nullptr ? std::optional(place) : std::nullopt;
+    }
+    const std::vector<model::PlaceId> ids = candidates(place, path);
+    if (choice == model::PlaceChoice::Ahead) {
+        const auto own = std::ranges::find(ids, holds);
+        const bool canMove = own != ids.end() && own != ids.begin() && isFree(*(own - 1), holds);
+        return canMove ? std::optional(*(own - 1)) : std::nullopt;
+    }
+    std::optional<model::PlaceId> best;
+    float nearest = 0.0F;
+    for (const model::PlaceId id : ids) {
+        const model::Place* each = find(id);
+        const bool isMeant =
+            each != nullptr && (choice == model::PlaceChoice::Nearest || isFree(id, holds));
+        const float away = isMeant ? flatDistance(each->position, near) : 0.0F;
+        if (isMeant && (!best || away < nearest)) {
+            best = id;
+            nearest = away;
+            if (choice == model::PlaceChoice::FirstFree) {
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/scene/Path.h"
+#include "model/scene/Rule.h"
+
+namespace crowd::behavior {
+
+/// Between two points seen from above, metres.
+[[nodiscard]] inline float flatDistance(const glm::vec3& a, const glm::vec3& b)
+{
+    const float x = a.x - b.x;
+    const float z = a.z - b.z;
+    return std::sqrt(x * x + z * z);
+}
+
+/// Places that people ask for by what they are, and how many have taken each: whoever is on his
+/// way to one, or in one and on his way to no other. Counted once a step, when somebody asks.
+class PlaceRooms
+{
+public:
+    /// One of the people, as far as places are concerned.
+    struct Guest
+    {
+        glm::vec3 position{0.0F};
+        model::PlaceId holds = 0; ///< the place that he goes to or has gone to; 0: none
+    };
+
+    void setPlaces(std::vector<model::Place> places, std::vector<model::Path> paths);
+    [[nodiscard]] std::span<const model::Place> places() const { return m_places; }
+    [[nodiscard]] const model::Place* find(model::PlaceId id) const;
+    [[nodiscard]] bool isInside(model::PlaceId id, const glm::vec3& position) const;
+
+    /// People have moved: the next one who asks counts anew.
+    void forget() { m_isCounted = false; }
+    [[nodiscard]] bool isCounted() const { return m_isCounted; }
+    void count(std::span<const Guest> guests);
+    /// Somebody takes another place than before.
+    void move(model::PlaceId from, model::PlaceId to);
+
+    /// As last counted.
+    [[nodiscard]] bool isFull(model::PlaceId id) const;
+    [[nodiscard]] std::uint32_t inside(model::PlaceId id) const;
+    /// See model::PlaceChoice; `near` is where he is, `holds` what he has. Nothing: there is no
+    /// such place now.
+    [[nodiscard]] std::optional<model::PlaceId> choose(model::PlaceChoice choice,
+                                                       model::PlaceId place, model::PathId path,
+                                                       const glm::vec3& near,
+                                                       model::PlaceId holds) const;
+
+private:
+    struct Room
+    {
+        std::uint32_t taken = 0;
+        std::uint32_t inside = 0;
+    };
+
+    [[nodiscard]] std::vector<model::PlaceId> candidates(model::PlaceId place,
+                                                         model::PathId path) const;
+    /// Nobody else is there, or it has room for more.
+    [[nodiscard]] bool isFree(model::PlaceId id, model::PlaceId holds) const;
+    [[nodiscard]] std::size_t indexOf(model::PlaceId id) const;
+
+    std::vector<model::Place> m_places; ///< ascending ids
+    std::vector<model::Path> m_paths;
+    std::vector<Room> m_rooms; ///< one per place
+    bool m_isCounted = false;
+};
+
+} // namespace crowd::behavior

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "behavior/rules/RuleEngine.h"
+#include "behavior/session/PathFollower.h"
+#include "model/base/Random.h"
+
+/// What rules wait for and ask.
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kStandsBelow = 0.1F; ///< m/s
+constexpr float kSpeedMargin = 0.1F; ///< share of a limit by which it must be crossed
+
+std::uint64_t tagCellOf(float x, float z, float size)
+{
+    const auto column = static_cast<std::int64_t>(std::floor(x / size));
+    const auto row = static_cast<std::int64_t>(std::floor(z / size));
+    return static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL ^
+           static_cast<std::uint64_t>(row);
+}
+
+bool compares(float asked, model::Comparison comparison, float value)
+{
+    switch (comparison) {
+    case model::Comparison::Less:
+        return asked < value;
+    case model::Comparison::Equal:
+        return std::fabs(asked - value) <= 1e-4F * std::max(1.0F, std::fabs(value));
+    case model::Comparison::More:
+        return asked > value;
+    }
+    return false;
+}
+
+} // namespace
+
+bool RuleEngine::isTime(RuleHost& host, std::uint32_t index, std::uint32_t agent)
+{
+    const model::Trigger& trigger = m_rules[index].trigger;
+    Memory& memory = m_memory[index][agent];
+    const double period = std::max(1.0 / 30.0, static_cast<double>(trigger.seconds));
+    const std::uint64_t key =
+        model::hashKeys(m_seed, host.id(agent), m_rules[index].id, memory.count, 51);
+    if (memory.next < 0.0) {
+        memory.next = m_now + period * model::unitDouble(key); // not all at once
+        return false;
+    }
+    if (m_now < memory.next) {
+        return false;
+    }
+    memory.next = m_now + period * (1.0 + static_cast<double>(trigger.jitter) *
+                                              (2.0 * model::unitDouble(key) - 1.0));
+    return true;
+}
+
+/// A speed became higher or lower than the limit; what it is at first does not count.
+bool RuleEngine::isCrossed(const model::Trigger& trigger, float speed, Memory& memory) const
+{
+    const float margin =
+        trigger.isAbove != memory.wasThere ? 1.0F + kSpeedMargin : 1.0F - kSpeedMargin;
+    const float limit = trigger.metresPerSecond * (memory.isSeen ? margin : 1.0F);
+    const bool isThere = trigger.isAbove ? speed > limit : speed < limit;
+    const bool wasThere = std::exchange(memory.wasThere, isThere);
+    return std::exchange(memory.isSeen, true) && isThere && !wasThere;
+}
+
+/// Has stood still for so long; once for each time that he stands.
+bool RuleEngine::isTired(const model::Trigger& trigger, float speed, Memory& memory) const
+{
+    if (speed > kStandsBelow) {
+        memory.next = -1.0;
+        memory.wasThere = false;
+        return false;
+    }
+    if (memory.next < 0.0) {
+        memory.next = m_now;
+    }
+    return m_now - memory.next >= static_cast<double>(trigger.seconds) &&
+           !std::exchange(memory.wasThere, true);
+}
+
+bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t agent)
+{
+    const model::Trigger& trigger = m_rules[index].trigger;
+    Memory& memory = m_memory[index][agent];
+    const std::uint8_t happened = host.happenings(agent);
+    switch (trigger.kind) {
+    case model::TriggerKind::Start:
+        return !std::exchange(memory.wasThere, true);
+    case model::TriggerKind::Arrived: {
+        const bool isErrand = (happened & PathFollower::EndedErrand) != 0;
+        const model::PlaceId reached = isErrand ? m_minds[agent].goal : host.reachedPlace(agent);
+        return (isErrand ? reached != 0 : (happened & PathFollower::ReachedPlace) != 0) &&
+               (trigger.place == 0 || reached == trigger.place);
+    }
+    case model::TriggerKind::PathEnded:
+        return (happened & PathFollower::EndedPath) != 0 &&
+               (trigger.path == 0 || host.pathOf(agent) == trigger.path);
+    case model::TriggerKind::Entered:
+    case model::TriggerKind::Left: {
+        const bool isThere = std::ranges::any_of(m_places.places(), [&](const model::Place& place) {
+            return (trigger.place == 0 || place.id == trigger.place) &&
+                   flatDistance(place.position, host.position(agent)) <= place.radius;
+        });
+        const bool wasThere = std::exchange(memory.wasThere, isThere);
+        return trigger.kind == model::TriggerKind::Entered ? isThere && !wasThere
+                                                           : wasThere && !isThere;
+    }
+    case model::TriggerKind::Every:
+        return isTime(host, index, agent);
+    case model::TriggerKind::SpeedLimit:
+        return isCrossed(trigger, host.speed(agent), memory);
+    case model::TriggerKind::Waited:
+        return isTired(trigger, host.speed(agent), memory);
+    case model::TriggerKind::Event:
+    case model::TriggerKind::ClipEnded:
+    case model::TriggerKind::TagNear:
+        break;
+    }
+    return false;
+}
+
+void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule)
+{
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        if ((m_bringsBack[rule] || !host.isGone(agent)) && happensTo(host, rule, agent)) {
+            fire(host, rule, agent, {});
+        }
+    }
+}
+
+void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
+{
+    const model::Trigger trigger = m_rules[rule].trigger;
+    const std::uint64_t bit = std::uint64_t{1} << trigger.tag;
+    const float size = std::max(0.5F, trigger.metres);
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        if ((m_minds[agent].tags & bit) != 0 && !host.isGone(agent)) {
+            const glm::vec3 at = host.position(agent);
+            cells[tagCellOf(at.x, at.z, size)].push_back(agent);
+        }
+    }
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        if (host.isGone(agent)) {
+            continue;
+        }
+        const glm::vec3 at = host.position(agent);
+        float nearest = trigger.metres;
+        std::uint32_t who = kNone;
+        for (int side = 0; side < 9 && !cells.empty(); ++side) {
+            const auto cell =
+                cells.find(tagCellOf(at.x + static_cast<float>(side % 3 - 1) * size,
+                                     at.z + static_cast<float>(side / 3 - 1) * size, size));
+            for (const std::uint32_t other :
+                 cell == cells.end() ? std::vector<std::uint32_t>() : cell->second) {
+                const float away = flatDistance(host.position(other), at);
+                if (other != agent && (away < nearest || (away == nearest && other < who))) {
+                    nearest = away;
+                    who = other;
+                }
+            }
+        }
+        const bool isNear = who != kNone;
+        if (std::exchange(m_memory[rule][agent].wasThere, isNear) != isNear && isNear) {
+            fire(host, rule, agent, {0.0F, host.position(who), true});
+        }
+    }
+}
+
+void RuleEngine::lookAround(RuleHost& host)
+{
+    for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
+        const model::TriggerKind kind = m_rules[rule].trigger.kind;
+        if (kind == model::TriggerKind::TagNear) {
+            lookForTags(host, rule);
+        } else if (kind != model::TriggerKind::Event && kind != model::TriggerKind::ClipEnded) {
+            lookAt(host, rule);
+        }
+    }
+}
+
+/// How many have taken the places, as of now.
+PlaceRooms& RuleEngine::rooms(RuleHost& host)
+{
+    if (!m_places.isCounted()) {
+        std::vector<PlaceRooms::Guest> guests;
+        guests.reserve(m_minds.size());
+        for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+            if (!host.isGone(agent)) {
+                guests.push_back({host.position(agent), m_minds[agent].holds});
+            }
+        }
+        m_places.count(guests);
+    }
+    return m_places;
+}
+
+bool RuleEngine::holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
+                       std::uint32_t agent, const Cause& cause)
+{
+    const auto isSo = [&condition](float asked) {
+        return compares(asked, condition.comparison, condition.value);
+    };
+    switch (condition.kind) {
+    case model::ConditionKind::HasTag:
+        return (m_minds[agent].tags >> condition.tag & 1U) != 0;
+    case model::ConditionKind::OfTemplate:
+        return host.templateOf(agent) == condition.templateId;
+    case model::ConditionKind::InPlace:
+        return m_places.isInside(condition.place, host.position(agent));
+    case model::ConditionKind::FollowsPath:
+        return condition.path == 0 ? host.pathOf(agent) != 0 : host.pathOf(agent) == condition.path;
+    case model::ConditionKind::IsSeated:
+        return host.isSeated(agent);
+    case model::ConditionKind::Chance:
+        return draw(host, agent, key) < condition.chance;
+    case model::ConditionKind::Number:
+        return isSo(number(agent, condition.number));
+    case model::ConditionKind::Speed:
+        return isSo(host.speed(agent));
+    case model::ConditionKind::Payload:
+        return isSo(cause.payload);
+    case model::ConditionKind::IsFull:
+        return rooms(host).isFull(condition.place);
+    case model::ConditionKind::PeopleIn:
+        return isSo(static_cast<float>(rooms(host).inside(condition.place)));
+    }
+    return false;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/CueBar.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+
+#include "model/document/SceneEdit.h"
+#include "model/scene/RuleSets.h"
+#include "widgets/dialogs/CueDialog.h"
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/state/Cues.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr int kCuesInARow = 3;
+
+QString cueTip(const model::Scene& scene, const model::Cue& cue)
+{
+    const QString who = cue.reach == model::CueReach::Tagged
+                            ? CueBar::tr("those tagged %1").arg(tagText(scene, cue.tag))
+                            : cueReachNames()[static_cast<int>(cue.reach)];
+    return CueBar::tr("Sends “%1” to %2. Right click: change or delete.")
+        .arg(QString::fromStdString(cue.event), who);
+}
+
+} // namespace
+
+CueBar::CueBar(EditorState& state, QWidget* parent)
+    : QWidget(parent), m_state(state), m_grid(new QGridLayout(this))
+{
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setSpacing(3);
+    connect(&state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::RulesChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    rebuild();
+                }
+            });
+    rebuild();
+}
+
+void CueBar::rebuild()
+{
+    while (QLayoutItem* item = m_grid->takeAt(0)) {
+        if (item->widget() != nullptr) {
+            item->widget()->hide();
+            item->widget()->deleteLater(); // it may be what was clicked
+        }
+        delete item;
+    }
+    int index = 0;
+    for (const model::Cue& cue : m_state.scene().cues) {
+        m_grid->addWidget(buttonOf(cue), index / kCuesInARow, index % kCuesInARow);
+        ++index;
+    }
+    auto* add = new QToolButton(this);
+    add->setObjectName(QStringLiteral("addCue"));
+    add->setText(tr("+ Cue…"));
+    add->setToolTip(tr("A button, with a key if you like, that lets an event happen to people"));
+    add->setAutoRaise(true);
+    connect(add, &QToolButton::clicked, this, &CueBar::addCue);
+    m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow);
+}
+
+QWidget* CueBar::buttonOf(const model::Cue& cue)
+{
+    auto* button = new QToolButton(this);
+    const QString name = QString::fromStdString(cue.name.empty() ? cue.event : cue.name);
+    button->setText(cue.key.empty() ? name
+                                    : tr("%1 · %2").arg(QString::fromStdString(cue.key), name));
+    button->setToolTip(cueTip(m_state.scene(), cue));
+    button->setObjectName(QStringLiteral("cue%1").arg(cue.id));
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    button->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(button, &QToolButton::clicked, this, [this, cue] { sendCue(m_state, cue); });
+    connect(button, &QToolButton::customContextMenuRequested, this,
+            [this, button, id = cue.id](const QPoint& position) {
+                showMenu(id, button->mapToGlobal(position));
+            });
+    return button;
+}
+
+void CueBar::showMenu(model::CueId id, const QPoint& globalPosition)
+{
+    QMenu menu(this);
+    connect(menu.addAction(tr("Change…")), &QAction::triggered, this, [this, id] { editCue(id); });
+    connect(menu.addAction(tr("Delete")), &QAction::triggered, this, [this, id] { removeCue(id); });
+    menu.exec(globalPosition);
+}
+
+void CueBar::setCues(std::vector<model::Cue> cues, const QString& undoText)
+{
+    if (m_state.document().isEditOpen()) {
+        return;
+    }
+    auto edit = m_state.document().beginEdit();
+    edit->setCues(std::move(cues));
+    edit->commit(undoText);
+}
+
+void CueBar::addCue()
+{
+    std::vector<model::Cue> cues = m_state.scene().cues;
+    if (cues.size() >= model::kMaxNamed) {
+        m_state.showStatus(
+            tr("There are %1 cues already, as many as can be.").arg(model::kMaxNamed));
+        return;
+    }
+    model::Cue made;
+    made.id = 1;
+    for (const model::Cue& each : cues) {
+        made.id = std::max(made.id, each.id + 1);
+    }
+    for (const char* key : kCueKeys) {
+        const bool isTaken = std::ranges::find(cues, key, &model::Cue::key) != cues.end();
+        if (made.key.empty() && !isTaken) {
+            made.key = key;
+        }
+    }
+    const std::vector<std::string> events = model::eventsOf(m_state.scene());
+    made.event = events.empty() ? std::string("cheer") : events.front();
+    CueDialog dialog(m_state.scene(), made, this);
+    if (dialog.exec() == QDialog::Accepted) {
+        cues.push_back(dialog.cue());
+        setCues(std::move(cues), tr("Add a cue"));
+    }
+}
+
+void CueBar::editCue(model::CueId id)
+{
+    std::vector<model::Cue> cues = m_state.scene().cues;
+    const auto found = std::ranges::find(cues, id, &model::Cue::id);
+    if (found == cues.end()) {
+        return;
+    }
+    CueDialog dialog(m_state.scene(), *found, this);
+    if (dialog.exec() == QDialog::Accepted) {
+        *found = dialog.cue();
+        setCues(std::move(cues), tr("Change a cue"));
+    }
+}
+
+void CueBar::removeCue(model::CueId id)
+{
+    std::vector<model::Cue> cues = m_state.scene().cues;
+    std::erase_if(cues, [id](const model::Cue& cue) { return cue.id == id; });
+    setCues(std::move(cues), tr("Delete a cue"));
+}
+
+} // namespace crowd::widgets

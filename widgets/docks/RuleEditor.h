@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <QtWidgets/QWidget>
+
+#include "model/scene/Scene.h"
+
+class QHBoxLayout;
+class QVBoxLayout;
+
+namespace crowd::widgets {
+
+/// One rule as a sentence of menus and numbers. Shows what it was made with; whoever owns it makes
+/// another one when the rule has changed. The scene outlives it.
+class RuleEditor : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using Change = std::function<void(model::Rule&)>;
+    /// `apply` is called with each change that the artist makes, one undo step each.
+    RuleEditor(const model::Scene& scene, const model::Rule& rule,
+               std::function<void(const Change&)> apply, QWidget* parent);
+
+private:
+    void addTrigger(QVBoxLayout* layout);
+    void addTriggerFields(QHBoxLayout* row);
+    void addConditions(QVBoxLayout* layout);
+    void addCondition(QVBoxLayout* layout, std::size_t index);
+    void addConditionFields(QHBoxLayout* row, std::size_t index);
+    void addActions(QVBoxLayout* layout);
+    void addAction(QVBoxLayout* layout, std::size_t index);
+    void addActionFields(QVBoxLayout* layout, std::size_t index);
+    void addSendFields(QVBoxLayout* layout, std::size_t index);
+    void addGoFields(QVBoxLayout* layout, std::size_t index);
+    void addMore(QVBoxLayout* layout);
+    void addMeeting(QVBoxLayout* layout);
+    void addTemplate(QHBoxLayout* row, std::size_t index);
+    void addComparison(QHBoxLayout* row, std::size_t index, const QString& suffix);
+    void setTrigger(const std::function<void(model::Trigger&)>& change);
+    void setCondition(std::size_t index, const std::function<void(model::Condition&)>& change);
+    void setAction(std::size_t index, const std::function<void(model::Action&)>& change);
+    /// A number of an action; at 0 it says `zero` where that is given.
+    void addNumber(QHBoxLayout* row, std::size_t index, float model::Action::*member, double low,
+                   double high, const QString& suffix, const QString& zero = {});
+
+    const model::Scene& m_scene;
+    const model::Rule m_rule;
+    std::function<void(const Change&)> m_apply;
+};
+
+} // namespace crowd::widgets

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include <QtCore/QObject>
+
+#include "widgets/state/EditorState.h"
+
+class QShortcut;
+class QWidget;
+
+namespace crowd::widgets {
+
+/// Keys that a cue may have: those that no tool or camera has.
+inline constexpr std::array kCueKeys{"F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10"};
+
+/// Lets a cue speak to the running session; says in the status line what became of it.
+void sendCue(EditorState& state, const model::Cue& cue);
+
+/// The cues' keys in a window: they work wherever no text is being typed. Owned by the window.
+class CueKeys : public QObject
+{
+    Q_OBJECT
+
+public:
+    CueKeys(EditorState& state, QWidget* window);
+
+private:
+    void rebuild();
+
+    EditorState& m_state;
+    QWidget* m_window;
+    std::vector<QShortcut*> m_shortcuts; ///< children of the window
+};
+
+} // namespace crowd::widgets
