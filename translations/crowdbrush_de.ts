@@ -536,10 +536,6 @@
         <translation>Die Personen unter dem Pinsel einen Weg gehen lassen</translation>
     </message>
     <message>
-        <source>Paint obstacles, attractors, exits and slow ground</source>
-        <translation>Hindernisse, Anziehendes, Ausgänge und langsamen Boden malen</translation>
-    </message>
-    <message>
         <source>Let an event happen to the people under the brush</source>
         <translation>Den Personen unter dem Pinsel ein Ereignis zukommen lassen</translation>
     </message>
@@ -590,6 +586,18 @@
     <message>
         <source>Scri&amp;pt</source>
         <translation>Skri&amp;pt</translation>
+    </message>
+    <message>
+        <source>Set with which clip and how fast people walk</source>
+        <translation>Festlegen, mit welchem Clip und wie schnell Personen gehen</translation>
+    </message>
+    <message>
+        <source>Paint obstacles, attractors, exits, slow, forbidden and liked ground</source>
+        <translation>Hindernisse, Anziehungspunkte, Ausgänge, langsamen, verbotenen und beliebten Boden malen</translation>
+    </message>
+    <message>
+        <source>Walking St&amp;yle</source>
+        <translation>&amp;Gangart</translation>
     </message>
 </context>
 <context>
@@ -885,6 +893,17 @@
         <source>No script brush is there yet: a script brings one along with crowdbrush.register_brush.</source>
         <translation>Noch ist kein Skriptpinsel da: Ein Skript bringt einen mit crowdbrush.register_brush mit.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n people walk in another way</source>
+        <translation>
+            <numerusform>Eine Person geht anders</numerusform>
+            <numerusform>%n Personen gehen anders</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: set how people walk and how fast · + −: speed</source>
+        <translation>Ziehen: festlegen, wie und wie schnell Personen gehen · + −: Tempo</translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1056,6 +1075,28 @@
     <message>
         <source>The script brush changed nothing</source>
         <translation>Der Skriptpinsel hat nichts geändert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Set how %n individual(s) walk</source>
+        <translation>
+            <numerusform>Gangart einer Person festlegen</numerusform>
+            <numerusform>Gangart von %n Personen festlegen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Cues</name>
+    <message>
+        <source>Press Play first: cues speak to people while it plays.</source>
+        <translation>Erst abspielen: Stichworte wirken, während es läuft.</translation>
+    </message>
+    <message>
+        <source>Nobody is selected who could hear “%1”.</source>
+        <translation>Niemand ist ausgewählt, der „%1“ hören könnte.</translation>
+    </message>
+    <message>
+        <source>Cue: “%1”</source>
+        <translation>Stichwort: „%1“</translation>
     </message>
 </context>
 <context>
@@ -1261,6 +1302,14 @@
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation>Verbotener Boden</translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation>Beliebter Boden</translation>
+    </message>
 </context>
 <context>
     <name>RuleSets</name>
@@ -1307,6 +1356,18 @@
     <message>
         <source>Cheers spread</source>
         <translation>Jubel breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <translation>Anstellen</translation>
+    </message>
+    <message>
+        <source>Be served, then leave</source>
+        <translation>Bedient werden, dann gehen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Aufrücken</translation>
     </message>
 </context>
 <context>
@@ -1663,6 +1724,214 @@
         <source>It does nothing yet: add something to do.</source>
         <translation>Sie tut noch nichts: etwas hinzufügen.</translation>
     </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 gleich %2</translation>
+    </message>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>named %1</source>
+        <translation>namens %1</translation>
+    </message>
+    <message>
+        <source>go to the nearest place %1</source>
+        <translation>zum nächsten Ort %1 gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest free place %1</source>
+        <translation>zum nächsten freien Ort %1 gehen</translation>
+    </message>
+    <message>
+        <source>go to the first free place %1</source>
+        <translation>zum ersten freien Ort %1 gehen</translation>
+    </message>
+    <message>
+        <source>move up to the next free place %1</source>
+        <translation>zum nächsten freien Ort %1 aufrücken</translation>
+    </message>
+    <message>
+        <source>When someone gets faster than %1 m/s</source>
+        <translation>Wenn jemand schneller wird als %1 m/s</translation>
+    </message>
+    <message>
+        <source>When someone gets slower than %1 m/s</source>
+        <translation>Wenn jemand langsamer wird als %1 m/s</translation>
+    </message>
+    <message>
+        <source>When someone has stood for %1 s</source>
+        <translation>Wenn jemand %1 s gestanden hat</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>the event’s number</source>
+        <translation>die Zahl des Ereignisses</translation>
+    </message>
+    <message>
+        <source>%1 full</source>
+        <translation>%1 voll</translation>
+    </message>
+    <message>
+        <source>people in %1</source>
+        <translation>Personen in %1</translation>
+    </message>
+    <message>
+        <source>leave the scene at %1</source>
+        <translation>die Szene bei %1 verlassen</translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat within %1 m</source>
+        <translation>auf den nächsten freien Sitz binnen %1 m setzen</translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat</source>
+        <translation>auf den nächsten freien Sitz setzen</translation>
+    </message>
+    <message>
+        <source>stand up</source>
+        <translation>aufstehen</translation>
+    </message>
+    <message>
+        <source>wait for “%1”, at most %2 s</source>
+        <translation>auf „%1“ warten, höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>wait for “%1”</source>
+        <translation>auf „%1“ warten</translation>
+    </message>
+    <message>
+        <source>set %1 to %2</source>
+        <translation>%1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>add %1 to %2</source>
+        <translation>%1 zu %2 hinzuzählen</translation>
+    </message>
+    <message>
+        <source>appear at %1</source>
+        <translation>bei %1 erscheinen</translation>
+    </message>
+    <message>
+        <source>The number is not there: make one below, under “Tags and numbers”.</source>
+        <translation>Die Zahl gibt es nicht: Legen Sie unten unter „Marken und Zahlen“ eine an.</translation>
+    </message>
+    <message>
+        <source>The event to wait for has no name: type one.</source>
+        <translation>Das erwartete Ereignis hat keinen Namen: Geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>a speed is passed</source>
+        <translation>ein Tempo überschritten wird</translation>
+    </message>
+    <message>
+        <source>someone has stood for</source>
+        <translation>jemand gestanden hat für</translation>
+    </message>
+    <message>
+        <source>own number</source>
+        <translation>eigene Zahl</translation>
+    </message>
+    <message>
+        <source>event’s number</source>
+        <translation>Zahl des Ereignisses</translation>
+    </message>
+    <message>
+        <source>place full</source>
+        <translation>Ort voll</translation>
+    </message>
+    <message>
+        <source>people in place</source>
+        <translation>Personen am Ort</translation>
+    </message>
+    <message>
+        <source>sit on a free seat</source>
+        <translation>auf einen freien Sitz setzen</translation>
+    </message>
+    <message>
+        <source>wait for an event</source>
+        <translation>auf ein Ereignis warten</translation>
+    </message>
+    <message>
+        <source>set a number</source>
+        <translation>eine Zahl setzen</translation>
+    </message>
+    <message>
+        <source>add to a number</source>
+        <translation>zu einer Zahl hinzuzählen</translation>
+    </message>
+    <message>
+        <source>appear at a place</source>
+        <translation>an einem Ort erscheinen</translation>
+    </message>
+    <message>
+        <source>yields to rules further up</source>
+        <translation>weicht Regeln weiter oben</translation>
+    </message>
+    <message>
+        <source>yields to any rule</source>
+        <translation>weicht jeder Regel</translation>
+    </message>
+    <message>
+        <source>yields to no rule</source>
+        <translation>weicht keiner Regel</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>dieser Ort</translation>
+    </message>
+    <message>
+        <source>the nearest</source>
+        <translation>der nächste</translation>
+    </message>
+    <message>
+        <source>the nearest free one</source>
+        <translation>der nächste freie</translation>
+    </message>
+    <message>
+        <source>the first free one</source>
+        <translation>der erste freie</translation>
+    </message>
+    <message>
+        <source>the one ahead, when free</source>
+        <translation>der davor, wenn er frei ist</translation>
+    </message>
+    <message>
+        <source>the selected people</source>
+        <translation>die ausgewählten Personen</translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation>Warteschlange</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -1815,6 +2084,10 @@
     <message>
         <source>Script Brush</source>
         <translation>Skriptpinsel</translation>
+    </message>
+    <message>
+        <source>Walking Style Brush</source>
+        <translation>Gangartpinsel</translation>
     </message>
 </context>
 <context>
@@ -2710,6 +2983,61 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::BranchList</name>
+    <message>
+        <source>Some leave it:</source>
+        <translation>Einige verlassen ihn:</translation>
+    </message>
+    <message>
+        <source>+ branch to another path</source>
+        <translation>+ Abzweig zu einem anderen Weg</translation>
+    </message>
+    <message>
+        <source>There is no other path yet</source>
+        <translation>Es gibt noch keinen anderen Weg</translation>
+    </message>
+    <message>
+        <source>Let some people go over to another path at a place</source>
+        <translation>Einige Personen an einem Ort auf einen anderen Weg wechseln lassen</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>Change a branch</source>
+        <translation>Abzweig ändern</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>Change the weight of a branch</source>
+        <translation>Gewicht eines Abzweigs ändern</translation>
+    </message>
+    <message>
+        <source>So many go over for each one who goes on: at 1, half of them</source>
+        <translation>So viele wechseln für jeden, der weitergeht: bei 1 die Hälfte</translation>
+    </message>
+    <message>
+        <source>Remove this branch</source>
+        <translation>Diesen Abzweig entfernen</translation>
+    </message>
+    <message>
+        <source>Remove a branch</source>
+        <translation>Abzweig entfernen</translation>
+    </message>
+    <message>
+        <source>Add a branch</source>
+        <translation>Abzweig hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::BrushForm</name>
     <message>
         <source>all</source>
@@ -3111,6 +3439,34 @@ Verworfen ist sie fort.</translation>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
         <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
     </message>
+    <message>
+        <source>Walk with (none: what fits the speed)</source>
+        <translation>Gehen mit (keiner: was zum Tempo passt)</translation>
+    </message>
+    <message>
+        <source>Change how they walk</source>
+        <translation>Gangart ändern</translation>
+    </message>
+    <message>
+        <source>With which clip people walk; a clip that stays in place is left out</source>
+        <translation>Mit welchem Clip Personen gehen; Clips auf der Stelle fehlen hier</translation>
+    </message>
+    <message>
+        <source>Named</source>
+        <translation>Namens</translation>
+    </message>
+    <message>
+        <source>Nobody walks there</source>
+        <translation>Niemand geht dort</translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation>Beliebter Boden</translation>
+    </message>
+    <message>
+        <source>From the slower to the faster along the line.</source>
+        <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -3228,6 +3584,92 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Another colour for random and for gradients</source>
         <translation>Noch eine Farbe für Zufall und Verläufe</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CueBar</name>
+    <message>
+        <source>those tagged %1</source>
+        <translation>Personen mit der Marke %1</translation>
+    </message>
+    <message>
+        <source>Sends “%1” to %2. Right click: change or delete.</source>
+        <translation>Sendet „%1“ an %2. Rechtsklick: ändern oder löschen.</translation>
+    </message>
+    <message>
+        <source>+ Cue…</source>
+        <translation>+ Stichwort…</translation>
+    </message>
+    <message>
+        <source>A button, with a key if you like, that lets an event happen to people</source>
+        <translation>Eine Schaltfläche, auf Wunsch mit Taste, die Personen ein Ereignis schickt</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>There are %1 cues already, as many as can be.</source>
+        <translation>Es gibt schon %1 Stichworte, mehr sind nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Add a cue</source>
+        <translation>Stichwort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change a cue</source>
+        <translation>Stichwort ändern</translation>
+    </message>
+    <message>
+        <source>Delete a cue</source>
+        <translation>Stichwort löschen</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CueDialog</name>
+    <message>
+        <source>Cue</source>
+        <translation>Stichwort</translation>
+    </message>
+    <message>
+        <source>as the event</source>
+        <translation>wie das Ereignis</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Sends the event</source>
+        <translation>Sendet das Ereignis</translation>
+    </message>
+    <message>
+        <source>With the number</source>
+        <translation>Mit der Zahl</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -3433,6 +3875,34 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n Orte löschen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as come</source>
+        <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie kommen</translation>
+    </message>
+    <message>
+        <source>Room for</source>
+        <translation>Platz für</translation>
+    </message>
+    <message>
+        <source>Change the room of a place</source>
+        <translation>Platz eines Orts ändern</translation>
+    </message>
+    <message>
+        <source>Nobody walks there</source>
+        <translation>Niemand geht dort</translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation>Beliebter Boden</translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation>Tempo, %</translation>
+    </message>
+    <message>
+        <source>Change the speed on slow ground</source>
+        <translation>Tempo auf langsamem Boden ändern</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -3621,10 +4091,6 @@ Verworfen ist sie fort.</translation>
         <translation>Vorlage</translation>
     </message>
     <message>
-        <source>Numbers of tags from 1 to 64, as 1, 3-5</source>
-        <translation>Nummern der Marken von 1 bis 64, etwa 1, 3-5</translation>
-    </message>
-    <message>
         <source>Tags</source>
         <translation>Marken</translation>
     </message>
@@ -3674,6 +4140,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Somebody else sits on seat %1.</source>
         <translation>Auf Sitz %1 sitzt schon jemand.</translation>
+    </message>
+    <message>
+        <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
+        <translation>Namen oder Nummern von Marken von 1 bis 64, etwa mutig, 3-5</translation>
     </message>
 </context>
 <context>
@@ -3738,10 +4208,272 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::NamesForm</name>
+    <message>
+        <source>Tags and numbers</source>
+        <translation>Marken und Zahlen</translation>
+    </message>
+    <message>
+        <source>Names and colours of tags, and numbers of your own that rules can ask for and change</source>
+        <translation>Namen und Farben von Marken und eigene Zahlen, nach denen Regeln fragen und die sie ändern</translation>
+    </message>
+    <message>
+        <source>+ tag</source>
+        <translation>+ Marke</translation>
+    </message>
+    <message>
+        <source>Give a tag a name and a colour</source>
+        <translation>Einer Marke Namen und Farbe geben</translation>
+    </message>
+    <message>
+        <source>+ number</source>
+        <translation>+ Zahl</translation>
+    </message>
+    <message>
+        <source>A number that everybody has, as patience or hunger: rules ask for it</source>
+        <translation>Eine Zahl, die jeder hat, etwa Geduld oder Hunger: Regeln fragen danach</translation>
+    </message>
+    <message>
+        <source>Colour of the tag in the picture</source>
+        <translation>Farbe der Marke im Bild</translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Forget the name; people keep the tag</source>
+        <translation>Namen vergessen; Personen behalten die Marke</translation>
+    </message>
+    <message>
+        <source>Forget a tag’s name</source>
+        <translation>Namen einer Marke vergessen</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>Nobody begins with less</source>
+        <translation>Niemand beginnt mit weniger</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Nobody begins with more</source>
+        <translation>Niemand beginnt mit mehr</translation>
+    </message>
+    <message>
+        <source>Delete the number</source>
+        <translation>Die Zahl löschen</translation>
+    </message>
+    <message>
+        <source>Delete a number</source>
+        <translation>Zahl löschen</translation>
+    </message>
+    <message>
+        <source>Change a tag</source>
+        <translation>Marke ändern</translation>
+    </message>
+    <message>
+        <source>Change a number</source>
+        <translation>Zahl ändern</translation>
+    </message>
+    <message>
+        <source>All 64 tags have names already.</source>
+        <translation>Alle 64 Marken haben schon Namen.</translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Name a tag</source>
+        <translation>Marke benennen</translation>
+    </message>
+    <message>
+        <source>There are %1 numbers already, as many as can be.</source>
+        <translation>Es gibt schon %1 Zahlen, mehr sind nicht möglich.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Zahl %1</translation>
+    </message>
+    <message>
+        <source>Add a number</source>
+        <translation>Zahl hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::NumberField</name>
     <message>
         <source>mixed</source>
         <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::RuleEditor</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>+ only if…</source>
+        <translation>+ nur wenn …</translation>
+    </message>
+    <message>
+        <source>+ then…</source>
+        <translation>+ dann …</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wenn</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation>irgendein Ort</translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation>irgendein Weg</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>slower than</source>
+        <translation>langsamer als</translation>
+    </message>
+    <message>
+        <source>faster than</source>
+        <translation>schneller als</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>if</source>
+        <translation>falls</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>ist nicht</translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation>Diese Bedingung entfernen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>do</source>
+        <translation>tun</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>dann</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Remove this</source>
+        <translation>Dies entfernen</translation>
+    </message>
+    <message>
+        <source>of any path</source>
+        <translation>eines beliebigen Wegs</translation>
+    </message>
+    <message>
+        <source>with any name</source>
+        <translation>mit beliebigem Namen</translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation> s/m</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>lang</translation>
+    </message>
+    <message>
+        <source>where it came from</source>
+        <translation>woher es kam</translation>
+    </message>
+    <message>
+        <source>where they are</source>
+        <translation>wo sie sind</translation>
+    </message>
+    <message>
+        <source>however far</source>
+        <translation>wie weit auch immer</translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation>für immer</translation>
+    </message>
+    <message>
+        <source>the event’s</source>
+        <translation>die des Ereignisses</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>as often as it comes</source>
+        <translation>so oft es kommt</translation>
     </message>
 </context>
 <context>
@@ -3833,114 +4565,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>a rule</source>
         <translation>eine Regel</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>+ only if…</source>
-        <translation>+ nur wenn …</translation>
-    </message>
-    <message>
-        <source>+ then…</source>
-        <translation>+ dann …</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Wenn</translation>
-    </message>
-    <message>
-        <source>event</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>any place</source>
-        <translation>irgendein Ort</translation>
-    </message>
-    <message>
-        <source>any path</source>
-        <translation>irgendein Weg</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>if</source>
-        <translation>falls</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>und</translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation>oder</translation>
-    </message>
-    <message>
-        <source>is</source>
-        <translation>ist</translation>
-    </message>
-    <message>
-        <source>is not</source>
-        <translation>ist nicht</translation>
-    </message>
-    <message>
-        <source>Remove this condition</source>
-        <translation>Diese Bedingung entfernen</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>do</source>
-        <translation>tun</translation>
-    </message>
-    <message>
-        <source>then</source>
-        <translation>dann</translation>
-    </message>
-    <message>
-        <source>Remove this</source>
-        <translation>Dies entfernen</translation>
-    </message>
-    <message>
-        <source>once</source>
-        <translation>einmal</translation>
-    </message>
-    <message>
-        <source>for</source>
-        <translation>lang</translation>
-    </message>
-    <message>
-        <source>where it came from</source>
-        <translation>woher es kam</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source> s/m</source>
-        <translation> s/m</translation>
-    </message>
-    <message>
-        <source>pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>höchstens</translation>
-    </message>
-    <message>
-        <source> ×</source>
-        <translation> ×</translation>
     </message>
 </context>
 <context>
@@ -4053,6 +4677,56 @@ Verworfen ist sie fort.</translation>
             <numerusform>Die Haltung einer Person behalten</numerusform>
             <numerusform>Die Haltung von %n Personen behalten</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::SurfaceForm</name>
+    <message>
+        <source>Where people can walk</source>
+        <translation>Wo Personen gehen können</translation>
+    </message>
+    <message>
+        <source>Body radius, m</source>
+        <translation>Körperradius, m</translation>
+    </message>
+    <message>
+        <source>So far people keep from walls</source>
+        <translation>So viel Abstand halten Personen von Wänden</translation>
+    </message>
+    <message>
+        <source>Body height, m</source>
+        <translation>Körpergröße, m</translation>
+    </message>
+    <message>
+        <source>Lower places are not walked under</source>
+        <translation>Unter Niedrigerem gehen sie nicht hindurch</translation>
+    </message>
+    <message>
+        <source>Highest step, m</source>
+        <translation>Höchste Stufe, m</translation>
+    </message>
+    <message>
+        <source>Steepest slope, °</source>
+        <translation>Steilste Neigung, °</translation>
+    </message>
+    <message>
+        <source>Change where people can walk</source>
+        <translation>Gehfläche ändern</translation>
+    </message>
+    <message>
+        <source>Being found: %1 %</source>
+        <translation>Wird gesucht: %1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>Found: %n areas</source>
+        <translation>
+            <numerusform>Gefunden: eine Fläche</numerusform>
+            <numerusform>Gefunden: %n Flächen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open ground. It is looked at once somebody walks among a stage, obstacles or painted ground.</source>
+        <translation>Freies Gelände. Es wird untersucht, sobald jemand zwischen Bühne, Hindernissen oder bemaltem Boden geht.</translation>
     </message>
 </context>
 <context>

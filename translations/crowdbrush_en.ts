@@ -536,10 +536,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paint obstacles, attractors, exits and slow ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Let an event happen to the people under the brush</source>
         <translation type="unfinished"></translation>
     </message>
@@ -589,6 +585,18 @@
     </message>
     <message>
         <source>Scri&amp;pt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set with which clip and how fast people walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint obstacles, attractors, exits, slow, forbidden and liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking St&amp;yle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -885,6 +893,17 @@
         <source>No script brush is there yet: a script brings one along with crowdbrush.register_brush.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n people walk in another way</source>
+        <translation>
+            <numerusform>%n person walks in another way</numerusform>
+            <numerusform>%n people walk in another way</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: set how people walk and how fast · + −: speed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1055,6 +1074,28 @@
     </message>
     <message>
         <source>The script brush changed nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Set how %n individual(s) walk</source>
+        <translation>
+            <numerusform>Set how %n individual walks</numerusform>
+            <numerusform>Set how %n individuals walk</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Cues</name>
+    <message>
+        <source>Press Play first: cues speak to people while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected who could hear “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cue: “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1261,6 +1302,14 @@
         <source>%1 m</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RuleSets</name>
@@ -1306,6 +1355,18 @@
     </message>
     <message>
         <source>Cheers spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be served, then leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1663,6 +1724,214 @@
         <source>It does nothing yet: add something to do.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>named %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest free place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first free place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move up to the next free place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone gets faster than %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone gets slower than %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone has stood for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>people in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat within %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stand up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for “%1”, at most %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>appear at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number is not there: make one below, under “Tags and numbers”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The event to wait for has no name: type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed is passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>someone has stood for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event’s number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>people in place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sit on a free seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for an event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add to a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>appear at a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yields to rules further up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yields to any rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yields to no rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the one ahead, when free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the selected people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -1814,6 +2083,10 @@
     </message>
     <message>
         <source>Script Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking Style Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2703,6 +2976,61 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::BranchList</name>
+    <message>
+        <source>Some leave it:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ branch to another path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no other path yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let some people go over to another path at a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the weight of a branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many go over for each one who goes on: at 1, half of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::BrushForm</name>
     <message>
         <source>all</source>
@@ -3104,6 +3432,34 @@ Thrown away, it is gone.</source>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Walk with (none: what fits the speed)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change how they walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which clip people walk; a clip that stays in place is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the slower to the faster along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -3220,6 +3576,92 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Another colour for random and for gradients</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CueBar</name>
+    <message>
+        <source>those tagged %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends “%1” to %2. Right click: change or delete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ Cue…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A button, with a key if you like, that lets an event happen to people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are %1 cues already, as many as can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::CueDialog</name>
+    <message>
+        <source>Cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3426,6 +3868,34 @@ Thrown away, it is gone.</source>
             <numerusform>Delete %n places</numerusform>
         </translation>
     </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the room of a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the speed on slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -3614,10 +4084,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Numbers of tags from 1 to 64, as 1, 3-5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tags</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3666,6 +4132,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Somebody else sits on seat %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3731,9 +4201,271 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::NamesForm</name>
+    <message>
+        <source>Tags and numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names and colours of tags, and numbers of your own that rules can ask for and change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a tag a name and a colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number that everybody has, as patience or hunger: rules ask for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the tag in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget the name; people keep the tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget a tag’s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody begins with less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody begins with more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All 64 tags have names already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are %1 numbers already, as many as can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::NumberField</name>
     <message>
         <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::RuleEditor</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ only if…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ then…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slower than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faster than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of any path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with any name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>however far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as often as it comes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3825,114 +4557,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>+ only if…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>+ then…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>event</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>any place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>any path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>if</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove this condition</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>do</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>then</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove this</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>once</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>where it came from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> s/m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> ×</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4046,6 +4670,56 @@ Thrown away, it is gone.</source>
             <numerusform>Keep the pose of %n individual</numerusform>
             <numerusform>Keep the pose of %n individuals</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::SurfaceForm</name>
+    <message>
+        <source>Where people can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body radius, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far people keep from walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body height, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower places are not walked under</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest step, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steepest slope, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change where people can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being found: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Found: %n areas</source>
+        <translation>
+            <numerusform>Found: %n area</numerusform>
+            <numerusform>Found: %n areas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open ground. It is looked at once somebody walks among a stage, obstacles or painted ground.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
