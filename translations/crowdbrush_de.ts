@@ -3440,16 +3440,8 @@ Verworfen ist sie fort.</translation>
         <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
     </message>
     <message>
-        <source>Walk with (none: what fits the speed)</source>
-        <translation>Gehen mit (keiner: was zum Tempo passt)</translation>
-    </message>
-    <message>
         <source>Change how they walk</source>
         <translation>Gangart ändern</translation>
-    </message>
-    <message>
-        <source>With which clip people walk; a clip that stays in place is left out</source>
-        <translation>Mit welchem Clip Personen gehen; Clips auf der Stelle fehlen hier</translation>
     </message>
     <message>
         <source>Named</source>
@@ -3466,6 +3458,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>From the slower to the faster along the line.</source>
         <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
+    </message>
+    <message>
+        <source>Walk with</source>
+        <translation>Gehen mit</translation>
+    </message>
+    <message>
+        <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
+        <translation>Mit welchem Clip Personen gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
     </message>
 </context>
 <context>

@@ -3433,15 +3433,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Walk with (none: what fits the speed)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change how they walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With which clip people walk; a clip that stays in place is left out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3458,6 +3450,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>From the slower to the faster along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

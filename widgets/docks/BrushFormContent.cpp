@@ -402,10 +402,10 @@ void addWalk(BrushForm& form, const EditorState& state)
 
 void addStyle(BrushForm& form)
 {
-    form.beginSection(BrushForm::tr("Walk with (none: what fits the speed)"),
-                      QStringLiteral("style"));
+    form.beginSection(BrushForm::tr("Walk with"), QStringLiteral("style"));
     addFlag(form, BrushForm::tr("Change how they walk"),
-            BrushForm::tr("With which clip people walk; a clip that stays in place is left out"),
+            BrushForm::tr("With which clip people walk. None: what fits the speed. A clip that "
+                          "stays in place is left out."),
             [](BrushSettings& s) -> bool& { return s.style.setsStyle; });
     form.addClips(
         [](BrushSettings & s) -> auto& { return s.style.clips; }, ClipsOnOffer::Moving);
