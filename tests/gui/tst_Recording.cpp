@@ -48,6 +48,23 @@ QString runAlone(const QString& program, const QStringList& arguments)
     return process.exitCode() == 0 ? said : said + QStringLiteral("failed");
 }
 
+/// What it said, empty if all went well.
+QString replayInProgram(const QString& script, const QString& scene)
+{
+    return runAlone(QStringLiteral(CROWD_PROGRAM), {QStringLiteral("script"), script, scene});
+}
+
+/// In a plain python3. The sanitizers' runtime cannot be loaded into one: then in the program's
+/// own.
+QString replay(const QString& script, const QString& scene)
+{
+#ifdef CROWD_SANITIZED
+    return replayInProgram(script, scene);
+#else
+    return runAlone(QStringLiteral(CROWD_PYTHON), {script, scene});
+#endif
+}
+
 /// A session with mouse and keys: every kind of brush, some of it while it plays, the selection,
 /// the individual panel, undo and redo.
 class Session
@@ -216,11 +233,10 @@ void TestRecording::aSessionIsReplayedToTheSameBytesAndPicture()
     const QByteArray wanted = contentsOf(path);
     QVERIFY(!wanted.isEmpty());
     const QString plain = m_folder.filePath(QStringLiteral("plain.crowd"));
-    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QCOMPARE(replay(script, plain), QString());
     QVERIFY2(contentsOf(plain) == wanted, "plain python3 gives another scene");
     const QString own = m_folder.filePath(QStringLiteral("own.crowd"));
-    QCOMPARE(runAlone(QStringLiteral(CROWD_PROGRAM), {QStringLiteral("script"), script, own}),
-             QString());
+    QCOMPARE(replayInProgram(script, own), QString());
     QVERIFY2(contentsOf(own) == wanted, "crowdbrush script gives another scene");
     Editor replayed;
     QVERIFY(replayed.open(plain));
@@ -351,7 +367,7 @@ void TestRecording::everyKindOfEditHasItsLines()
     QVERIFY(editor.window.recorder().save(script));
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("edits.crowd"));
-    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QCOMPARE(replay(script, plain), QString());
     QVERIFY(contentsOf(plain) == contentsOf(path));
 }
 
@@ -374,7 +390,7 @@ void TestRecording::undoingWhatCameBeforeStartsAnew()
     QVERIFY(editor.window.recorder().save(script));
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("anew.crowd"));
-    QCOMPARE(runAlone(QStringLiteral(CROWD_PYTHON), {script, plain}), QString());
+    QCOMPARE(replay(script, plain), QString());
     QVERIFY(contentsOf(plain) == contentsOf(path));
 }
 
