@@ -9,7 +9,7 @@ if(NOT CROWD_SANITIZER)
     list(APPEND python_tests python_plain)
     set(plain ";CROWD_PLAIN_PYTHON=1")
 endif()
-set_tests_properties(${python_tests} PROPERTIES LABELS python TIMEOUT 300)
+set_tests_properties(${python_tests} PROPERTIES LABELS python TIMEOUT 300 COST 50)
 set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT
     "PYTHONPATH=$<TARGET_FILE_DIR:crowdbrush_module>;PYTHONDONTWRITEBYTECODE=1${plain}")
 # The stubs beside the module, and the examples by them.
