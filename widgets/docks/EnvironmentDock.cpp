@@ -233,7 +233,9 @@ void EnvironmentDock::rebuild()
     addPaths();
     addPlaces();
     m_isFilling = false;
-    m_note->setVisible(m_state.scene().places.empty() && m_state.scene().paths.empty());
+    const bool isEmpty = m_state.scene().places.empty() && m_state.scene().paths.empty();
+    m_note->setVisible(isEmpty);
+    m_tree->setVisible(!isEmpty); // else the note would stand below an empty list
     showSelection();
 }
 
