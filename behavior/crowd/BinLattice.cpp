@@ -121,22 +121,6 @@ void BinLattice::sort(AgentColumns& columns, AgentColumns& spare, float binSize)
     std::swap(columns, spare);
 }
 
-void BinLattice::neighbourhood(std::uint32_t bin, Span (&spans)[3]) const
-{
-    const std::uint32_t line = bin / m_width;
-    const std::uint32_t column = bin - line * m_width;
-    const std::uint32_t left = column > 0 ? column - 1 : 0;
-    const std::uint32_t right = std::min(column + 1, m_width - 1);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t other = line + i; // one too high, so that it cannot be negative
-        spans[i] = {};
-        if (other >= 1 && other <= m_depth) {
-            const std::size_t first = std::size_t{other - 1} * m_width;
-            spans[i] = {m_start[first + left], m_start[first + right + 1]};
-        }
-    }
-}
-
 std::size_t BinLattice::bytes() const
 {
     return sizeof(std::uint32_t) *

@@ -61,6 +61,8 @@ void CrowdSimulation::step(float seconds)
                        m_lattice,
                        m_walls,
                        parameters,
+                       m_spare.desiredX.data(),
+                       m_spare.desiredZ.data(),
                        seconds,
                        m_hasLevels,
                        m_spare.x.data(),
@@ -68,6 +70,10 @@ void CrowdSimulation::step(float seconds)
                        m_spare.velocityX.data(),
                        m_spare.velocityZ.data(),
                        m_isCrowded.data()};
+    // The other copy's wishes are not needed any more.
+    overRows(m_agents.size(), [&](std::size_t begin, std::size_t end) {
+        faceRows(m_agents, begin, end, m_spare.desiredX.data(), m_spare.desiredZ.data());
+    });
     overRows(m_agents.size(),
              [&](std::size_t begin, std::size_t end) { advanceRows(job, begin, end); });
     std::swap(m_agents.x, m_spare.x);
@@ -81,9 +87,10 @@ void CrowdSimulation::step(float seconds)
 void CrowdSimulation::separate(float seconds)
 {
     for (int i = 0; i < kSeparations; ++i) {
-        const ForceJob job{m_agents, m_lattice,   m_walls,           parameters,
-                           seconds,  m_hasLevels, m_spare.x.data(),  m_spare.z.data(),
-                           nullptr,  nullptr,     m_isCrowded.data()};
+        const ForceJob job{m_agents,          m_lattice,        m_walls, parameters,
+                           nullptr,           nullptr,          seconds, m_hasLevels,
+                           m_spare.x.data(),  m_spare.z.data(), nullptr, nullptr,
+                           m_isCrowded.data()};
         std::atomic<std::size_t> moved{0};
         overRows(m_agents.size(), [&](std::size_t begin, std::size_t end) {
             moved += separateRows(job, begin, end);

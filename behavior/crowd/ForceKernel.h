@@ -18,6 +18,8 @@ struct ForceJob
     const BinLattice& lattice;  ///< of bins at least ForceParameters::range wide
     const WallField& walls;
     const ForceParameters& parameters;
+    const float* facingX = nullptr; ///< of everybody, from faceRows()
+    const float* facingZ = nullptr;
     float seconds = 0.0F;   ///< length of the step
     bool hasLevels = false; ///< whether people may stand above each other
     float* x = nullptr;     ///< outputs, by row
@@ -29,6 +31,10 @@ struct ForceJob
 
 /// People whose feet are further apart than this are on different levels, metres.
 inline constexpr float kLevelMetres = 1.2F;
+
+/// Unit vectors of where some rows want to go; zero: nowhere.
+void faceRows(const AgentColumns& agents, std::size_t begin, std::size_t end, float* facingX,
+              float* facingZ);
 
 /// Social force, semi-implicit Euler, walls. The same bits for any division into rows, on any
 /// machine of a type.

@@ -23,6 +23,9 @@ struct ForceParameters
     /// How much walkers slow down as it gets dense ahead, after Weidmann, "Transporttechnik der
     /// Fussgänger" (1993): 0 not at all, 1 as observed.
     float slowing = 0.0F;
+    /// How much less somebody who comes towards one counts for that, by how straight he comes: the
+    /// two pass each other, nobody has to walk at his pace.
+    float oncoming = 0.0F;
     /// Shares of the repulsion against one's own way that a walker of that pace does not feel: the
     /// pace knows of the people already, and whoever aims at a door is not stopped by its posts.
     float easedPeople = 0.46F;
@@ -30,6 +33,7 @@ struct ForceParameters
     float jam = 5.5F; ///< people per square metre ahead among whom nobody presses on
     /// Two bodies closer than this share of the sum of their radii are pushed apart at once.
     float closest = 0.82F;
+    bool plainInstructions = false; ///< only what every processor can do: slower, the same bits
 };
 
 } // namespace crowd::behavior

@@ -129,19 +129,6 @@ void WallField::layOut(float reach)
     m_start.push_back(static_cast<std::uint32_t>(m_items.size()));
 }
 
-std::span<const std::uint32_t> WallField::near(float x, float z) const
-{
-    const float column = (x - m_low.x) * m_perMetre;
-    const float line = (z - m_low.y) * m_perMetre;
-    if (!(column >= 0.0F && line >= 0.0F && column < static_cast<float>(m_width) &&
-          line < static_cast<float>(m_depth))) {
-        return {};
-    }
-    const auto bin = static_cast<std::size_t>(line) * static_cast<std::size_t>(m_width) +
-                     static_cast<std::size_t>(column);
-    return std::span(m_items).subspan(m_start[bin], m_start[bin + 1] - m_start[bin]);
-}
-
 std::size_t WallField::bytes() const
 {
     return m_pieces.size() * sizeof(WallPiece) +

@@ -59,6 +59,19 @@ private:
     std::vector<std::uint32_t> m_items;
 };
 
+inline std::span<const std::uint32_t> WallField::near(float x, float z) const
+{
+    const float column = (x - m_low.x) * m_perMetre;
+    const float line = (z - m_low.y) * m_perMetre;
+    if (!(column >= 0.0F && line >= 0.0F && column < static_cast<float>(m_width) &&
+          line < static_cast<float>(m_depth))) {
+        return {};
+    }
+    const auto bin = static_cast<std::size_t>(line) * static_cast<std::size_t>(m_width) +
+                     static_cast<std::size_t>(column);
+    return std::span(m_items).subspan(m_start[bin], m_start[bin + 1] - m_start[bin]);
+}
+
 /// Vector from the nearest point of a piece to a point at (x, z), when that piece is the one to
 /// reckon with; false when another piece of the same wall is.
 [[nodiscard]] [[gnu::always_inline]] inline bool awayFrom(const WallPiece& piece, float x, float z,

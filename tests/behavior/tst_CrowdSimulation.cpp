@@ -27,6 +27,7 @@ class CrowdSimulationTest : public QObject
 private Q_SLOTS:
     void sameBitsForAnyNumberOfThreads_data();
     void sameBitsForAnyNumberOfThreads();
+    void sameBitsOnAnyProcessor();
     void doesNotDependOnThePast();
     void figures_data();
     void figures();
@@ -107,6 +108,31 @@ void CrowdSimulationTest::sameBitsForAnyNumberOfThreads()
         QVERIFY(made.isOk());
         (void)behavior::runWorkload(*made.value(), 60, nullptr);
         const std::vector<std::uint32_t> bits = bitsOf(made.value()->crowd());
+        if (expected.empty()) {
+            expected = bits;
+        }
+        QVERIFY(bits == expected);
+    }
+}
+
+/// The kernel for new processors against the one for all of them, with all that it can reckon with.
+void CrowdSimulationTest::sameBitsOnAnyProcessor()
+{
+    std::vector<std::uint32_t> expected;
+    for (const bool isPlain : {false, true}) {
+        auto made = behavior::makeWorkload("corridor", 1001, 3);
+        QVERIFY(made.isOk());
+        CrowdSimulation& crowd = made.value()->crowd();
+        crowd.parameters.slowing = 1.0F;
+        crowd.parameters.plainInstructions = isPlain;
+        crowd.setLevels(true);
+        for (std::size_t row = 0; row < crowd.size(); ++row) {
+            crowd.columns().y[row] = crowd.columns().agent[row] % 10 == 0 ? 3.0F : 0.0F;
+            crowd.columns().preferredSpeed[row] =
+                crowd.columns().agent[row] % 50 == 1 ? 0.0F : behavior::kWorkloadSpeed;
+        }
+        (void)behavior::runWorkload(*made.value(), 200, nullptr);
+        const std::vector<std::uint32_t> bits = bitsOf(crowd);
         if (expected.empty()) {
             expected = bits;
         }
