@@ -39,6 +39,7 @@ QJsonObject report(const BenchSimulateOptions& options, const behavior::Workload
                        {QStringLiteral("steps"), options.steps},
                        {QStringLiteral("threads"), options.threads}};
     object[QStringLiteral("agent_steps_per_second")] = std::round(agentSteps / totalMs * 1000.0);
+    object[QStringLiteral("best_step_ms")] = rounded(stepMs.front());
     object[QStringLiteral("median_step_ms")] = rounded(stepMs[stepMs.size() / 2]);
     object[QStringLiteral("overlaps_per_1000")] = rounded(figures.overlapsPer1000);
     object[QStringLiteral("efficiency")] = rounded(figures.efficiency);

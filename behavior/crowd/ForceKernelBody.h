@@ -124,11 +124,12 @@ CROWD_INLINE void addNeighbours(const ForceJob& job, std::size_t row, const Neig
         sumZ += push * (unitZ + soonZ * perSoon) + touch * unitZ;
         F8 presence = nearness * nearness * (1.0F + ahead);
         if constexpr (kSlows) {
-            const F8 forward = push * ((soonX * facingX + soonZ * facingZ) * perSoon - ahead);
-            backward += lesser(forward, all(0.0F));
             const F8 against =
                 -(load(near.facingX + first) * facingX + load(near.facingZ + first) * facingZ);
-            presence *= 1.0F - p.oncoming * greater(against, all(0.0F));
+            const F8 counted = 1.0F - p.oncoming * greater(against, all(0.0F));
+            const F8 forward = push * ((soonX * facingX + soonZ * facingZ) * perSoon - ahead);
+            backward += lesser(forward, all(0.0F)) * counted;
+            presence *= counted;
         }
         density += presence;
         closest = lesser(closest, distance - p.closest * radius);

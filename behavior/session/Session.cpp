@@ -210,7 +210,6 @@ void Session::addBodies()
         hasLevels =
             hasLevels || std::fabs(shown.position.y - m_shown.front().position.y) > kLevelMetres;
     }
-    m_crowd.parameters.slowing = 1.0F;
     m_crowd.setLevels(hasLevels);
     m_crowd.setAgents(bodies);
 }

@@ -107,7 +107,6 @@ TrackCrowd::TrackCrowd(const Track& track, float perSquareMetre, bool isTwoWay, 
         states[i].position = places[i];
         states[i].preferredSpeed = kFreeSpeed;
     }
-    m_crowd.parameters.slowing = 1.0F;
     m_crowd.setWalls(track.walls());
     m_crowd.setAgents(states);
 }

@@ -33,7 +33,6 @@ CrowdSimulation crowdOf(const std::vector<glm::vec2>& places, const std::vector<
         states[i].preferredSpeed = kFreeSpeed;
     }
     CrowdSimulation crowd;
-    crowd.parameters.slowing = 1.0F;
     crowd.setWalls(walls);
     crowd.setAgents(states);
     return crowd;
@@ -179,7 +178,6 @@ ValidationRow denseCorridor()
 {
     auto made = makeWorkload("corridor", 1000, 14);
     Workload& workload = *made.value();
-    workload.crowd().parameters.slowing = 1.0F;
     const WorkloadFigures figures = runWorkload(workload, 3000, nullptr);
     return {"share of 1000 outside the walls of a dense corridor, 100 s", "", figures.outsideWalls,
             0.0, 0.0};

@@ -123,7 +123,6 @@ void CrowdSimulationTest::sameBitsOnAnyProcessor()
         auto made = behavior::makeWorkload("corridor", 1001, 3);
         QVERIFY(made.isOk());
         CrowdSimulation& crowd = made.value()->crowd();
-        crowd.parameters.slowing = 1.0F;
         crowd.parameters.plainInstructions = isPlain;
         crowd.setLevels(true);
         for (std::size_t row = 0; row < crowd.size(); ++row) {
@@ -208,7 +207,7 @@ void CrowdSimulationTest::standingPeopleAreNotMoved()
     states[40].preferredSpeed = 0.0F;
     CrowdSimulation crowd;
     crowd.setAgents(states);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 600; ++i) {
         steerAll(crowd, {1.3F, 0.0F});
         crowd.step(kStep);
         QCOMPARE(crowd.columns().x[rowOf(crowd, 40)], 0.0F);
