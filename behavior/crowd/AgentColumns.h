@@ -24,7 +24,9 @@ struct AgentColumns
     std::vector<float> velocityZ;
     std::vector<float> desiredX; ///< velocity that the agent would like
     std::vector<float> desiredZ;
-    std::vector<float> preferredSpeed; ///< 0: stands or sits, an obstacle that does not move
+    /// 0: stands or sits, an obstacle that does not move; below 0: is coming to rest, straight on
+    /// and slowing down by so many m/s².
+    std::vector<float> preferredSpeed;
     std::vector<float> radius;
 
     [[nodiscard]] std::size_t size() const { return m_size; }

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::size_t size() const { return m_agents.size(); }
 
     /// Rows in an order of their own; between steps write desiredX and desiredZ; y where the ground
-    /// is not flat; x and z to let somebody jump; preferredSpeed to let somebody stop for good.
+    /// is not flat; x and z to let somebody jump; preferredSpeed to let somebody stop.
     [[nodiscard]] AgentColumns& columns() { return m_agents; }
     [[nodiscard]] const AgentColumns& columns() const { return m_agents; }
     void setLevels(bool hasLevels) { m_hasLevels = hasLevels; }

@@ -80,7 +80,7 @@ void leave(const AgentColumns& agents, std::size_t row, std::size_t other, float
 {
     const float x = agents.x[row] - agents.x[other];
     const float z = agents.z[row] - agents.z[other];
-    const float share = agents.preferredSpeed[other] > 0.0F ? 0.5F : 1.0F;
+    const float share = agents.preferredSpeed[other] != 0.0F ? 0.5F : 1.0F;
     const float distance = std::sqrt(x * x + z * z);
     if (distance > 1e-4F) {
         wayX += share * x * (least - distance) / distance;

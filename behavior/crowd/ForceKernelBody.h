@@ -195,11 +195,16 @@ CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t la
     const F8 beforeZ = load(agents.velocityZ.data() + row);
     forceX += (load(agents.desiredX.data() + row) * pace - beforeX) * perSecond;
     forceZ += (load(agents.desiredZ.data() + row) * pace - beforeZ) * perSecond;
-    F8 velocityX = beforeX + forceX * job.seconds;
-    F8 velocityZ = beforeZ + forceZ * job.seconds;
     const F8 preferred = load(agents.preferredSpeed.data() + row);
-    const F8 top = p.topSpeed * preferred;
+    const I8 isBraking = preferred < 0.0F;
+    F8 velocityX = isBraking ? beforeX : beforeX + forceX * job.seconds;
+    F8 velocityZ = isBraking ? beforeZ : beforeZ + forceZ * job.seconds;
     const F8 speed = squareRoot(greater(squaredDistances(velocityX, velocityZ), all(kSmallest)));
+    const F8 before =
+        squareRoot(greater(squaredDistances(beforeX, beforeZ), all(kSmallest * kSmallest)));
+    const F8 top = isBraking
+                       ? greater(before + preferred * job.seconds, all(0.0F))
+                       : greater(p.topSpeed * preferred, before - p.slowingDown * job.seconds);
     const F8 share = lesser(top / speed, all(1.0F));
     velocityX *= share;
     velocityZ *= share;
@@ -209,15 +214,15 @@ CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t la
     const F8 z = atZ + velocityZ * job.seconds;
     // Those who stand stay, and so does who would get nowhere.
     const F8 furthest = greater(greater(x, -x), greater(z, -z));
-    const I8 isMoving = (preferred > 0.0F) & (x == x) & (z == z) & (furthest < 1e9F);
+    const I8 isMoving = (preferred != 0.0F) & (x == x) & (z == z) & (furthest < 1e9F);
     storeSome(job.x + row, isMoving ? x : atX, lanes);
     storeSome(job.z + row, isMoving ? z : atZ, lanes);
     storeSome(job.velocityX + row, isMoving ? velocityX : all(0.0F), lanes);
     storeSome(job.velocityZ + row, isMoving ? velocityZ : all(0.0F), lanes);
     // Two may come closer by what both walk at most.
     const F8 least = 2.0F * job.seconds * greater(top, all(2.0F));
-    const unsigned bits =
-        bitsWhereLess(load(sums.closest + at), least) & bitsWhereLess(all(0.0F), preferred);
+    const unsigned bits = bitsWhereLess(load(sums.closest + at), least) &
+                          bitsWhereLess(all(0.0F), greater(preferred, -preferred));
     for (std::size_t l = 0; l < std::min(lanes, kLanes); ++l) {
         job.isCrowded[row + l] = static_cast<std::uint8_t>(bits >> l & 1U);
     }
@@ -276,7 +281,7 @@ void advance(const ForceJob& job, std::size_t begin, std::size_t end)
             moveBlock<kSlows>(job, first + i, count - i, sums, i);
         }
         for (std::size_t row = first; row < first + count && !job.walls.isEmpty(); ++row) {
-            if (job.agents.preferredSpeed[row] > 0.0F) {
+            if (job.agents.preferredSpeed[row] != 0.0F) {
                 keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
             }
         }

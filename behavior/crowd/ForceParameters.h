@@ -19,7 +19,8 @@ struct ForceParameters
     float wallStrength = 10.0F;
     float wallReach = 0.2F;
     float wallContact = 200.0F;
-    float topSpeed = 1.3F; ///< times the preferred speed
+    float topSpeed = 1.3F;    ///< times the preferred speed
+    float slowingDown = 5.0F; ///< to that speed at most, m/s²: nobody can at once
     /// How much walkers slow down as it gets dense ahead, after Weidmann, "Transporttechnik der
     /// Fussgänger" (1993): 0 not at all, 1 as observed.
     float slowing = 1.0F;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/bake/Pose.h"
+#include "model/bake/Skinning.h"
 #include "model/brush/ClipChoice.h"
 
 namespace crowd::behavior {
@@ -12,6 +14,68 @@ namespace {
 
 constexpr float kStandBelow = 0.2F; ///< m/s
 constexpr float kHysteresis = 0.15F;
+constexpr float kUsualBraking = 3.0F;   ///< m/s²
+constexpr float kHardestBraking = 5.0F; ///< m/s²
+constexpr float kSole = 0.04F;          ///< of the height: vertices that low are soles
+constexpr double kPassingShare = 0.12;  ///< of a cycle
+constexpr int kMoments = 48;            ///< looked at in a clip
+
+/// The vertices of the soles as a mesh of their own.
+model::Mesh solesOf(const model::Template& asset)
+{
+    model::Mesh soles;
+    if (asset.levels.empty()) {
+        return soles;
+    }
+    const model::Mesh& mesh = asset.levels.back();
+    const auto influences = static_cast<std::size_t>(mesh.influencesPerVertex);
+    model::Pose pose;
+    model::evaluatePose(asset, asset.defaultClip, 0.0F, pose);
+    std::vector<glm::vec3> points(mesh.positions.size());
+    model::skin(mesh, pose.bones, points, {});
+    soles.influencesPerVertex = mesh.influencesPerVertex;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        if (points[v].y < kSole * asset.height) {
+            soles.positions.push_back(mesh.positions[v]);
+            const auto from = static_cast<std::ptrdiff_t>(v * influences);
+            const auto to = from + static_cast<std::ptrdiff_t>(influences);
+            soles.bones.insert(soles.bones.end(), mesh.bones.begin() + from,
+                               mesh.bones.begin() + to);
+            soles.weights.insert(soles.weights.end(), mesh.weights.begin() + from,
+                                 mesh.weights.begin() + to);
+        }
+    }
+    return soles;
+}
+
+/// Where in a clip the soles reach least far from front to back.
+std::vector<float> feetTogetherIn(const model::Template& asset, const model::Mesh& soles, int clip)
+{
+    if (soles.positions.empty()) {
+        return {};
+    }
+    model::Pose pose;
+    std::vector<glm::vec3> points(soles.positions.size());
+    std::vector<float> reach(kMoments);
+    for (int i = 0; i < kMoments; ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(kMoments);
+        model::evaluatePose(asset, clip,
+                            share * asset.clips[static_cast<std::size_t>(clip)].seconds, pose);
+        model::skin(soles, pose.bones, points, {});
+        const auto [back, front] = std::ranges::minmax(points, {}, &glm::vec3::z);
+        reach[static_cast<std::size_t>(i)] = front.z - back.z;
+    }
+    const auto [least, most] = std::ranges::minmax(reach);
+    std::vector<float> places;
+    for (std::size_t i = 0; i < reach.size(); ++i) {
+        const float before = reach[(i + reach.size() - 1) % reach.size()];
+        const float after = reach[(i + 1) % reach.size()];
+        if (reach[i] < before && reach[i] <= after && reach[i] < 0.5F * (least + most)) {
+            places.push_back(static_cast<float>(i) / static_cast<float>(kMoments));
+        }
+    }
+    return places;
+}
 
 } // namespace
 
@@ -21,6 +85,7 @@ GaitTable::GaitTable(const model::TemplateEntry& entry)
         return;
     }
     const auto standing = static_cast<std::size_t>(entry.asset->defaultClip);
+    const model::Mesh soles = solesOf(*entry.asset);
     for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
         const int index = entry.asset->clipIndex(entry.clipNames[i]);
         if (index < 0) {
@@ -29,9 +94,10 @@ GaitTable::GaitTable(const model::TemplateEntry& entry)
         const auto clip = static_cast<std::size_t>(index);
         const bool moves = model::movesOverGround(entry, i, clip);
         if (moves || clip == standing) {
-            m_gaits.push_back({static_cast<std::uint16_t>(i),
-                               moves ? model::groundSpeed(entry, i, clip) : 0.0F,
-                               entry.asset->clips[clip].seconds});
+            m_gaits.push_back(
+                {static_cast<std::uint16_t>(i), moves ? model::groundSpeed(entry, i, clip) : 0.0F,
+                 entry.asset->clips[clip].seconds,
+                 moves ? feetTogetherIn(*entry.asset, soles, index) : std::vector<float>{}});
         }
     }
     std::ranges::stable_sort(m_gaits, {}, &Gait::metresPerSecond);
@@ -75,6 +141,49 @@ std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::s
         --gait;
     }
     return gait;
+}
+
+float GaitTable::braking(const Gait& gait, double place, float metresPerSecond, float height)
+{
+    const float squared = metresPerSecond * metresPerSecond;
+    const float stride = gait.metresPerSecond * gait.seconds * std::max(height, 0.05F);
+    if (gait.feetTogether.empty() || stride <= 0.0F) {
+        return kUsualBraking;
+    }
+    // The first such place that can be reached at all.
+    const auto least = static_cast<double>(0.5F * squared / kHardestBraking / stride);
+    double nearest = least + 1.0;
+    for (const float together : gait.feetTogether) {
+        const double way = static_cast<double>(together) - place - least;
+        nearest = std::min(nearest, least + way - std::floor(way));
+    }
+    return 0.5F * squared / (static_cast<float>(nearest) * stride);
+}
+
+double GaitTable::nearestTogether(const Gait& gait, double place)
+{
+    double best = place;
+    double least = 1.0;
+    for (const float together : gait.feetTogether) {
+        const double away = std::remainder(static_cast<double>(together) - place, 1.0);
+        if (std::fabs(away) < least) {
+            least = std::fabs(away);
+            best = static_cast<double>(together);
+        }
+    }
+    return best;
+}
+
+bool GaitTable::isAboutToPass(const Gait& gait, double place)
+{
+    const double ahead = std::remainder(nearestTogether(gait, place) - place, 1.0);
+    return gait.feetTogether.empty() || (ahead > -0.02 && ahead < kPassingShare);
+}
+
+double GaitTable::placeInto(const Gait& from, const Gait& to, double place)
+{
+    const double passing = nearestTogether(from, place);
+    return from.feetTogether.empty() ? place : place + nearestTogether(to, passing) - passing;
 }
 
 float GaitTable::playback(const Gait& gait, float metresPerSecond, float height)

@@ -17,6 +17,8 @@ public:
         std::uint16_t clip = 0;       ///< as the clip column counts
         float metresPerSecond = 0.0F; ///< at playback speed 1 and height 1; 0: standing
         float seconds = 1.0F;         ///< of the clip; 0 a pose
+        /// Places in the clip, ascending, where the feet pass each other.
+        std::vector<float> feetTogether{};
     };
 
     /// Empty where the template is not loaded or has nothing to move with: its people glide with
@@ -34,6 +36,17 @@ public:
                                      std::size_t style = 0) const;
     /// That moves with a clip (as the clip column counts); 0: none does.
     [[nodiscard]] std::size_t gaitOf(std::size_t clip) const;
+    /// How somebody moving at that speed comes to rest with one foot under the body, m/s²: standing
+    /// still between two steps he would have to draw both feet in along the ground.
+    [[nodiscard]] static float braking(const Gait& gait, double place, float metresPerSecond,
+                                       float height);
+    /// The place where the feet pass each other that is nearest to a place.
+    [[nodiscard]] static double nearestTogether(const Gait& gait, double place);
+    /// Whether the feet are about to pass each other: the moment to go over to another gait, since
+    /// the foot on the ground is then under the body in both.
+    [[nodiscard]] static bool isAboutToPass(const Gait& gait, double place);
+    /// The same moment of a step in another gait.
+    [[nodiscard]] static double placeInto(const Gait& from, const Gait& to, double place);
     /// Playback speed at which feet do not slide.
     [[nodiscard]] static float playback(const Gait& gait, float metresPerSecond, float height);
 

@@ -20,7 +20,9 @@ constexpr float kBodyRadius = 0.25F;
 constexpr float kTurnRadiansPerSecond = 4.0F;
 constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he is pushed
 constexpr float kMovesAbove = 0.02F;
-constexpr float kGroupSpread = 0.35F; ///< metres times the root of its size
+constexpr float kRunsAbove = 2.0F;      ///< m/s
+constexpr float kFastestStride = 12.0F; ///< m/s: faster is no walk but a jump
+constexpr float kGroupSpread = 0.35F;   ///< metres times the root of its size
 constexpr float kSpeedSmoothing = 0.15F;
 constexpr float kRampShare = 0.25F; ///< of the way to the ground's height, a step
 constexpr int kObstacleSides = 12;
@@ -427,6 +429,7 @@ void Session::step()
     m_follower.steer(m_crowd);
     m_rules.step(*this, m_steps);
     actPlaces();
+    brake();
     m_crowd.step(kStepSeconds);
     ++m_steps;
     const std::vector<std::uint32_t> sitters = m_sitters;
@@ -471,6 +474,26 @@ void Session::actPlaces()
     }
 }
 
+/// Whoever does not want to go further comes to rest in a step or two rather than at once.
+void Session::brake()
+{
+    AgentColumns& agents = m_crowd.columns();
+    overRows(agents.size(), [this, &agents](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            const float speed = std::hypot(agents.velocityX[row], agents.velocityZ[row]);
+            const Shown& shown = m_shown[agents.agent[row]];
+            if (agents.preferredSpeed[row] != 0.0F || speed < kMovesAbove || shown.isGone ||
+                shown.isPut || shown.sitting != Sitting::No || shown.table >= m_gaits.size() ||
+                m_gaits[shown.table].isEmpty()) {
+                continue;
+            }
+            const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.gait);
+            agents.preferredSpeed[row] =
+                -GaitTable::braking(gait, shown.place, speed, shown.height);
+        }
+    });
+}
+
 const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
 {
     if (shown.table >= m_clips.size() || clip < 0 ||
@@ -509,10 +532,11 @@ void Session::show(std::size_t row)
     if (!shown.isLive) {
         return;
     }
-    if (m_surface && agents.preferredSpeed[row] > 0.0F) {
+    if (m_surface && agents.preferredSpeed[row] != 0.0F) {
         const float ground = m_surface->height(agents.x[row], agents.z[row], agents.y[row]);
         agents.y[row] += (ground - agents.y[row]) * kRampShare;
     }
+    const glm::vec2 way(agents.x[row] - shown.position.x, agents.z[row] - shown.position.z);
     shown.position = {agents.x[row], agents.y[row], agents.z[row]};
     if (shown.sitting != Sitting::Settles) {
         shown.speed += (speed - shown.speed) * kSpeedSmoothing;
@@ -523,6 +547,9 @@ void Session::show(std::size_t row)
     } else if (shown.isTurning) {
         shown.heading = turnedTo(shown.heading, shown.facing);
     }
+    const float ahead = way.x * std::sin(shown.heading) + way.y * std::cos(shown.heading);
+    shown.stride =
+        ahead < kFastestStride * kStepSeconds ? std::max(ahead / kStepSeconds, 0.0F) : 0.0F;
     if (const ClipFacts* facts = clipFacts(shown, shown.order)) {
         shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(kStepSeconds) /
                                                         static_cast<double>(facts->seconds)
@@ -533,21 +560,42 @@ void Session::show(std::size_t row)
             shown.order = -1;
         }
     }
-    followGait(shown);
+    followGait(shown, speed, agents.preferredSpeed[row] > 0.0F);
     noteClip(agents.agent[row]);
 }
 
-void Session::followGait(Shown& shown) const
+/// Feet set off and come to rest with the body; in between nobody changes his gait for a moment.
+void Session::followGait(Shown& shown, float speed, bool wantsOn) const
 {
+    const float metresPerSecond = !wantsOn          ? speed
+                                  : shown.gait == 0 ? std::max(speed, shown.speed)
+                                                    : shown.speed;
     if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
         return;
     }
     const GaitTable& table = m_gaits[shown.table];
-    shown.gait = static_cast<std::uint32_t>(table.choose(shown.gait, shown.speed, shown.style));
-    const GaitTable::Gait& gait = table.gait(shown.gait);
-    if (gait.seconds > 0.0F) {
-        const float rate = GaitTable::playback(gait, shown.speed, shown.height);
-        shown.place += static_cast<double>(rate * kStepSeconds) / static_cast<double>(gait.seconds);
+    const GaitTable::Gait& former = table.gait(shown.gait);
+    const bool stood = shown.gait == 0;
+    // Who comes to rest finishes with the walk that he has.
+    const bool keepsGait = !wantsOn && !stood && former.metresPerSecond < kRunsAbove;
+    const auto chosen = static_cast<std::uint32_t>(
+        table.choose(shown.gait, metresPerSecond, keepsGait ? shown.gait : shown.style));
+    const GaitTable::Gait& gait = table.gait(chosen);
+    if (stood && chosen != 0) {
+        shown.place = GaitTable::nearestTogether(gait, shown.place);
+        shown.speed = std::max(shown.speed, metresPerSecond);
+    }
+    if (stood || chosen == 0) {
+        shown.gait = chosen;
+    } else if (chosen != shown.gait && GaitTable::isAboutToPass(former, shown.place)) {
+        shown.place = GaitTable::placeInto(former, gait, shown.place);
+        shown.gait = chosen;
+    }
+    const GaitTable::Gait& present = table.gait(shown.gait);
+    if (present.seconds > 0.0F) {
+        const float rate = GaitTable::playback(present, shown.stride, shown.height);
+        shown.place +=
+            static_cast<double>(rate * kStepSeconds) / static_cast<double>(present.seconds);
         shown.place -= std::floor(shown.place);
     }
 }
@@ -557,16 +605,33 @@ void Session::noteClip(std::uint32_t agent)
 {
     Shown& shown = m_shown[agent];
     const PersonPose pose = poseOf(agent);
+    const bool isOfGait =
+        shown.gait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
     if (shown.hasLast && shown.last.clip != pose.clip) {
         shown.from = shown.last;
-        shown.from.place += shown.last.clipSeconds > 0.0F
-                                ? static_cast<double>(kStepSeconds * shown.last.rate) /
-                                      static_cast<double>(shown.last.clipSeconds)
-                                : 0.0;
+        shown.fromGait = shown.lastGait;
         shown.fadeBegin = seconds();
     }
+    goOnFading(shown);
     shown.last = {pose.clip, pose.isLooped, pose.rate, pose.clipSeconds, pose.place};
+    shown.lastGait = isOfGait ? shown.gait : 0;
     shown.hasLast = true;
+}
+
+/// What is being left goes on too, at the pace of the body where that moved it.
+void Session::goOnFading(Shown& shown) const
+{
+    if (shown.fadeBegin < 0.0 || seconds() - shown.fadeBegin >= kFadeSeconds) {
+        return;
+    }
+    if (shown.fromGait != 0) {
+        const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.fromGait);
+        shown.from.rate = GaitTable::playback(gait, shown.stride, shown.height);
+    }
+    if (shown.from.clipSeconds > 0.0F) {
+        shown.from.place += static_cast<double>(kStepSeconds * shown.from.rate) /
+                            static_cast<double>(shown.from.clipSeconds);
+    }
 }
 
 PersonPose Session::poseOf(std::size_t agent) const
@@ -609,7 +674,7 @@ PersonPose Session::poseOf(std::size_t agent) const
     }
     const GaitTable::Gait& chosen = m_gaits[shown.table].gait(gait);
     pose.clip = chosen.clip;
-    pose.rate = GaitTable::playback(chosen, shown.speed, shown.height);
+    pose.rate = GaitTable::playback(chosen, shown.stride, shown.height);
     pose.clipSeconds = chosen.seconds;
     pose.place = shown.place;
     return pose;

@@ -113,9 +113,12 @@ private:
         std::uint32_t stepsBlocked = 0;
         ClipPlace last; ///< at the end of the last step
         bool hasLast = false;
-        ClipPlace from;          ///< what it did before it changed over
-        double fadeBegin = -1.0; ///< seconds
-        bool isPut = false;      ///< stands where it was put, whatever the crowd says
+        ClipPlace from;             ///< what it did before it changed over, where it is by now
+        std::uint32_t lastGait = 0; ///< of `last`; 0: none, it has a pace of its own
+        std::uint32_t fromGait = 0; ///< of `from`
+        float stride = 0.0F;        ///< m/s that it went ahead in the last step
+        double fadeBegin = -1.0;    ///< seconds
+        bool isPut = false;         ///< stands where it was put, whatever the crowd says
     };
     struct ClipFacts
     {
@@ -168,8 +171,10 @@ private:
     void adoptValues(const model::Scene& scene, bool arePosesKept);
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
+    void brake();
     void show(std::size_t row);
-    void followGait(Shown& shown) const;
+    void goOnFading(Shown& shown) const;
+    void followGait(Shown& shown, float speed, bool wantsOn) const;
     void noteClip(std::uint32_t agent);
     [[nodiscard]] std::uint32_t styleOf(const model::Population& people, std::size_t row,
                                         std::uint32_t table) const;

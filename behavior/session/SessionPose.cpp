@@ -45,18 +45,32 @@ float phaseFor(const PersonPose& pose, double place, double seconds)
     return static_cast<float>(pose.isLooped ? phase - std::floor(phase) : phase);
 }
 
+/// Place in a clip at a share of the time from one step to the next, as far as the next is known:
+/// people speed up and slow down, and their feet must keep up with them.
+double placeBetween(double before, double after, float rateBefore, float rateAfter,
+                    float clipSeconds, double share, double since)
+{
+    if (clipSeconds <= 0.0F) {
+        return before;
+    }
+    if (rateBefore == rateAfter) {
+        return before + since * static_cast<double>(rateBefore) / static_cast<double>(clipSeconds);
+    }
+    return before + share * std::remainder(after - before, 1.0);
+}
+
 /// The clip that somebody comes from, as long as any of it is left.
-void addFade(const PersonPose& pose, std::size_t row, double seconds,
-             std::vector<model::ClipFade>& fades)
+void addFade(const PersonPose& pose, const PersonPose& next, std::size_t row, double share,
+             double poseSeconds, double seconds, std::vector<model::ClipFade>& fades)
 {
     const double since = seconds - pose.fadeBegin;
     if (pose.fadeBegin < 0.0 || since < 0.0 || since >= kFadeSeconds || pose.isGone) {
         return;
     }
     const ClipPlace& from = pose.from;
-    double place = from.clipSeconds > 0.0F ? from.place + since * static_cast<double>(from.rate) /
-                                                              static_cast<double>(from.clipSeconds)
-                                           : 0.0;
+    const ClipPlace& to = next.fadeBegin == pose.fadeBegin ? next.from : from;
+    double place = placeBetween(from.place, to.place, from.rate, to.rate, from.clipSeconds, share,
+                                seconds - poseSeconds);
     place = from.isLooped ? place - std::floor(place) : std::clamp(place, 0.0, 1.0);
     fades.push_back({static_cast<std::uint32_t>(row), from.clip, static_cast<float>(place),
                      static_cast<float>(since / kFadeSeconds)});
@@ -75,16 +89,15 @@ void put(const PersonPose& from, const PersonPose& to, double share, double pose
         position = {0.0F, kFarBelow, 0.0F};
     }
     const float turn = std::remainder(to.heading - from.heading, 2.0F * std::numbers::pi_v<float>);
-    const double moved = from.clipSeconds > 0.0F
-                             ? (seconds - poseSeconds) * static_cast<double>(from.rate) /
-                                   static_cast<double>(from.clipSeconds)
-                             : 0.0;
+    const PersonPose& next = from.clip == to.clip && from.isLooped ? to : from;
+    const double place = placeBetween(from.place, next.place, from.rate, next.rate,
+                                      from.clipSeconds, share, seconds - poseSeconds);
     columns.ids.push_back(from.id);
     columns.positions.push_back(position);
     columns.headings.push_back(
         std::remainder(from.heading + turn * part, 2.0F * std::numbers::pi_v<float>));
     columns.clips.push_back(from.clip);
-    columns.phases.push_back(phaseFor(from, from.place + moved, seconds));
+    columns.phases.push_back(phaseFor(from, place, seconds));
     columns.rates.push_back(from.rate);
     columns.seats.push_back(from.seat);
 }
@@ -114,8 +127,9 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
             continue;
         }
         const bool goesOn = next < after.people.size() && after.people[next].id == pose.id;
-        addFade(pose, row, seconds, frame.fades);
-        put(pose, goesOn ? after.people[next] : pose, share, before.seconds, seconds, columns);
+        const PersonPose& then = goesOn ? after.people[next] : pose;
+        addFade(pose, then, row, share, before.seconds, seconds, frame.fades);
+        put(pose, then, share, before.seconds, seconds, columns);
         // The reader's clock is the frame's, wherever the pose's stands.
         if (seconds != frame.seconds) {
             const double place = pose.place;

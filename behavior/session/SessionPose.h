@@ -34,7 +34,7 @@ struct PersonPose
     float rate = 1.0F;        ///< playback speed
     float clipSeconds = 0.0F; ///< 0: a pose
     double place = 0.0;       ///< in the clip; loops 0..1
-    ClipPlace from;           ///< what it did before
+    ClipPlace from;           ///< what it did before, where it would be by now
     double fadeBegin = -1.0;  ///< seconds, when it changed over; below 0: it did not
 };
 

@@ -1,5 +1,6 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
+    tst_FootSlide
     tst_RuleActions
     tst_Rules
     tst_Session
