@@ -22,8 +22,6 @@
 
 using namespace crowd::model;
 
-Q_DECLARE_METATYPE(std::function<void(crowd::model::Scene&)>)
-
 namespace {
 
 constexpr const char* kSmall = R"({

@@ -3,13 +3,13 @@
 
 #include <ctime>
 
-#include "TestScene.h"
 #include "model/bake/KeyframeTime.h"
 #include "model/base/Random.h"
 #include "render/crowd/CrowdPlan.h"
 #include "render/crowd/LevelChoice.h"
 #include "render/crowd/StaticRecords.h"
 #include "tests/program/Test.h"
+#include "tests/render/TestScene.h"
 
 using namespace crowd;
 using namespace crowd::testing;

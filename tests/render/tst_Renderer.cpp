@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QtTest>
 
-#include "TestScene.h"
 #include "tests/program/Test.h"
+#include "tests/render/TestScene.h"
 
 using namespace crowd;
 using namespace crowd::testing;
