@@ -686,6 +686,7 @@ SessionPosePtr Session::pose() const
     pose->step = m_steps;
     pose->seconds = seconds();
     pose->hasSeats = m_hasSat;
+    pose->people.reserve(m_shown.size());
     for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
         if (m_shown[agent].isLive) {
             pose->people.push_back(poseOf(agent));

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/SessionPlayer.h"
+
+#include <atomic>
+#include <numeric>
+#include <thread>
+
+#include <QtTest/QTest>
+
+#include "tests/program/Test.h"
+
+using namespace crowd;
+using behavior::SessionPlayer;
+
+/// A session on its own thread while everything else goes on. Under the thread sanitizer this is
+/// what looks for races between the two.
+class SessionPlayerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void editsWhileItRuns();
+    void stopsInTheMiddle();
+};
+
+namespace {
+
+constexpr std::size_t kPeople = 3600; ///< enough for several threads a step
+
+/// Everybody on his way across a square; whoever hears "run" runs.
+model::Scene squareScene()
+{
+    model::Scene scene;
+    std::vector<model::IndividualId> ids(kPeople);
+    std::iota(ids.begin(), ids.end(), 1U);
+    auto rows = model::IndividualRows::withDefaults(ids);
+    for (std::size_t i = 0; i < kPeople; ++i) {
+        rows.column(model::columns::position)[i] = {static_cast<float>(i % 60), 0.0F,
+                                                    static_cast<float>(i / 60)};
+        rows.column(model::columns::path)[i] = static_cast<model::PathId>(1 + i % 2);
+    }
+    scene.population.add(rows);
+    scene.places = {{1, "a", {0.0F, 0.0F, 0.0F}, 3.0F}, {2, "b", {60.0F, 0.0F, 60.0F}, 3.0F}};
+    scene.paths = {{1, "there", model::PathKind::Cyclic, {1, 2}},
+                   {2, "back", model::PathKind::Cyclic, {2, 1}}};
+    model::Rule rule;
+    rule.id = 1;
+    rule.name = "run";
+    rule.trigger.kind = model::TriggerKind::Event;
+    rule.trigger.event = "run";
+    model::Action run;
+    run.kind = model::ActionKind::SetSpeed;
+    run.value = 3.0F;
+    rule.actions = {run};
+    scene.rules = {rule};
+    return scene;
+}
+
+/// As the window does it, over and over.
+bool lookAt(const SessionPlayer& player, const model::Scene& scene, double seconds)
+{
+    model::CrowdFrame frame{scene.population, nullptr, seconds};
+    player.pose(frame);
+    const auto places = frame.population.column(model::columns::position);
+    return std::ranges::all_of(places, [](const glm::vec3& at) { return std::isfinite(at.x); });
+}
+
+} // namespace
+
+void SessionPlayerTest::editsWhileItRuns()
+{
+    model::Scene scene = squareScene();
+    std::atomic<int> published = 0;
+    SessionPlayer player([&] { ++published; });
+    player.start(scene);
+    std::uint64_t heard = 0;
+    for (int i = 0; i < 40; ++i) {
+        player.request(i / 30.0);
+        const std::vector<model::IndividualId> ids{static_cast<model::IndividualId>(1 + i * 7)};
+        scene.population.setValues<float>(model::columns::walkSpeed, ids,
+                                          std::vector<float>{1.0F + 0.01F * static_cast<float>(i)});
+        if (i % 5 == 0) {
+            scene.places[0].radius += 0.1F;
+            (void)scene.population.remove(ids);
+        }
+        player.adopt(scene, i % 3 == 0);
+        player.send("run", 0.0F, {static_cast<model::IndividualId>(1000 + i)});
+        QVERIFY(lookAt(player, scene, i / 30.0));
+        (void)player.lit();
+        heard += player.takeLog().size();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(player.available() >= 39 / 30.0 - 1e-6, 60000);
+    heard += player.takeLog().size();
+    QCOMPARE(heard, std::uint64_t{40});
+    QVERIFY(lookAt(player, scene, player.available()));
+    QVERIFY(published > 0);
+    QCOMPARE(player.report().fired.at(1), std::uint64_t{40});
+}
+
+void SessionPlayerTest::stopsInTheMiddle()
+{
+    const model::Scene scene = squareScene();
+    SessionPlayer player([] {});
+    for (int i = 0; i < 8; ++i) {
+        player.start(scene, 2.0);
+        player.request(4.0);
+        player.adopt(scene);
+        std::this_thread::yield();
+        player.stop();
+        QVERIFY(!player.isRunning());
+        QCOMPARE(player.available(), 0.0);
+    }
+}
+
+CROWD_TEST(SessionPlayerTest)
+#include "tst_SessionPlayer.moc"
