@@ -3,6 +3,7 @@
 
 #include "app/python/Binding.h"
 #include "model/brush/BrushSettings.h"
+#include "model/scene/NearestPath.h"
 
 namespace crowd::app {
 
@@ -176,9 +177,12 @@ void bindChanges(py::module_& module)
 
 void bindWalk(py::module_& module)
 {
+    module.attr("NEAREST_PATH") = kNearestPath;
     py::class_<WalkSettings>(module, "WalkSettings", "Which path people follow, and how fast.")
         .def_readwrite("sets_path", &WalkSettings::setsPath)
-        .def_readwrite("path", &WalkSettings::path, "Id of a path; 0: follow none.")
+        .def_readwrite(
+            "path", &WalkSettings::path,
+            "Id of a path; 0: follow none; NEAREST_PATH: the one that each is nearest to.")
         .def_readwrite("sets_speed", &WalkSettings::setsSpeed)
         .def_property("speed", rangeGetter(&WalkSettings::speed), rangeSetter(&WalkSettings::speed),
                       "m/s, (lowest, highest).");

@@ -17,6 +17,8 @@ _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
 """Brushes that register_brush made known, by name."""
+NEAREST_PATH: int
+"""Instead of a path's id in a walk brush: the path that each is nearest to."""
 
 
 class Error(RuntimeError):
@@ -375,7 +377,7 @@ class WalkSettings:
         ...
     @property
     def path(self) -> int:
-        """Id of a path; 0: follow none."""
+        """Id of a path; 0: follow none; NEAREST_PATH: the one that each is nearest to."""
     @path.setter
     def path(self, value: int) -> None:
         ...

@@ -31,6 +31,8 @@ _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
 """Brushes that register_brush made known, by name."""
+NEAREST_PATH: int
+"""Instead of a path's id in a walk brush: the path that each is nearest to."""
 '''
 
 # What pybind11 writes of types, in words of typing.

@@ -154,7 +154,7 @@ struct AnimationSettings
 struct WalkSettings
 {
     bool setsPath = true;
-    PathId path = 0; ///< 0: follow none
+    PathId path = 0; ///< 0: follow none; kNearestPath: the one that each is nearest to
     bool setsSpeed = true;
     ValueRange speed{1.1F, 1.5F}; ///< m/s
     friend bool operator==(const WalkSettings&, const WalkSettings&) = default;

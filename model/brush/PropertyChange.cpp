@@ -7,6 +7,7 @@
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
+#include "model/scene/NearestPath.h"
 
 namespace crowd::model {
 
@@ -69,13 +70,14 @@ public:
             randomUnit(hashKeys(m_request.seed, id), purpose, extra));
     }
 
-private:
+    /// Where somebody is seen.
     [[nodiscard]] glm::vec3 positionOf(std::size_t row, IndividualId id) const
     {
         const std::size_t shownRow = m_request.shown != nullptr ? m_shown.rowOf(id) : row;
         return m_shown.column(columns::position)[shownRow];
     }
 
+private:
     const ChangeRequest& m_request;
     const Population& m_shown;
 };
@@ -271,11 +273,15 @@ ChangeResult changeWalks(const ChangeRequest& request)
     const Shares shares(request);
     ColumnChange<PathId> pathChange;
     ColumnChange<float> speedChange;
-    const bool isThere =
-        settings.path == 0 || request.edit.scene().findPath(settings.path) != nullptr;
+    const bool isNearest = settings.path == kNearestPath;
+    const std::optional<NearestPath> nearest =
+        isNearest ? std::optional<NearestPath>(request.edit.scene()) : std::nullopt;
+    const bool isThere = settings.path == 0 || (isNearest && !request.edit.scene().paths.empty()) ||
+                         request.edit.scene().findPath(settings.path) != nullptr;
     forEachRow(request, [&](std::size_t row, IndividualId id) {
         if (settings.setsPath && isThere) {
-            pathChange.set(id, paths[row], settings.path);
+            pathChange.set(id, paths[row],
+                           nearest ? nearest->at(shares.positionOf(row, id)) : settings.path);
         }
         if (settings.setsSpeed) {
             // Nobody walks like his neighbour: the operator decides only how evenly.

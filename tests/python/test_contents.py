@@ -171,6 +171,18 @@ class Contents(unittest.TestCase):
         walk.walk.speed = (2.0, 2.0)
         self.assertGreater(scene.stroke(walk, [(0, 0), (640, 360)], size=(640, 360)).affected, 10)
         self.assertGreater(np.count_nonzero(scene.column("walkSpeed") == 2), 10)
+        scene.set_environment({
+            "places": [{"id": k, "position": [x, 0, z]}
+                       for k, (x, z) in enumerate(((-30, 0), (0, -30), (0, -31)), 1)],
+            "paths": [{"id": 1, "places": [1]}, {"id": 2, "places": [2, 3]}]})
+        walk.walk.path = crowdbrush.NEAREST_PATH
+        scene.stroke(walk, [(0, 0), (640, 360)], size=(640, 360))
+        x, _, z = scene.column("position").T
+        follows = scene.column("path")
+        is_first = np.hypot(x + 30, z) < np.hypot(x, z + 30)
+        self.assertGreater(np.count_nonzero(follows == 2), 10)
+        self.assertFalse((follows[is_first] == 2).any())
+        self.assertFalse((follows[~is_first] == 1).any())
         tag = crowdbrush.Brush(crowdbrush.BrushKind.TAG)
         tag.selection = crowdbrush.Selection.RECTANGLE
         tag.tag = 5

@@ -4,6 +4,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "model/scene/NearestPath.h"
 #include "widgets/docks/BrushForm.h"
 #include "widgets/state/BrushTexts.h"
 
@@ -373,8 +374,8 @@ void addAnimation(BrushForm& form)
 
 void addWalk(BrushForm& form, const EditorState& state)
 {
-    QStringList names{BrushForm::tr("None: stay")};
-    std::vector<model::PathId> ids{0};
+    QStringList names{BrushForm::tr("None: stay"), BrushForm::tr("The nearest")};
+    std::vector<model::PathId> ids{0, model::kNearestPath};
     for (const model::Path& path : state.scene().paths) {
         names << QString::fromStdString(path.name);
         ids.push_back(path.id);

@@ -6,6 +6,7 @@
 
 #include <QtCore/QMetaObject>
 
+#include "model/scene/NearestPath.h"
 #include "model/scene/RuleSets.h"
 
 namespace crowd::widgets {
@@ -20,7 +21,9 @@ namespace {
 void refreshWalk(EditorState& state)
 {
     BrushSettings settings = state.brush(BrushKind::Walk);
-    if (state.scene().findPath(settings.walk.path) == nullptr) {
+    const bool isNearest =
+        settings.walk.path == model::kNearestPath && !state.scene().paths.empty();
+    if (!isNearest && state.scene().findPath(settings.walk.path) == nullptr) {
         settings.walk.path = state.scene().paths.empty() ? 0 : state.scene().paths.front().id;
         state.setBrush(settings);
     }

@@ -8,6 +8,7 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/scene/NearestPath.h"
 
 namespace crowd::widgets {
 
@@ -167,12 +168,14 @@ private:
         state.showStatus(PlaceToolText::tr("The path is closed: people go round."));
     }
 
-    /// The walk brush offers what was painted last.
+    /// The walk brush offers what was painted last, unless it is to find the nearest.
     void followFromNowOn(model::PathId path)
     {
         model::BrushSettings walk = m_context.state.brush(BrushKind::Walk);
-        walk.walk.path = path;
-        m_context.state.setBrush(walk);
+        if (walk.walk.path != model::kNearestPath) {
+            walk.walk.path = path;
+            m_context.state.setBrush(walk);
+        }
     }
 
     void addRole(const glm::vec3& ground)
