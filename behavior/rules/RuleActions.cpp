@@ -16,11 +16,6 @@ constexpr std::size_t kMaxEvents = 500'000;
 constexpr float kFullTurn = 6.2831853F;
 constexpr std::uint64_t kStepsToAskAgain = 10; ///< for a free place
 
-std::string ruleNamed(const model::Rule& rule)
-{
-    return "Rule \"" + rule.name + "\"";
-}
-
 } // namespace
 
 bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& action)
@@ -72,21 +67,6 @@ glm::vec3 RuleEngine::pointIn(RuleHost& host, std::uint32_t agent, const model::
     return place.position + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
 }
 
-void RuleEngine::flee(RuleHost& host, std::uint32_t agent, float metres)
-{
-    const Cause& cause = m_minds[agent].cause;
-    const glm::vec3 at = host.position(agent);
-    glm::vec3 away = at - cause.origin;
-    away.y = 0.0F;
-    const float length = std::sqrt(away.x * away.x + away.z * away.z);
-    const float angle = kFullTurn * draw(host, agent, 81);
-    away = cause.hasOrigin && length > 0.05F ? away / length
-                                             : glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-    m_minds[agent].goal = 0;
-    hold(agent, 0);
-    host.sendTo(agent, at + away * metres);
-}
-
 /// True: there is nowhere to go, and nothing to wait for.
 bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action& action)
 {
@@ -94,8 +74,8 @@ bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action
     const bool isLeaving = action.kind == model::ActionKind::LeaveScene;
     const model::PlaceChoice choice = isLeaving ? model::PlaceChoice::Given : action.choice;
     if (choice == model::PlaceChoice::Given && m_places.find(action.place) == nullptr) {
-        complain(ruleNamed(m_rules[mind.rule]) +
-                 " sends people to a place that is not there any more. Choose another one.");
+        complainOf(mind.rule,
+                   " sends people to a place that is not there any more. Choose another one.");
         return true;
     }
     if (choice != model::PlaceChoice::Given && choice != model::PlaceChoice::Nearest) {
@@ -130,7 +110,7 @@ bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const model::Action
     if (action.kind == model::ActionKind::Flee) {
         mind.isStarted = true;
         mind.isTravelling = true;
-        flee(host, agent, action.metres);
+        flee(host, agent, action);
         return false;
     }
     return (!mind.isStarted || m_now >= mind.until) && setOut(host, agent, action);
@@ -184,16 +164,6 @@ bool RuleEngine::wait(RuleHost& host, std::uint32_t agent, const model::Action& 
     return m_now >= mind.until || (isForEvent && mind.hasHeard);
 }
 
-void RuleEngine::turn(RuleHost& host, std::uint32_t agent, model::PlaceId id)
-{
-    const Cause& cause = m_minds[agent].cause;
-    if (const model::Place* place = m_places.find(id)) {
-        host.turnTo(agent, place->position);
-    } else if (cause.hasOrigin) {
-        host.turnTo(agent, cause.origin);
-    }
-}
-
 bool RuleEngine::isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
                          std::uint32_t other) const
 {
@@ -230,7 +200,8 @@ void RuleEngine::send(RuleHost& host, std::uint32_t agent, const model::Action& 
         if (isMeant(host, action, agent, other)) {
             const float away = host.isGone(other) ? 0.0F : flatDistance(host.position(other), at);
             const double delay = static_cast<double>(away * action.secondsPerMetre);
-            post({m_now + delay, m_order++, action.event, action.value, host.id(other), at});
+            post({m_now + delay, m_order++, action.event, action.value, host.id(other), at,
+                  host.id(agent)});
         }
     }
 }
@@ -240,8 +211,7 @@ void RuleEngine::changeNumber(std::uint32_t agent, const model::Action& action)
     Mind& mind = m_minds[agent];
     const auto found = std::ranges::find(m_numbers, action.number, &model::NumberName::id);
     if (found == m_numbers.end()) {
-        complain(ruleNamed(m_rules[mind.rule]) +
-                 " changes a number that is not there any more. Choose another one.");
+        complainOf(mind.rule, " changes a number that is not there any more. Choose another one.");
         return;
     }
     float& number = mind.numbers[static_cast<std::size_t>(found - m_numbers.begin())];
@@ -259,8 +229,8 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
     case model::ActionKind::FollowPath:
         hold(agent, 0);
         if (!host.follow(agent, action.path)) {
-            complain(ruleNamed(m_rules[mind.rule]) +
-                     " lets people follow a path that is not there any more. Choose another one.");
+            complainOf(mind.rule, " lets people follow a path that is not there any more. Choose "
+                                  "another one.");
         }
         return true;
     case model::ActionKind::GoToPlace:
@@ -280,7 +250,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         host.setPace(agent, action.value > 0.0F ? action.value : mind.cause.payload);
         return true;
     case model::ActionKind::TurnTo:
-        turn(host, agent, action.place);
+        if (const std::optional<Aim> aim = aimOf(host, agent, action)) {
+            host.turnTo(agent, aim->point);
+        }
         return true;
     case model::ActionKind::AddTag:
         mind.tags |= std::uint64_t{1} << action.tag;
@@ -313,11 +285,16 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         if (const model::Place* place = m_places.find(action.place)) {
             host.appear(agent, pointIn(host, agent, *place));
         } else {
-            complain(ruleNamed(m_rules[mind.rule]) +
-                     " lets people appear at a place that is not there any more. Choose another "
-                     "one.");
+            complainOf(mind.rule,
+                       " lets people appear at a place that is not there any more. Choose "
+                       "another one.");
         }
         return true;
+    case model::ActionKind::GoToPerson:
+    case model::ActionKind::Follow:
+        return approach(host, agent, action);
+    case model::ActionKind::LookAt:
+        return lookAtAim(host, agent, action);
     }
     return true;
 }

@@ -142,6 +142,11 @@ void RuleEngine::complain(std::string problem)
     }
 }
 
+void RuleEngine::complainOf(std::uint32_t rule, const std::string& problem)
+{
+    complain("Rule \"" + m_rules[rule].name + "\"" + problem);
+}
+
 std::uint64_t RuleEngine::count(model::RuleId rule) const
 {
     const auto found = m_counts.find(rule);
@@ -175,7 +180,7 @@ void RuleEngine::send(const std::string& event, float payload, std::uint32_t age
                       const glm::vec3& origin)
 {
     if (agent < m_agentOf.size() && std::isfinite(payload)) {
-        post({m_now, m_order++, event, payload, m_agentOf[agent].first, origin});
+        post({m_now, m_order++, event, payload, m_agentOf[agent].first, origin, 0});
     }
 }
 
@@ -184,6 +189,7 @@ void RuleEngine::step(RuleHost& host, std::uint64_t step)
     m_step = step;
     m_now = static_cast<double>(step) / 30.0;
     m_places.forget();
+    m_tagged.clear();
     deliver(host);
     endErrands(host);
     lookAround(host);
@@ -207,10 +213,9 @@ void RuleEngine::deliver(RuleHost& host)
             postponed.push_back(std::move(event));
             continue;
         }
-        const auto found = std::ranges::lower_bound(m_agentOf, event.who, {},
-                                                    [](const auto& entry) { return entry.first; });
-        if (found != m_agentOf.end() && found->first == event.who) {
-            hear(host, found->second, event);
+        const std::uint32_t agent = agentNamed(event.who);
+        if (agent != kNone) {
+            hear(host, agent, event);
         }
     }
     for (Event& event : postponed) {
@@ -225,14 +230,14 @@ void RuleEngine::hear(RuleHost& host, std::uint32_t agent, const Event& event)
         const model::Action& action = m_rules[mind.rule].actions[mind.action];
         if (action.kind == model::ActionKind::WaitForEvent && action.event == event.name) {
             mind.hasHeard = true;
-            mind.cause = {event.payload, event.origin, true};
+            mind.cause = {event.payload, event.origin, true, event.sender};
         }
     }
     for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
         const model::Trigger& trigger = m_rules[rule].trigger;
         if (trigger.kind == model::TriggerKind::Event && trigger.event == event.name &&
             (m_bringsBack[rule] || !host.isGone(agent))) {
-            fire(host, rule, agent, {event.payload, event.origin, true});
+            fire(host, rule, agent, {event.payload, event.origin, true, event.sender});
         }
     }
 }
@@ -323,9 +328,8 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
     for (int count = 0; mind.rule != kNone; ++count) {
         const std::vector<model::Action>& actions = m_rules[mind.rule].actions;
         if (count > kMaxActionsAtOnce) {
-            complain("Rule \"" + m_rules[mind.rule].name +
-                     "\" repeats without any time passing: let it wait or play a clip. It was "
-                     "ended.");
+            complainOf(mind.rule, " repeats without any time passing: let it wait or play a clip. "
+                                  "It was ended.");
             mind.rule = kNone;
             return;
         }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -104,6 +105,7 @@ private:
         float payload = 0.0F;
         glm::vec3 origin{0.0F};
         bool hasOrigin = false;
+        model::IndividualId sender = 0; ///< 0: nobody
     };
     struct Waiting
     {
@@ -127,6 +129,11 @@ private:
         model::PlaceId goal = 0;    ///< of the errand that he is on or was on last
         model::PlaceId holds = 0;   ///< place that counts him as its guest
         std::vector<float> numbers; ///< as m_numbers
+        // Going to somebody, following, looking at.
+        model::IndividualId partner = 0;
+        glm::vec3 aimedAt{0.0F};
+        double nextLook = 0.0; ///< seconds
+        bool isNear = false;
     };
     /// What a rule knows of each individual.
     struct Memory
@@ -145,6 +152,13 @@ private:
         float payload = 0.0F;
         model::IndividualId who = 0;
         glm::vec3 origin{0.0F};
+        model::IndividualId sender = 0;
+    };
+    /// What an action is about, where it is now.
+    struct Aim
+    {
+        glm::vec3 point{0.0F};
+        std::uint32_t agent = kNone; ///< where it is somebody
     };
 
     static bool isLater(const Event& a, const Event& b)
@@ -178,8 +192,17 @@ private:
     [[nodiscard]] bool sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool standUp(RuleHost& host, std::uint32_t agent);
     [[nodiscard]] bool wait(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    void flee(RuleHost& host, std::uint32_t agent, float metres);
-    void turn(RuleHost& host, std::uint32_t agent, model::PlaceId place);
+    void flee(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool approach(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool comeNear(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] std::optional<Aim> aimOf(RuleHost& host, std::uint32_t agent,
+                                           const model::Action& action);
+    [[nodiscard]] std::optional<Aim> partnerOf(RuleHost& host, std::uint32_t agent,
+                                               const model::Action& action);
+    [[nodiscard]] std::uint32_t nearestTagged(RuleHost& host, std::uint32_t agent,
+                                              std::uint8_t tag);
+    [[nodiscard]] std::uint32_t agentNamed(model::IndividualId id) const;
     void send(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
                                std::uint32_t other) const;
@@ -192,6 +215,8 @@ private:
     [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;
     [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;
     void complain(std::string problem);
+    /// Begins with the rule's name.
+    void complainOf(std::uint32_t rule, const std::string& problem);
 
     std::vector<model::Rule> m_rules; ///< enabled ones, the first matters most
     std::vector<bool> m_bringsBack;   ///< rules that those who have left still hear
@@ -201,6 +226,8 @@ private:
     std::vector<std::vector<Memory>> m_memory; ///< by rule, by agent
     std::vector<Event> m_events;               ///< heap: the earliest first
     std::vector<std::pair<model::IndividualId, std::uint32_t>> m_agentOf; ///< ascending
+    /// Who has a tag, by tag: as of this step, for those that were asked for.
+    std::map<std::uint8_t, std::vector<std::uint32_t>> m_tagged;
     std::map<model::RuleId, std::uint64_t> m_counts;
     std::vector<RuleFired> m_log;
     std::vector<std::string> m_problems;

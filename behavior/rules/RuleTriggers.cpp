@@ -168,7 +168,7 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
         }
         const bool isNear = who != kNone;
         if (std::exchange(m_memory[rule][agent].wasThere, isNear) != isNear && isNear) {
-            fire(host, rule, agent, {0.0F, host.position(who), true});
+            fire(host, rule, agent, {0.0F, host.position(who), true, host.id(who)});
         }
     }
 }

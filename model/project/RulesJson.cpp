@@ -15,13 +15,14 @@ constexpr std::array kTriggers{"start",    "event",       "arrived",    "entered
                                "tag near", "speed limit", "waited"};
 constexpr std::array kConditions{"tag",    "template", "in place", "follows", "seated",   "chance",
                                  "number", "speed",    "payload",  "full",    "people in"};
-constexpr std::array kActions{"play",           "follow",     "go to",         "flee",
-                              "stop",           "go on",      "wait",          "speed",
-                              "turn",           "tag",        "untag",         "send",
-                              "leave scene",    "again",      "sit down",      "stand up",
-                              "wait for event", "set number", "add to number", "appear"};
+constexpr std::array kActions{
+    "play",          "follow", "go to",        "flee",          "stop",           "go on",
+    "wait",          "speed",  "turn",         "tag",           "untag",          "send",
+    "leave scene",   "again",  "sit down",     "stand up",      "wait for event", "set number",
+    "add to number", "appear", "go to person", "follow person", "look at"};
 constexpr std::array kComparisons{"less", "equal", "more"};
 constexpr std::array kChoices{"given", "nearest", "nearest free", "first free", "ahead"};
+constexpr std::array kAims{"sender", "tagged", "place"};
 constexpr std::array kYields{"further up", "anybody", "nobody"};
 constexpr std::array kCueReaches{"everybody", "selected", "tagged"};
 constexpr std::array<const char*, 5> kReaches{"self", "near", "tagged", "group", "everybody"};
@@ -85,7 +86,8 @@ json toJson(const Action& action)
             {"metres", number(action.metres)},
             {"secondsPerMetre", number(action.secondsPerMetre)},
             {"choice", nameOf(kChoices, action.choice)},
-            {"number", action.number}};
+            {"number", action.number},
+            {"aim", nameOf(kAims, action.aim)}};
 }
 
 json toJson(const Rule& rule)
@@ -166,6 +168,10 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
     readWithin(fields, "secondsPerMetre", 0.0F, kMaxSeconds, action.secondsPerMetre);
     readName(fields, "choice", kChoices, action.choice);
     fields.read("number", action.number);
+    // Files from before there were aims turn people to the place that is given.
+    const bool isToPlace = action.kind == ActionKind::TurnTo && action.place != 0;
+    action.aim = isToPlace ? ActionAim::Place : ActionAim::Sender;
+    readName(fields, "aim", kAims, action.aim);
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)

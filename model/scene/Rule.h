@@ -131,12 +131,12 @@ enum class ActionKind : std::uint8_t {
     PlayClip,   ///< one of the clips, by weight
     FollowPath, ///< path
     GoToPlace,  ///< place
-    Flee,       ///< away from where the event came from, for so many metres
+    Flee,       ///< away from the aim, for so many metres
     Stop,
     GoOn,     ///< what was being walked before it stopped
     Wait,     ///< seconds ± half of that
     SetSpeed, ///< value: m/s; 0: the payload of the event
-    TurnTo,   ///< place; 0: where the event came from
+    TurnTo,   ///< the aim
     AddTag,
     RemoveTag,
     SendEvent,
@@ -147,7 +147,17 @@ enum class ActionKind : std::uint8_t {
     WaitForEvent, ///< the event, or so many seconds; 0: for ever
     SetNumber,    ///< number becomes value
     AddToNumber,  ///< value is added
-    Appear        ///< at the place, also after leaving the scene
+    Appear,       ///< at the place, also after leaving the scene
+    GoToPerson,   ///< as near to the aim as so many metres; gives up after `seconds`; 0: never
+    Follow,       ///< stays so near to the aim for `seconds`; 0: until another rule comes
+    LookAt        ///< keeps facing the aim for `seconds`; 0: until another rule comes
+};
+
+/// Whom or what an action is about.
+enum class ActionAim : std::uint8_t {
+    Sender, ///< who sent the event or came near; where it came from when nobody did
+    Tagged, ///< the nearest one with the tag
+    Place
 };
 
 /// Which place to go to. Candidates of all but Given: the path's places where one is given, else
@@ -179,6 +189,8 @@ struct Action
     float secondsPerMetre = 0.0F;            ///< SendEvent: so that a wave runs
     PlaceChoice choice = PlaceChoice::Given; ///< GoToPlace
     NumberId number = 0;                     ///< SetNumber, AddToNumber
+    /// Flee, TurnTo, GoToPerson, Follow, LookAt; GoToPerson and Follow know no places.
+    ActionAim aim = ActionAim::Sender;
     friend bool operator==(const Action&, const Action&) = default;
 };
 

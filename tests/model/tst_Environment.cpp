@@ -57,12 +57,15 @@ void furnish(SceneDocument& document)
     other.conditions.back().number = 2;
     other.conditions.back().comparison = Comparison::Less;
     other.conditions.back().value = -3.5F;
-    other.actions.resize(3);
+    other.actions.resize(4);
     other.actions[0].kind = ActionKind::GoToPlace;
     other.actions[0].choice = PlaceChoice::Ahead;
     other.actions[1].kind = ActionKind::AddToNumber;
     other.actions[1].number = 2;
     other.actions[2].kind = ActionKind::Appear;
+    other.actions[3].kind = ActionKind::Follow;
+    other.actions[3].aim = ActionAim::Tagged;
+    other.actions[3].tag = 12;
     edit->setRules({rule, other});
     edit->setNumbers({{2, "patience", -1.0F, 4.5F}, {7, "hunger", 0.0F, 0.0F}});
     edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});

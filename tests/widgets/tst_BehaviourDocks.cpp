@@ -189,7 +189,7 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     QVERIFY(desk.isReady());
     QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::Waited) + 1);
     QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::PeopleIn) + 1);
-    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::Appear) + 1);
+    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::LookAt) + 1);
     QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);
     QVERIFY(yieldNames().size() == static_cast<int>(model::RuleYield::Nobody) + 1);
     model::Rule rule;
@@ -199,6 +199,10 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     }
     for (int kind = 0; kind < actionNames().size(); ++kind) {
         rule.actions.emplace_back().kind = static_cast<model::ActionKind>(kind);
+    }
+    for (int aim = 0; aim < aimNames().size(); ++aim) {
+        rule.actions.emplace_back().kind = model::ActionKind::LookAt;
+        rule.actions.back().aim = static_cast<model::ActionAim>(aim);
     }
     for (int choice = 0; choice < choiceNames().size(); ++choice) {
         rule.actions.emplace_back().kind = model::ActionKind::GoToPlace;

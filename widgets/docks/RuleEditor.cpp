@@ -47,6 +47,13 @@ void setKind(Action& action, ActionKind kind)
         action.metres = 0.0F;
     } else if (kind == ActionKind::WaitForEvent) {
         action.seconds = 0.0F;
+    } else if (kind == ActionKind::Follow || kind == ActionKind::GoToPerson) {
+        action.metres = 1.5F;
+        action.seconds = kind == ActionKind::Follow ? 10.0F : 0.0F;
+    }
+    const bool isToPerson = kind == ActionKind::Follow || kind == ActionKind::GoToPerson;
+    if (isToPerson && action.aim == model::ActionAim::Place) {
+        action.aim = model::ActionAim::Sender;
     }
 }
 
@@ -377,6 +384,29 @@ void RuleEditor::addSendFields(QVBoxLayout* layout, std::size_t index)
     addNumber(row, index, &Action::value, -1e6, 1e6, {});
 }
 
+/// Whom or what it is about.
+void RuleEditor::addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace)
+{
+    const Action& action = m_rule.actions[index];
+    QHBoxLayout* row = indentedRowIn(layout);
+    QStringList names = aimNames();
+    if (!canBePlace && action.aim != model::ActionAim::Place) {
+        names.removeLast();
+    }
+    addChoiceField(row, names, static_cast<int>(action.aim), [this, index](int aim) {
+        setAction(index, [&](Action& each) { each.aim = static_cast<model::ActionAim>(aim); });
+    });
+    if (action.aim == model::ActionAim::Tagged) {
+        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
+            setAction(index, [&](Action& each) { each.tag = tag; });
+        });
+    } else if (action.aim == model::ActionAim::Place) {
+        addPlaceField(row, m_scene, action.place, {}, [this, index](model::PlaceId id) {
+            setAction(index, [&](Action& each) { each.place = id; });
+        });
+    }
+}
+
 void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
 {
     const Action& action = m_rule.actions[index];
@@ -415,8 +445,23 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         addGoFields(layout, index);
         break;
     case ActionKind::TurnTo:
-        addPlace(tr("where it came from"));
+        addAimFields(layout, index, true);
         break;
+    case ActionKind::LookAt:
+        addAimFields(layout, index, true);
+        addEdited(&Action::seconds, 3600.0, tr(" s"), tr("until something else comes"));
+        break;
+    case ActionKind::GoToPerson:
+    case ActionKind::Follow: {
+        addAimFields(layout, index, false);
+        QHBoxLayout* row = indentedRowIn(layout);
+        row->addWidget(new QLabel(tr("up to")));
+        addNumber(row, index, &Action::metres, 0.0, 100.0, tr(" m"));
+        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"),
+                  action.kind == ActionKind::Follow ? tr("until something else comes")
+                                                    : tr("however long"));
+        break;
+    }
     case ActionKind::LeaveScene:
         addPlace(tr("where they are"));
         break;
@@ -424,6 +469,7 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         addPlace({});
         break;
     case ActionKind::Flee:
+        addAimFields(layout, index, true);
         addEdited(&Action::metres, 1000.0, tr(" m"));
         break;
     case ActionKind::SitDown:

@@ -35,6 +35,7 @@ private:
     void addActionFields(QVBoxLayout* layout, std::size_t index);
     void addSendFields(QVBoxLayout* layout, std::size_t index);
     void addGoFields(QVBoxLayout* layout, std::size_t index);
+    void addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace);
     void addMore(QVBoxLayout* layout);
     void addMeeting(QVBoxLayout* layout);
     void addTemplate(QHBoxLayout* row, std::size_t index);

@@ -194,6 +194,35 @@ QString reachText(const Scene& scene, const Action& action)
     return {};
 }
 
+QString aimText(const Scene& scene, const Action& action)
+{
+    switch (action.aim) {
+    case ActionAim::Sender:
+        return RuleTextsContext::tr("whoever it came from");
+    case ActionAim::Tagged:
+        return RuleTextsContext::tr("the nearest one tagged %1").arg(tagText(scene, action.tag));
+    case ActionAim::Place:
+        return placeText(scene, action.place);
+    }
+    return {};
+}
+
+QString followText(const Scene& scene, const Action& action)
+{
+    const QString whom = aimText(scene, action);
+    return action.seconds > 0.0F
+               ? RuleTextsContext::tr("follow %1 for %2 s").arg(whom, number(action.seconds))
+               : RuleTextsContext::tr("follow %1").arg(whom);
+}
+
+QString lookText(const Scene& scene, const Action& action)
+{
+    const QString whom = aimText(scene, action);
+    return action.seconds > 0.0F
+               ? RuleTextsContext::tr("look at %1 for %2 s").arg(whom, number(action.seconds))
+               : RuleTextsContext::tr("keep looking at %1").arg(whom);
+}
+
 QString actionText(const Scene& scene, const Action& action)
 {
     switch (action.kind) {
@@ -204,7 +233,10 @@ QString actionText(const Scene& scene, const Action& action)
     case ActionKind::GoToPlace:
         return goText(scene, action);
     case ActionKind::Flee:
-        return RuleTextsContext::tr("run %1 m away").arg(number(action.metres));
+        return action.aim == ActionAim::Sender
+                   ? RuleTextsContext::tr("run %1 m away").arg(number(action.metres))
+                   : RuleTextsContext::tr("run %1 m away from %2")
+                         .arg(number(action.metres), aimText(scene, action));
     case ActionKind::Stop:
         return RuleTextsContext::tr("stop");
     case ActionKind::GoOn:
@@ -215,9 +247,7 @@ QString actionText(const Scene& scene, const Action& action)
         return action.value > 0.0F ? RuleTextsContext::tr("at %1 m/s").arg(number(action.value))
                                    : RuleTextsContext::tr("at the event’s speed");
     case ActionKind::TurnTo:
-        return action.place != 0
-                   ? RuleTextsContext::tr("turn to %1").arg(placeText(scene, action.place))
-                   : RuleTextsContext::tr("turn to where it came from");
+        return RuleTextsContext::tr("turn to %1").arg(aimText(scene, action));
     case ActionKind::AddTag:
         return RuleTextsContext::tr("tag %1").arg(tagText(scene, action.tag));
     case ActionKind::RemoveTag:
@@ -252,6 +282,12 @@ QString actionText(const Scene& scene, const Action& action)
             .arg(number(action.value), numberText(scene, action.number));
     case ActionKind::Appear:
         return RuleTextsContext::tr("appear at %1").arg(placeText(scene, action.place));
+    case ActionKind::GoToPerson:
+        return RuleTextsContext::tr("go to %1").arg(aimText(scene, action));
+    case ActionKind::Follow:
+        return followText(scene, action);
+    case ActionKind::LookAt:
+        return lookText(scene, action);
     }
     return {};
 }
@@ -269,7 +305,10 @@ bool needsPlace(const Action& action)
         return action.choice == PlaceChoice::Given || (action.path == 0 && action.place != 0);
     case ActionKind::Appear:
         return true;
+    case ActionKind::Flee:
     case ActionKind::TurnTo:
+    case ActionKind::LookAt:
+        return action.aim == ActionAim::Place;
     case ActionKind::LeaveScene:
         return action.place != 0;
     default:
@@ -297,6 +336,11 @@ QString actionProblem(const Scene& scene, const Action& action)
     if (isOnNumber && !hasNumber(scene, action.number)) {
         return RuleTextsContext::tr(
             "The number is not there: make one below, under “Tags and numbers”.");
+    }
+    const bool isToPerson =
+        action.kind == ActionKind::GoToPerson || action.kind == ActionKind::Follow;
+    if (isToPerson && action.aim == ActionAim::Place) {
+        return RuleTextsContext::tr("A place is nobody to go after: choose whom.");
     }
     if (action.kind == ActionKind::WaitForEvent && action.event.empty()) {
         return RuleTextsContext::tr("The event to wait for has no name: type one.");
@@ -365,7 +409,10 @@ QStringList actionNames()
             RuleTextsContext::tr("wait for an event"),
             RuleTextsContext::tr("set a number"),
             RuleTextsContext::tr("add to a number"),
-            RuleTextsContext::tr("appear at a place")};
+            RuleTextsContext::tr("appear at a place"),
+            RuleTextsContext::tr("go to someone"),
+            RuleTextsContext::tr("follow someone"),
+            RuleTextsContext::tr("look at")};
 }
 
 QStringList reachNames()
@@ -406,6 +453,12 @@ QStringList cueReachNames()
 {
     return {RuleTextsContext::tr("everybody"), RuleTextsContext::tr("the selected people"),
             RuleTextsContext::tr("those tagged")};
+}
+
+QStringList aimNames()
+{
+    return {RuleTextsContext::tr("whoever it came from"),
+            RuleTextsContext::tr("the nearest one tagged"), RuleTextsContext::tr("a place")};
 }
 
 QString ruleSetName(RuleSet set)

@@ -18,6 +18,7 @@ namespace crowd::widgets {
 [[nodiscard]] QStringList comparisonNames(); ///< by Comparison
 [[nodiscard]] QStringList choiceNames();     ///< by PlaceChoice
 [[nodiscard]] QStringList cueReachNames();   ///< by CueReach
+[[nodiscard]] QStringList aimNames();        ///< by ActionAim
 [[nodiscard]] QString ruleSetName(model::RuleSet set);
 [[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
 

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "behavior/rules/RuleEngine.h"
+#include "behavior/session/PathFollower.h"
+
+/// What people do about somebody or something: run from it, turn to it, go there, follow, look.
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kAllRound = 6.2831853F;
+constexpr double kSecondsBetweenLooks = 0.2; ///< at where the other one is now
+constexpr float kLeastDistance = 0.6F;       ///< metres between two who stand together
+constexpr float kAimsAnew = 0.3F;            ///< metres that the other one has gone on
+constexpr float kSetsOutAgain = 0.5F;        ///< metres beyond the distance that is kept
+
+} // namespace
+
+/// kNone: he is not here.
+std::uint32_t RuleEngine::agentNamed(model::IndividualId id) const
+{
+    const auto found =
+        std::ranges::lower_bound(m_agentOf, id, {}, [](const auto& entry) { return entry.first; });
+    return found != m_agentOf.end() && found->first == id ? found->second : kNone;
+}
+
+std::uint32_t RuleEngine::nearestTagged(RuleHost& host, std::uint32_t agent, std::uint8_t tag)
+{
+    const auto [entry, isNew] = m_tagged.try_emplace(tag);
+    for (std::uint32_t other = 0; isNew && other < m_minds.size(); ++other) {
+        if ((m_minds[other].tags >> tag & 1U) != 0 && !host.isGone(other)) {
+            entry->second.push_back(other);
+        }
+    }
+    const glm::vec3 at = host.position(agent);
+    float nearest = std::numeric_limits<float>::max();
+    std::uint32_t best = kNone;
+    for (const std::uint32_t other : entry->second) {
+        const float away = flatDistance(host.position(other), at);
+        if (other != agent && away < nearest) {
+            nearest = away;
+            best = other;
+        }
+    }
+    return best;
+}
+
+/// Nothing: there is nobody and no place.
+std::optional<RuleEngine::Aim> RuleEngine::aimOf(RuleHost& host, std::uint32_t agent,
+                                                 const model::Action& action)
+{
+    const Cause& cause = m_minds[agent].cause;
+    std::uint32_t whom = kNone;
+    switch (action.aim) {
+    case model::ActionAim::Sender:
+        whom = cause.sender != 0 ? agentNamed(cause.sender) : kNone;
+        if (whom == kNone || host.isGone(whom)) {
+            return cause.hasOrigin ? std::optional(Aim{cause.origin, kNone}) : std::nullopt;
+        }
+        break;
+    case model::ActionAim::Tagged:
+        whom = nearestTagged(host, agent, action.tag);
+        break;
+    case model::ActionAim::Place:
+        if (const model::Place* place = m_places.find(action.place)) {
+            return Aim{place->position, kNone};
+        }
+        complainOf(m_minds[agent].rule,
+                   " names a place that is not there any more. Choose another one.");
+        break;
+    }
+    return whom == kNone ? std::nullopt : std::optional(Aim{host.position(whom), whom});
+}
+
+void RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::Action& action)
+{
+    const glm::vec3 at = host.position(agent);
+    const std::optional<Aim> from = aimOf(host, agent, action);
+    glm::vec3 away = from ? at - from->point : glm::vec3(0.0F);
+    away.y = 0.0F;
+    const float length = std::sqrt(away.x * away.x + away.z * away.z);
+    const float angle = kAllRound * draw(host, agent, 81);
+    away = length > 0.05F ? away / length : glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    m_minds[agent].goal = 0;
+    hold(agent, 0);
+    host.sendTo(agent, at + away * action.metres);
+}
+
+/// Whom somebody goes to: the one that he began with, as long as it can be he.
+std::optional<RuleEngine::Aim> RuleEngine::partnerOf(RuleHost& host, std::uint32_t agent,
+                                                     const model::Action& action)
+{
+    Mind& mind = m_minds[agent];
+    const std::uint32_t former = mind.partner != 0 ? agentNamed(mind.partner) : kNone;
+    const bool isStill =
+        former != kNone && !host.isGone(former) &&
+        (action.aim == model::ActionAim::Sender || (m_minds[former].tags >> action.tag & 1U) != 0);
+    if (isStill) {
+        return Aim{host.position(former), former};
+    }
+    const std::optional<Aim> aim = aimOf(host, agent, action);
+    mind.partner = aim && aim->agent != kNone ? host.id(aim->agent) : 0;
+    return aim;
+}
+
+/// To somebody, and after him where he is to be followed. True: it is over.
+bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Action& action)
+{
+    Mind& mind = m_minds[agent];
+    if (host.isGone(agent)) {
+        return true;
+    }
+    if (!mind.isStarted) {
+        mind.isStarted = true;
+        mind.until = action.seconds > 0.0F ? m_now + static_cast<double>(action.seconds)
+                                           : std::numeric_limits<double>::infinity();
+        mind.nextLook = m_now;
+        mind.partner = 0;
+        mind.isNear = true; // stands, until he sets out
+        mind.aimedAt = glm::vec3(std::numeric_limits<float>::max());
+        mind.goal = 0;
+        hold(agent, 0);
+    } else if (m_now >= mind.until) {
+        host.stop(agent);
+        return true;
+    }
+    const bool isFollowing = action.kind == model::ActionKind::Follow;
+    if (!isFollowing && !mind.isNear && (host.happenings(agent) & PathFollower::EndedErrand) != 0) {
+        return true; // as near as he gets
+    }
+    return m_now >= mind.nextLook && comeNear(host, agent, action);
+}
+
+/// A look at where the other one is now.
+bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Action& action)
+{
+    Mind& mind = m_minds[agent];
+    mind.nextLook = m_now + kSecondsBetweenLooks;
+    const std::optional<Aim> aim = partnerOf(host, agent, action);
+    const bool isFollowing = action.kind == model::ActionKind::Follow;
+    if (!aim || (isFollowing && aim->agent == kNone)) {
+        if (isFollowing && action.aim == model::ActionAim::Sender) {
+            complainOf(mind.rule, " follows whoever sent the event, but it came from a brush, a "
+                                  "cue or nobody. Let people send it, or follow those with a tag.");
+        }
+        host.stop(agent);
+        return true;
+    }
+    const float away = flatDistance(host.position(agent), aim->point);
+    const float distance = std::max(action.metres, kLeastDistance);
+    const bool isFirst = mind.aimedAt.x == std::numeric_limits<float>::max();
+    if (away <= distance + (mind.isNear && !isFirst ? kSetsOutAgain : 0.0F)) {
+        if (!mind.isNear || isFirst) {
+            host.stop(agent);
+        }
+        mind.isNear = true;
+        mind.aimedAt = aim->point;
+        host.turnTo(agent, aim->point);
+        return !isFollowing;
+    }
+    if (mind.isNear || flatDistance(mind.aimedAt, aim->point) > kAimsAnew) {
+        host.sendTo(agent, aim->point);
+        mind.aimedAt = aim->point;
+        mind.isNear = false;
+    }
+    return false;
+}
+
+bool RuleEngine::lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action)
+{
+    Mind& mind = m_minds[agent];
+    if (!mind.isStarted) {
+        mind.isStarted = true;
+        mind.until = action.seconds > 0.0F ? m_now + static_cast<double>(action.seconds)
+                                           : std::numeric_limits<double>::infinity();
+        mind.nextLook = m_now;
+    }
+    if (m_now < mind.nextLook) {
+        return m_now >= mind.until;
+    }
+    mind.nextLook = m_now + kSecondsBetweenLooks;
+    const std::optional<Aim> aim = aimOf(host, agent, action);
+    if (aim) {
+        host.turnTo(agent, aim->point);
+    } else if (action.aim == model::ActionAim::Sender) {
+        return true; // there is nothing to look at, nor will there be
+    }
+    return m_now >= mind.until;
+}
+
+} // namespace crowd::behavior
