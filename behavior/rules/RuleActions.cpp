@@ -18,6 +18,23 @@ constexpr std::uint64_t kStepsToAskAgain = 10; ///< for a free place
 
 } // namespace
 
+std::string RuleEngine::drawClip(RuleHost& host, std::uint32_t agent,
+                                 const model::Action& action) const
+{
+    float total = 0.0F;
+    for (const model::ClipWeight& clip : action.clips) {
+        total += clip.weight;
+    }
+    float drawn = total * draw(host, agent, model::hashKeys(m_minds[agent].action, 71));
+    for (const model::ClipWeight& clip : action.clips) {
+        drawn -= clip.weight;
+        if (drawn < 0.0F || &clip == &action.clips.back()) {
+            return clip.clip;
+        }
+    }
+    return {};
+}
+
 bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& action)
 {
     Mind& mind = m_minds[agent];
@@ -33,21 +50,22 @@ bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& 
         }
         return true;
     }
-    float total = 0.0F;
-    for (const model::ClipWeight& clip : action.clips) {
-        total += clip.weight;
+    const std::string clip = drawClip(host, agent, action);
+    const float seconds = clip.empty() ? -1.0F : host.play(agent, clip, action.isLooped);
+    mind.until = m_now + static_cast<double>(action.isLooped ? action.seconds : seconds);
+    mind.isStarted = true;
+    return seconds < 0.0F; // he has no such clip: on to the next action
+}
+
+void RuleEngine::changeTags(RuleHost& host, std::uint32_t agent, const model::Action& action)
+{
+    std::uint64_t& tags = m_minds[agent].tags;
+    const std::uint64_t bit = std::uint64_t{1} << action.tag;
+    const std::uint64_t now = action.kind == model::ActionKind::AddTag ? tags | bit : tags & ~bit;
+    if (now != tags) {
+        tags = now;
+        host.noteTags(agent, now);
     }
-    float drawn = total * draw(host, agent, model::hashKeys(mind.action, 71));
-    for (const model::ClipWeight& clip : action.clips) {
-        drawn -= clip.weight;
-        if (drawn < 0.0F || &clip == &action.clips.back()) {
-            const float seconds = host.play(agent, clip.clip, action.isLooped);
-            mind.until = m_now + static_cast<double>(action.isLooped ? action.seconds : seconds);
-            mind.isStarted = true;
-            return seconds < 0.0F; // he has no such clip: on to the next action
-        }
-    }
-    return true;
 }
 
 /// A place counts him as its guest from now on; 0: none does.
@@ -255,10 +273,8 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         }
         return true;
     case model::ActionKind::AddTag:
-        mind.tags |= std::uint64_t{1} << action.tag;
-        return true;
     case model::ActionKind::RemoveTag:
-        mind.tags &= ~(std::uint64_t{1} << action.tag);
+        changeTags(host, agent, action);
         return true;
     case model::ActionKind::SendEvent:
         send(host, agent, action);
@@ -295,6 +311,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         return approach(host, agent, action);
     case model::ActionKind::LookAt:
         return lookAtAim(host, agent, action);
+    case model::ActionKind::SetProperty:
+        host.setProperty(agent, action, drawClip(host, agent, action));
+        return true;
     }
     return true;
 }

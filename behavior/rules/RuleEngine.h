@@ -55,6 +55,14 @@ public:
     virtual float standUp(std::uint32_t agent) = 0;
     /// Has stood up.
     virtual void leaveSeat(std::uint32_t agent) = 0;
+    /// Of all but the clip.
+    [[nodiscard]] virtual float property(std::uint32_t agent,
+                                         model::ComparedProperty property) const = 0;
+    [[nodiscard]] virtual bool showsClip(std::uint32_t agent, const std::string& clip) const = 0;
+    /// `clip` is the one that was drawn. What somebody's template has not stays as it is.
+    virtual void setProperty(std::uint32_t agent, const model::Action& action,
+                             const std::string& clip) = 0;
+    virtual void noteTags(std::uint32_t agent, std::uint64_t tags) = 0;
 };
 
 /// "A rule fired", for the artist's log.
@@ -186,6 +194,10 @@ private:
     void goOn(RuleHost& host, std::uint32_t agent);
     /// True: the action is over.
     [[nodiscard]] bool run(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    /// One of the clips by weight; empty: there are none.
+    [[nodiscard]] std::string drawClip(RuleHost& host, std::uint32_t agent,
+                                       const model::Action& action) const;
+    void changeTags(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool setOut(RuleHost& host, std::uint32_t agent, const model::Action& action);

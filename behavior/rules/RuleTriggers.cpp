@@ -230,6 +230,10 @@ bool RuleEngine::holds(RuleHost& host, const model::Condition& condition, std::u
         return rooms(host).isFull(condition.place);
     case model::ConditionKind::PeopleIn:
         return isSo(static_cast<float>(rooms(host).inside(condition.place)));
+    case model::ConditionKind::Property:
+        return condition.property == model::ComparedProperty::Clip
+                   ? host.showsClip(agent, condition.clip)
+                   : isSo(host.property(agent, condition.property));
     }
     return false;
 }

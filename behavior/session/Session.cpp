@@ -276,6 +276,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     m_follower.setGroups(m_population.column(model::columns::group));
     m_stages = scene.stages;
     m_seats.clear(); // read anew when somebody wants one
+    publishLooks();
     m_rules.setRules(scene);
 }
 
@@ -371,10 +372,30 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
     });
     each(keys::tags, [&](std::size_t row) {
-        m_rules.setTags(static_cast<std::uint32_t>(row), now.column(keys::tags)[row]);
+        // Only those that the edit is about: rules may have changed others.
+        const std::uint64_t after = now.column(keys::tags)[row];
+        const std::uint64_t edited = after ^ m_population.column(keys::tags)[row];
+        const auto agent = static_cast<std::uint32_t>(row);
+        const std::uint64_t tags = (m_rules.tags(agent) & ~edited) | (after & edited);
+        m_rules.setTags(agent, tags);
+        noteTags(agent, tags);
     });
-    each(keys::height,
-         [&](std::size_t row) { m_shown[row].height = now.column(keys::height)[row]; });
+    each(keys::height, [&](std::size_t row) {
+        m_shown[row].height = now.column(keys::height)[row];
+        forgetLook(static_cast<std::uint32_t>(row), keys::height.id);
+    });
+    for (int slot = 0; slot < 8; ++slot) {
+        each(keys::tint(slot), [&](std::size_t row) {
+            forgetLook(static_cast<std::uint32_t>(row), keys::tint(slot).id);
+        });
+    }
+    each(keys::clip,
+         [&](std::size_t row) { forgetLook(static_cast<std::uint32_t>(row), keys::clip.id); });
+    each(keys::phase,
+         [&](std::size_t row) { forgetLook(static_cast<std::uint32_t>(row), keys::phase.id); });
+    each(keys::playbackSpeed, [&](std::size_t row) {
+        forgetLook(static_cast<std::uint32_t>(row), keys::playbackSpeed.id);
+    });
     each(keys::templateId, [&](std::size_t row) {
         m_shown[row].table = shownFrom(now, row).table;
         m_shown[row].style = styleOf(now, row, m_shown[row].table);
@@ -441,6 +462,7 @@ void Session::step()
             show(row);
         }
     });
+    publishLooks();
 }
 
 /// Attractors, repellers and exits.
@@ -655,8 +677,8 @@ PersonPose Session::poseOf(std::size_t agent) const
         pose.place = shown.orderPlace;
         return pose;
     }
-    const std::uint16_t own = shown.base >= 0 ? static_cast<std::uint16_t>(shown.base)
-                                              : m_population.column(model::columns::clip)[agent];
+    const auto who = static_cast<std::uint32_t>(agent);
+    const std::uint16_t own = ownClip(who);
     const ClipFacts* ownFacts = clipFacts(shown, own);
     const bool isMover = ownFacts != nullptr && ownFacts->isMover;
     if (!hasGaits || (gait == 0 && !isMover)) {
@@ -664,12 +686,8 @@ PersonPose Session::poseOf(std::size_t agent) const
         pose.clip = own;
         pose.isLooped = ownFacts == nullptr || ownFacts->isLooped;
         pose.clipSeconds = ownFacts == nullptr ? 0.0F : ownFacts->seconds;
-        pose.rate = m_population.column(model::columns::playbackSpeed)[agent];
-        const double passed = pose.clipSeconds > 0.0F ? seconds() * static_cast<double>(pose.rate) /
-                                                            static_cast<double>(pose.clipSeconds)
-                                                      : 0.0;
-        pose.place =
-            static_cast<double>(m_population.column(model::columns::phase)[agent]) + passed;
+        pose.rate = ownRate(who);
+        pose.place = ownPlace(who);
         return pose;
     }
     const GaitTable::Gait& chosen = m_gaits[shown.table].gait(gait);
@@ -686,6 +704,7 @@ SessionPosePtr Session::pose() const
     pose->step = m_steps;
     pose->seconds = seconds();
     pose->hasSeats = m_hasSat;
+    pose->looks = m_shownLooks;
     pose->people.reserve(m_shown.size());
     for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
         if (m_shown[agent].isLive) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,9 @@ private:
         float stride = 0.0F;        ///< m/s that it went ahead in the last step
         double fadeBegin = -1.0;    ///< seconds
         bool isPut = false;         ///< stands where it was put, whatever the crowd says
+        // Of its own clip, where rules have set it; else as the scene says.
+        std::optional<float> rate;
+        std::optional<double> phase; ///< at time 0
     };
     struct ClipFacts
     {
@@ -153,6 +157,26 @@ private:
     [[nodiscard]] bool isSittingDown(std::uint32_t agent) const override;
     float standUp(std::uint32_t agent) override;
     void leaveSeat(std::uint32_t agent) override;
+    [[nodiscard]] float property(std::uint32_t agent,
+                                 model::ComparedProperty property) const override;
+    [[nodiscard]] bool showsClip(std::uint32_t agent, const std::string& clip) const override;
+    void setProperty(std::uint32_t agent, const model::Action& action,
+                     const std::string& clip) override;
+    void noteTags(std::uint32_t agent, std::uint64_t tags) override;
+
+    [[nodiscard]] SetLook& lookOf(std::uint32_t agent);
+    void setTint(std::uint32_t agent, const model::Action& action);
+    void setBase(std::uint32_t agent, int clip);
+    void setOwnClip(std::uint32_t agent, const std::string& clip);
+    void setOwnPhase(std::uint32_t agent, double place);
+    void setOwnRate(std::uint32_t agent, float rate);
+    void publishLooks();
+    [[nodiscard]] std::uint16_t ownClip(std::uint32_t agent) const;
+    [[nodiscard]] float ownRate(std::uint32_t agent) const;
+    /// Where it is in its own clip; loops 0..1 and on.
+    [[nodiscard]] double ownPlace(std::uint32_t agent) const;
+    /// The scene's value of a column counts again for somebody.
+    void forgetLook(std::uint32_t agent, model::ColumnId column);
 
     [[nodiscard]] static float turnedTo(float heading, float target);
     void readSeats();
@@ -201,8 +225,11 @@ private:
     std::vector<model::WorldSeat> m_seats; ///< ascending; read when somebody first wants one
     std::vector<bool> m_isSeatTaken;       ///< one per seat
     std::map<std::uint32_t, std::uint32_t> m_groupSizes;
-    std::vector<std::uint32_t> m_sitters; ///< agents on their way to a seat; ascending
-    bool m_hasSat = false;                ///< somebody's seat is not the scene's
+    std::vector<std::uint32_t> m_sitters;           ///< agents on their way to a seat; ascending
+    std::map<model::IndividualId, SetLook> m_looks; ///< what rules have set
+    std::shared_ptr<const std::vector<SetLook>> m_shownLooks; ///< as of the last step
+    bool m_areLooksStale = false;
+    bool m_hasSat = false; ///< somebody's seat is not the scene's
     std::vector<std::string> m_warnings;
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;

@@ -107,21 +107,29 @@ double SessionPlayer::available() const
     return m_poses.empty() ? 0.0 : m_poses.back()->seconds;
 }
 
+std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seconds) const
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_poses.empty()) {
+        return {};
+    }
+    const auto next = std::ranges::find_if(
+        m_poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
+    const SessionPosePtr after = next == m_poses.end() ? m_poses.back() : *next;
+    return {next == m_poses.begin() || next == m_poses.end() ? after : *std::prev(next), after};
+}
+
+SessionPosePtr SessionPlayer::poseAt(double seconds) const
+{
+    return posesAround(seconds).first;
+}
+
 void SessionPlayer::pose(model::CrowdFrame& frame) const
 {
-    SessionPosePtr before;
-    SessionPosePtr after;
-    {
-        const std::scoped_lock lock(m_mutex);
-        if (m_poses.empty()) {
-            return;
-        }
-        auto next = std::ranges::find_if(
-            m_poses, [&](const SessionPosePtr& pose) { return pose->seconds > frame.seconds; });
-        after = next == m_poses.end() ? m_poses.back() : *next;
-        before = next == m_poses.begin() || next == m_poses.end() ? after : *std::prev(next);
+    const auto [before, after] = posesAround(frame.seconds);
+    if (before) {
+        applyPose(*before, *after, frame);
     }
-    applyPose(*before, *after, frame);
 }
 
 std::vector<model::IndividualId> SessionPlayer::lit() const

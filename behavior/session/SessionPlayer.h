@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "behavior/session/Session.h"
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] double available() const;
     /// Puts people where they are at frame.seconds, as far as that has been computed.
     void pose(model::CrowdFrame& frame) const;
+    /// Of the step that is shown at a time; null before the first one.
+    [[nodiscard]] SessionPosePtr poseAt(double seconds) const;
     /// For whom a rule fired shortly before the last step.
     [[nodiscard]] std::vector<model::IndividualId> lit() const;
     [[nodiscard]] Report report() const;
@@ -64,6 +67,7 @@ private:
     void run(std::stop_token token);
     void give(Order order);
     void publish(Session& session, double stepMs);
+    [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> posesAround(double seconds) const;
 
     std::function<void()> m_published;
     std::unique_ptr<Session> m_session; ///< the thread's, once it runs

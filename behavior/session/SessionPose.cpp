@@ -102,10 +102,46 @@ void put(const PersonPose& from, const PersonPose& to, double share, double pose
     columns.seats.push_back(from.seat);
 }
 
+/// Tints, heights and tags that rules have set; ids that are not there are passed over.
+void applyLooks(const std::vector<SetLook>& looks, model::Population& people)
+{
+    namespace keys = model::columns;
+    const auto write = [&](const auto& key, const auto& valueOf) {
+        using Value = std::remove_cvref_t<decltype(*valueOf(looks.front()))>;
+        std::vector<model::IndividualId> ids;
+        std::vector<Value> values;
+        for (const SetLook& look : looks) {
+            const auto value = valueOf(look);
+            if (value && people.rowOf(look.id) != model::Population::npos) {
+                ids.push_back(look.id);
+                values.push_back(*value);
+            }
+        }
+        if (!ids.empty()) {
+            people.setValues<Value>(key, ids, values);
+        }
+    };
+    if (looks.empty()) {
+        return;
+    }
+    for (int slot = 0; slot < 8; ++slot) {
+        write(keys::tint(slot), [slot](const SetLook& look) {
+            return (look.tinted >> slot & 1) != 0
+                       ? std::optional(look.tints[static_cast<std::size_t>(slot)])
+                       : std::nullopt;
+        });
+    }
+    write(keys::height, [](const SetLook& look) { return look.height; });
+    write(keys::tags, [](const SetLook& look) { return look.tags; });
+}
+
 } // namespace
 
 void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame)
 {
+    if (before.looks) {
+        applyLooks(*before.looks, frame.population);
+    }
     const double length = after.seconds - before.seconds;
     const double share =
         length > 0.0 ? std::clamp((frame.seconds - before.seconds) / length, 0.0, 1.0) : 0.0;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -41,15 +43,30 @@ struct PersonPose
 /// Seconds from one clip to the next.
 inline constexpr double kFadeSeconds = 0.25;
 
+/// What rules have set of somebody since the session began, beside where he is and what he does.
+struct SetLook
+{
+    model::IndividualId id = 0;
+    std::uint8_t tinted = 0; ///< bit i: slot i
+    std::array<model::Tint, 8> tints{};
+    std::optional<float> height;
+    std::optional<std::uint64_t> tags;
+    // Of the clip while he stands or sits; already part of what is shown of him.
+    std::optional<std::uint16_t> clip;
+    std::optional<float> playbackSpeed;
+    std::optional<float> phase;
+};
+
 /// Everybody whom a session moves at one of its steps; whoever is not here is as the scene says.
 /// Immutable once published; read on any thread.
 struct SessionPose
 {
     std::uint64_t step = 0;
     double seconds = 0.0;
-    std::vector<PersonPose> people;       ///< ascending ids
-    bool hasSeats = false;                ///< somebody's seat is not the scene's
-    std::vector<model::IndividualId> lit; ///< for whom a rule fired lately; ascending
+    std::vector<PersonPose> people;                    ///< ascending ids
+    bool hasSeats = false;                             ///< somebody's seat is not the scene's
+    std::vector<model::IndividualId> lit;              ///< for whom a rule fired lately; ascending
+    std::shared_ptr<const std::vector<SetLook>> looks; ///< ascending ids; null: nobody's
 };
 
 using SessionPosePtr = std::shared_ptr<const SessionPose>;

@@ -149,7 +149,7 @@ void Session::takeSeat(std::uint32_t agent)
     shown.isTurning = true;
     const model::TemplateEntry* entry = entryOf(shown);
     if (entry != nullptr && entry->asset) {
-        shown.base = model::usualClip(*entry, true);
+        setBase(agent, model::usualClip(*entry, true));
     }
     shown.order = clipNamed(shown, "sit_down");
     shown.isOrderLooped = false;
@@ -188,7 +188,7 @@ void Session::leaveSeat(std::uint32_t agent)
     std::erase(m_sitters, agent);
     const model::TemplateEntry* entry = entryOf(shown);
     if (didSit && entry != nullptr && entry->asset) {
-        shown.base = model::usualClip(*entry, false);
+        setBase(agent, model::usualClip(*entry, false));
         shown.order = -1;
     }
 }

@@ -13,13 +13,16 @@ using nlohmann::json;
 constexpr std::array kTriggers{"start",    "event",       "arrived",    "entered",
                                "left",     "path ended",  "clip ended", "every",
                                "tag near", "speed limit", "waited"};
-constexpr std::array kConditions{"tag",    "template", "in place", "follows", "seated",   "chance",
-                                 "number", "speed",    "payload",  "full",    "people in"};
+constexpr std::array kConditions{"tag",     "template", "in place",  "follows",
+                                 "seated",  "chance",   "number",    "speed",
+                                 "payload", "full",     "people in", "property"};
 constexpr std::array kActions{
     "play",          "follow", "go to",        "flee",          "stop",           "go on",
     "wait",          "speed",  "turn",         "tag",           "untag",          "send",
     "leave scene",   "again",  "sit down",     "stand up",      "wait for event", "set number",
-    "add to number", "appear", "go to person", "follow person", "look at"};
+    "add to number", "appear", "go to person", "follow person", "look at",        "set property"};
+constexpr std::array kComparedProperties{"height", "girth", "playback speed", "walk speed", "clip"};
+constexpr std::array kSettableProperties{"tint", "height", "playback speed", "clip", "phase"};
 constexpr std::array kComparisons{"less", "equal", "more"};
 constexpr std::array kChoices{"given", "nearest", "nearest free", "first free", "ahead"};
 constexpr std::array kAims{"sender", "tagged", "place"};
@@ -64,7 +67,9 @@ json toJson(const Condition& condition)
             {"chance", number(condition.chance)},
             {"number", condition.number},
             {"compare", nameOf(kComparisons, condition.comparison)},
-            {"value", number(condition.value)}};
+            {"value", number(condition.value)},
+            {"property", nameOf(kComparedProperties, condition.property)},
+            {"clip", condition.clip}};
 }
 
 json toJson(const Action& action)
@@ -87,7 +92,11 @@ json toJson(const Action& action)
             {"secondsPerMetre", number(action.secondsPerMetre)},
             {"choice", nameOf(kChoices, action.choice)},
             {"number", action.number},
-            {"aim", nameOf(kAims, action.aim)}};
+            {"aim", nameOf(kAims, action.aim)},
+            {"property", nameOf(kSettableProperties, action.property)},
+            {"slot", action.slot},
+            {"color", colorText({action.tint.red, action.tint.green, action.tint.blue})},
+            {"strength", action.tint.strength}};
 }
 
 json toJson(const Rule& rule)
@@ -146,6 +155,8 @@ void readCondition(JsonFields fields, Condition& condition)
     fields.read("number", condition.number);
     readName(fields, "compare", kComparisons, condition.comparison);
     readWithin(fields, "value", -kMaxNumber, kMaxNumber, condition.value);
+    readName(fields, "property", kComparedProperties, condition.property);
+    fields.read("clip", condition.clip);
 }
 
 void readAction(JsonFields fields, Action& action, const std::string& where, std::string& problem)
@@ -172,6 +183,12 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
     const bool isToPlace = action.kind == ActionKind::TurnTo && action.place != 0;
     action.aim = isToPlace ? ActionAim::Place : ActionAim::Sender;
     readName(fields, "aim", kAims, action.aim);
+    readName(fields, "property", kSettableProperties, action.property);
+    fields.read("slot", action.slot);
+    std::array<std::uint8_t, 3> color{action.tint.red, action.tint.green, action.tint.blue};
+    readColor(fields, "color", color);
+    action.tint = {color[0], color[1], color[2], action.tint.strength};
+    fields.read("strength", action.tint.strength);
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)

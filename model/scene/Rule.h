@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/Color.h"
 #include "model/population/Columns.h"
 #include "model/scene/Path.h"
 
@@ -103,11 +104,21 @@ enum class ConditionKind : std::uint8_t {
     FollowsPath, ///< path 0: any
     IsSeated,
     Chance,
-    Number,  ///< an artist's number, compared
-    Speed,   ///< on the ground, m/s, compared
-    Payload, ///< the number of the event, compared
-    IsFull,  ///< the place has no room left
-    PeopleIn ///< how many are in the place, compared
+    Number,   ///< an artist's number, compared
+    Speed,    ///< on the ground, m/s, compared
+    Payload,  ///< the number of the event, compared
+    IsFull,   ///< the place has no room left
+    PeopleIn, ///< how many are in the place, compared
+    Property  ///< a property of theirs, compared
+};
+
+/// What a condition can compare.
+enum class ComparedProperty : std::uint8_t {
+    Height,        ///< scale
+    Girth,         ///< scale
+    PlaybackSpeed, ///< of the clip that they have while they stand or sit
+    WalkSpeed,     ///< that they would like to walk with, m/s
+    Clip           ///< the one that is seen is the one named
 };
 
 enum class Comparison : std::uint8_t { Less, Equal, More };
@@ -124,6 +135,8 @@ struct Condition
     NumberId number = 0;
     Comparison comparison = Comparison::More;
     float value = 0.0F;
+    ComparedProperty property = ComparedProperty::Height;
+    std::string clip{}; ///< Property, Clip
     friend bool operator==(const Condition&, const Condition&) = default;
 };
 
@@ -150,7 +163,17 @@ enum class ActionKind : std::uint8_t {
     Appear,       ///< at the place, also after leaving the scene
     GoToPerson,   ///< as near to the aim as so many metres; gives up after `seconds`; 0: never
     Follow,       ///< stays so near to the aim for `seconds`; 0: until another rule comes
-    LookAt        ///< keeps facing the aim for `seconds`; 0: until another rule comes
+    LookAt,       ///< keeps facing the aim for `seconds`; 0: until another rule comes
+    SetProperty   ///< for the rest of the session; Keep Pose puts it into the scene
+};
+
+/// What an action can set of somebody while a session runs.
+enum class SettableProperty : std::uint8_t {
+    Tint,          ///< of a slot
+    Height,        ///< value: scale
+    PlaybackSpeed, ///< value: of the clip that they have while they stand or sit
+    Clip,          ///< that they have while they stand or sit: one of the clips, by weight
+    Phase          ///< value: where they are in that clip now, 0..1
 };
 
 /// Whom or what an action is about.
@@ -191,6 +214,9 @@ struct Action
     NumberId number = 0;                     ///< SetNumber, AddToNumber
     /// Flee, TurnTo, GoToPerson, Follow, LookAt; GoToPerson and Follow know no places.
     ActionAim aim = ActionAim::Sender;
+    SettableProperty property = SettableProperty::Tint;
+    std::string slot; ///< Tint: by name; empty: all tintable slots
+    Tint tint{200, 60, 60, 255};
     friend bool operator==(const Action&, const Action&) = default;
 };
 

@@ -57,7 +57,7 @@ void furnish(SceneDocument& document)
     other.conditions.back().number = 2;
     other.conditions.back().comparison = Comparison::Less;
     other.conditions.back().value = -3.5F;
-    other.actions.resize(4);
+    other.actions.resize(5);
     other.actions[0].kind = ActionKind::GoToPlace;
     other.actions[0].choice = PlaceChoice::Ahead;
     other.actions[1].kind = ActionKind::AddToNumber;
@@ -66,6 +66,12 @@ void furnish(SceneDocument& document)
     other.actions[3].kind = ActionKind::Follow;
     other.actions[3].aim = ActionAim::Tagged;
     other.actions[3].tag = 12;
+    other.actions[4].kind = ActionKind::SetProperty;
+    other.actions[4].slot = "hair";
+    other.actions[4].tint = {1, 20, 255, 77};
+    other.conditions.push_back({ConditionKind::Property});
+    other.conditions.back().property = ComparedProperty::Clip;
+    other.conditions.back().clip = "wave";
     edit->setRules({rule, other});
     edit->setNumbers({{2, "patience", -1.0F, 4.5F}, {7, "hunger", 0.0F, 0.0F}});
     edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});
@@ -288,6 +294,10 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "rules[0].if[0].compare must be one of");
     row("a number without end", R"("rules": [{"id": 1, "if": [{"value": 1e300}]}],)",
         "rules[0].if[0].value must be a finite number");
+    row("a tint stronger than can be", R"("rules": [{"id": 1, "do": [{"strength": 300}]}],)",
+        "rules[0].do[0].strength must be");
+    row("a property that nobody has", R"("rules": [{"id": 1, "do": [{"property": "soul"}]}],)",
+        "rules[0].do[0].property must be one of");
     row("an unknown choice", R"("rules": [{"id": 1, "do": [{"choice": "any"}]}],)",
         "rules[0].do[0].choice must be one of");
     row("a name for a number", R"("rules": [{"id": 1, "do": [{"number": "x"}]}],)",

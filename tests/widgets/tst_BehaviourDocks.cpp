@@ -188,8 +188,8 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     Desk<RulesDock> desk;
     QVERIFY(desk.isReady());
     QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::Waited) + 1);
-    QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::PeopleIn) + 1);
-    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::LookAt) + 1);
+    QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::Property) + 1);
+    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::SetProperty) + 1);
     QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);
     QVERIFY(yieldNames().size() == static_cast<int>(model::RuleYield::Nobody) + 1);
     model::Rule rule;
@@ -199,6 +199,15 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     }
     for (int kind = 0; kind < actionNames().size(); ++kind) {
         rule.actions.emplace_back().kind = static_cast<model::ActionKind>(kind);
+    }
+    for (int property = 0; property < settableNames().size(); ++property) {
+        rule.actions.emplace_back().kind = model::ActionKind::SetProperty;
+        rule.actions.back().property = static_cast<model::SettableProperty>(property);
+        rule.actions.back().clips = {{"sit", 1.0F}, {"sit_clap", 2.0F}};
+    }
+    for (int property = 0; property < comparedNames().size(); ++property) {
+        rule.conditions.emplace_back().kind = model::ConditionKind::Property;
+        rule.conditions.back().property = static_cast<model::ComparedProperty>(property);
     }
     for (int aim = 0; aim < aimNames().size(); ++aim) {
         rule.actions.emplace_back().kind = model::ActionKind::LookAt;

@@ -13,8 +13,6 @@
 
 namespace crowd::widgets {
 
-using model::Action;
-using model::ActionKind;
 using model::Condition;
 using model::ConditionKind;
 using model::Rule;
@@ -23,39 +21,7 @@ using model::TriggerKind;
 
 namespace {
 
-QHBoxLayout* rowIn(QVBoxLayout* layout)
-{
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    layout->addLayout(row);
-    return row;
-}
-
-/// What belongs to the row above, a little further in.
-QHBoxLayout* indentedRowIn(QVBoxLayout* layout)
-{
-    QHBoxLayout* row = rowIn(layout);
-    row->addSpacing(20);
-    return row;
-}
-
-/// With values that suit it.
-void setKind(Action& action, ActionKind kind)
-{
-    action.kind = kind;
-    if (kind == ActionKind::SitDown) {
-        action.metres = 0.0F;
-    } else if (kind == ActionKind::WaitForEvent) {
-        action.seconds = 0.0F;
-    } else if (kind == ActionKind::Follow || kind == ActionKind::GoToPerson) {
-        action.metres = 1.5F;
-        action.seconds = kind == ActionKind::Follow ? 10.0F : 0.0F;
-    }
-    const bool isToPerson = kind == ActionKind::Follow || kind == ActionKind::GoToPerson;
-    if (isToPerson && action.aim == model::ActionAim::Place) {
-        action.aim = model::ActionAim::Sender;
-    }
-}
+constexpr int kIndent = 20; ///< logical pixels
 
 } // namespace
 
@@ -81,6 +47,22 @@ RuleEditor::RuleEditor(const model::Scene& scene, const Rule& rule,
     addMeeting(layout);
 }
 
+QHBoxLayout* RuleEditor::rowIn(QVBoxLayout* layout, int depth)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    if (depth > 0) {
+        row->addSpacing(kIndent * depth);
+    }
+    layout->addLayout(row);
+    return row;
+}
+
+QHBoxLayout* RuleEditor::indentedRowIn(QVBoxLayout* layout)
+{
+    return rowIn(layout, 1);
+}
+
 void RuleEditor::setTrigger(const std::function<void(Trigger&)>& change)
 {
     m_apply([&](Rule& each) { change(each.trigger); });
@@ -91,7 +73,7 @@ void RuleEditor::setCondition(std::size_t index, const std::function<void(Condit
     m_apply([&](Rule& each) { change(each.conditions[index]); });
 }
 
-void RuleEditor::setAction(std::size_t index, const std::function<void(Action&)>& change)
+void RuleEditor::setAction(std::size_t index, const std::function<void(model::Action&)>& change)
 {
     m_apply([&](Rule& each) { change(each.actions[index]); });
 }
@@ -109,7 +91,7 @@ void RuleEditor::addMore(QVBoxLayout* layout)
     };
     addButton("addCondition", tr("+ only if…"), [](Rule& each) { each.conditions.emplace_back(); });
     addButton("addAction", tr("+ then…"),
-              [](Rule& each) { each.actions.emplace_back().kind = ActionKind::Wait; });
+              [](Rule& each) { each.actions.emplace_back().kind = model::ActionKind::Wait; });
     row->addStretch(1);
 }
 
@@ -290,228 +272,23 @@ void RuleEditor::addConditionFields(QHBoxLayout* row, std::size_t index)
         addPlace();
         addComparison(row, index, {});
         break;
-    case ConditionKind::IsSeated:
-        break;
-    }
-}
-
-void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
-{
-    QHBoxLayout* row = rowIn(layout);
-    row->addWidget(new QLabel(index == 0 ? tr("do") : tr("then")));
-    addChoiceField(
-        row, actionNames(), static_cast<int>(m_rule.actions[index].kind), [this, index](int kind) {
-            setAction(index, [&](Action& each) { setKind(each, static_cast<ActionKind>(kind)); });
-        });
-    const auto addMove = [&](Qt::ArrowType arrow, const QString& tip, std::size_t other) {
-        auto* button = new QToolButton(this);
-        button->setArrowType(arrow);
-        button->setAutoRaise(true);
-        button->setToolTip(tip);
-        button->setEnabled(other < m_rule.actions.size());
-        row->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, index, other] {
-            m_apply([&](Rule& each) { std::swap(each.actions[index], each.actions[other]); });
-        });
-    };
-    if (m_rule.actions.size() > 1) {
-        addMove(Qt::UpArrow, tr("Earlier"), index - 1); // the first has none before it
-        addMove(Qt::DownArrow, tr("Later"), index + 1);
-    }
-    addRemoveButton(row, tr("Remove this"), [this, index] {
-        m_apply([&](Rule& each) {
-            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
-    addActionFields(layout, index);
-}
-
-void RuleEditor::addNumber(QHBoxLayout* row, std::size_t index, float Action::*member, double low,
-                           double high, const QString& suffix, const QString& zero)
-{
-    addNumberField(
-        row, static_cast<double>(m_rule.actions[index].*member), low, high, suffix,
-        [this, index, member](double edited) {
-            setAction(index, [&](Action& each) { each.*member = static_cast<float>(edited); });
-        },
-        zero);
-}
-
-void RuleEditor::addGoFields(QVBoxLayout* layout, std::size_t index)
-{
-    const Action& action = m_rule.actions[index];
-    addChoiceField(indentedRowIn(layout), choiceNames(), static_cast<int>(action.choice),
-                   [this, index](int choice) {
-                       setAction(index, [&](Action& each) {
-                           each.choice = static_cast<model::PlaceChoice>(choice);
+    case ConditionKind::Property:
+        addChoiceField(row, comparedNames(), static_cast<int>(condition.property),
+                       [this, index](int property) {
+                           setCondition(index, [&](Condition& each) {
+                               each.property = static_cast<model::ComparedProperty>(property);
+                           });
                        });
-                   });
-    const bool isGiven = action.choice == model::PlaceChoice::Given;
-    QHBoxLayout* row = indentedRowIn(layout);
-    if (!isGiven) {
-        addPathField(row, m_scene, action.path, tr("of any path"), [this, index](model::PathId id) {
-            setAction(index, [&](Action& each) { each.path = id; });
-        });
-    }
-    if (isGiven || action.path == 0) {
-        addPlaceField(row, m_scene, action.place, isGiven ? QString() : tr("with any name"),
-                      [this, index](model::PlaceId id) {
-                          setAction(index, [&](Action& each) { each.place = id; });
-                      });
-    }
-}
-
-void RuleEditor::addSendFields(QVBoxLayout* layout, std::size_t index)
-{
-    const Action& action = m_rule.actions[index];
-    QHBoxLayout* row = indentedRowIn(layout);
-    addTextField(row, QString::fromStdString(action.event), tr("event"),
-                 [this, index](const QString& text) {
-                     setAction(index, [&](Action& each) { each.event = text.toStdString(); });
-                 });
-    addChoiceField(row, reachNames(), static_cast<int>(action.reach), [this, index](int reach) {
-        setAction(index, [&](Action& each) { each.reach = static_cast<model::EventReach>(reach); });
-    });
-    row = indentedRowIn(layout);
-    if (action.reach == model::EventReach::Near) {
-        addNumber(row, index, &Action::metres, 0.0, 1000.0, tr(" m"));
-    } else if (action.reach == model::EventReach::Tagged) {
-        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
-            setAction(index, [&](Action& each) { each.tag = tag; });
-        });
-    }
-    addNumber(row, index, &Action::secondsPerMetre, 0.0, 60.0, tr(" s/m"), tr("at once"));
-    addNumber(row, index, &Action::value, -1e6, 1e6, {});
-}
-
-/// Whom or what it is about.
-void RuleEditor::addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace)
-{
-    const Action& action = m_rule.actions[index];
-    QHBoxLayout* row = indentedRowIn(layout);
-    QStringList names = aimNames();
-    if (!canBePlace && action.aim != model::ActionAim::Place) {
-        names.removeLast();
-    }
-    addChoiceField(row, names, static_cast<int>(action.aim), [this, index](int aim) {
-        setAction(index, [&](Action& each) { each.aim = static_cast<model::ActionAim>(aim); });
-    });
-    if (action.aim == model::ActionAim::Tagged) {
-        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
-            setAction(index, [&](Action& each) { each.tag = tag; });
-        });
-    } else if (action.aim == model::ActionAim::Place) {
-        addPlaceField(row, m_scene, action.place, {}, [this, index](model::PlaceId id) {
-            setAction(index, [&](Action& each) { each.place = id; });
-        });
-    }
-}
-
-void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
-{
-    const Action& action = m_rule.actions[index];
-    const auto addPlace = [&](const QString& any) {
-        addPlaceField(indentedRowIn(layout), m_scene, action.place, any,
-                      [this, index](model::PlaceId id) {
-                          setAction(index, [&](Action& each) { each.place = id; });
-                      });
-    };
-    const auto addEdited = [&](float Action::*member, double high, const QString& suffix,
-                               const QString& zero = {}) {
-        addNumber(indentedRowIn(layout), index, member, 0.0, high, suffix, zero);
-    };
-    switch (action.kind) {
-    case ActionKind::PlayClip: {
-        QHBoxLayout* row = indentedRowIn(layout);
-        addClipField(row, m_scene, action.clips, [this, index](const auto& clips) {
-            setAction(index, [&](Action& each) { each.clips = clips; });
-        });
-        addChoiceField(row, {tr("once"), tr("for")}, action.isLooped ? 1 : 0,
-                       [this, index](int choice) {
-                           setAction(index, [&](Action& each) { each.isLooped = choice == 1; });
-                       });
-        if (action.isLooped) {
-            addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"));
+        if (condition.property == model::ComparedProperty::Clip) {
+            addOneClipField(row, m_scene, condition.clip, [this, index](const std::string& clip) {
+                setCondition(index, [&](Condition& each) { each.clip = clip; });
+            });
+        } else {
+            const bool isPace = condition.property == model::ComparedProperty::WalkSpeed;
+            addComparison(row, index, isPace ? tr(" m/s") : tr(" ×"));
         }
         break;
-    }
-    case ActionKind::FollowPath:
-        addPathField(indentedRowIn(layout), m_scene, action.path, {},
-                     [this, index](model::PathId path) {
-                         setAction(index, [&](Action& each) { each.path = path; });
-                     });
-        break;
-    case ActionKind::GoToPlace:
-        addGoFields(layout, index);
-        break;
-    case ActionKind::TurnTo:
-        addAimFields(layout, index, true);
-        break;
-    case ActionKind::LookAt:
-        addAimFields(layout, index, true);
-        addEdited(&Action::seconds, 3600.0, tr(" s"), tr("until something else comes"));
-        break;
-    case ActionKind::GoToPerson:
-    case ActionKind::Follow: {
-        addAimFields(layout, index, false);
-        QHBoxLayout* row = indentedRowIn(layout);
-        row->addWidget(new QLabel(tr("up to")));
-        addNumber(row, index, &Action::metres, 0.0, 100.0, tr(" m"));
-        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"),
-                  action.kind == ActionKind::Follow ? tr("until something else comes")
-                                                    : tr("however long"));
-        break;
-    }
-    case ActionKind::LeaveScene:
-        addPlace(tr("where they are"));
-        break;
-    case ActionKind::Appear:
-        addPlace({});
-        break;
-    case ActionKind::Flee:
-        addAimFields(layout, index, true);
-        addEdited(&Action::metres, 1000.0, tr(" m"));
-        break;
-    case ActionKind::SitDown:
-        addEdited(&Action::metres, 1000.0, tr(" m"), tr("however far"));
-        break;
-    case ActionKind::Wait:
-        addEdited(&Action::seconds, 3600.0, tr(" s"));
-        break;
-    case ActionKind::WaitForEvent: {
-        QHBoxLayout* row = indentedRowIn(layout);
-        addTextField(row, QString::fromStdString(action.event), tr("event"),
-                     [this, index](const QString& text) {
-                         setAction(index, [&](Action& each) { each.event = text.toStdString(); });
-                     });
-        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"), tr("for ever"));
-        break;
-    }
-    case ActionKind::SetSpeed:
-        addEdited(&Action::value, 10.0, tr(" m/s"), tr("the event’s"));
-        break;
-    case ActionKind::AddTag:
-    case ActionKind::RemoveTag:
-        addTagField(indentedRowIn(layout), m_scene, action.tag, [this, index](std::uint8_t tag) {
-            setAction(index, [&](Action& each) { each.tag = tag; });
-        });
-        break;
-    case ActionKind::SendEvent:
-        addSendFields(layout, index);
-        break;
-    case ActionKind::SetNumber:
-    case ActionKind::AddToNumber: {
-        QHBoxLayout* row = indentedRowIn(layout);
-        addArtistNumberField(row, m_scene, action.number, [this, index](model::NumberId number) {
-            setAction(index, [&](Action& each) { each.number = number; });
-        });
-        addNumber(row, index, &Action::value, -1e6, 1e6, {});
-        break;
-    }
-    case ActionKind::Stop:
-    case ActionKind::GoOn:
-    case ActionKind::Again:
-    case ActionKind::StandUp:
+    case ConditionKind::IsSeated:
         break;
     }
 }

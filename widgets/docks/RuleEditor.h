@@ -25,6 +25,9 @@ public:
                std::function<void(const Change&)> apply, QWidget* parent);
 
 private:
+    static QHBoxLayout* rowIn(QVBoxLayout* layout, int depth = 0);
+    /// What belongs to the row above, a little further in.
+    static QHBoxLayout* indentedRowIn(QVBoxLayout* layout);
     void addTrigger(QVBoxLayout* layout);
     void addTriggerFields(QHBoxLayout* row);
     void addConditions(QVBoxLayout* layout);
@@ -35,6 +38,7 @@ private:
     void addActionFields(QVBoxLayout* layout, std::size_t index);
     void addSendFields(QVBoxLayout* layout, std::size_t index);
     void addGoFields(QVBoxLayout* layout, std::size_t index);
+    void addPropertyFields(QVBoxLayout* layout, std::size_t index);
     void addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace);
     void addMore(QVBoxLayout* layout);
     void addMeeting(QVBoxLayout* layout);

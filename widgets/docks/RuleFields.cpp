@@ -2,11 +2,14 @@
 #include "widgets/docks/RuleFields.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QtCore/QCoreApplication>
+#include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
@@ -164,6 +167,114 @@ void addClipField(QHBoxLayout* row, const model::Scene& scene,
                                      : chosen.join(RuleFieldsText::tr(" or ")));
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(button, 1);
+}
+
+void addClipWeights(QVBoxLayout* layout, const std::vector<model::ClipWeight>& clips,
+                    const std::function<void(const std::vector<model::ClipWeight>&)>& changed)
+{
+    for (std::size_t i = 0; clips.size() > 1 && i < clips.size(); ++i) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(4);
+        row->addSpacing(40);
+        layout->addLayout(row);
+        auto* name = new QLabel(QString::fromStdString(clips[i].clip));
+        name->setToolTip(name->text());
+        name->setMinimumWidth(20);
+        name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        row->addWidget(name, 1);
+        addNumberField(row, static_cast<double>(clips[i].weight), 0.0, 1000.0,
+                       RuleFieldsText::tr(" ×"), [clips, i, changed](double weight) {
+                           std::vector<model::ClipWeight> all = clips;
+                           all[i].weight = static_cast<float>(weight);
+                           changed(all);
+                       });
+        row->itemAt(row->count() - 1)
+            ->widget()
+            ->setToolTip(RuleFieldsText::tr("How often it comes, against the others"));
+    }
+}
+
+namespace {
+
+/// A combo box over names, each once; the one that is chosen is there even where nobody has it.
+void addNameField(QHBoxLayout* row, std::vector<std::string> names, const std::string& chosen,
+                  const QString& none, const std::function<void(const std::string&)>& changed)
+{
+    if (!chosen.empty() && std::ranges::find(names, chosen) == names.end()) {
+        names.push_back(chosen);
+    }
+    names.insert(names.begin(), std::string());
+    QStringList texts;
+    for (const std::string& name : names) {
+        texts << (name.empty() ? none : QString::fromStdString(name));
+    }
+    const auto index = std::ranges::find(names, chosen) - names.begin();
+    addChoiceField(row, texts, static_cast<int>(index), [names, changed](int choice) {
+        changed(names[static_cast<std::size_t>(choice)]);
+    });
+}
+
+void addOnce(std::vector<std::string>& names, const std::string& name)
+{
+    if (std::ranges::find(names, name) == names.end()) {
+        names.push_back(name);
+    }
+}
+
+} // namespace
+
+void addOneClipField(QHBoxLayout* row, const model::Scene& scene, const std::string& clip,
+                     const std::function<void(const std::string&)>& changed)
+{
+    std::vector<std::string> names;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (const std::string& name : entry.clipNames) {
+            addOnce(names, name);
+        }
+    }
+    addNameField(row, std::move(names), clip, RuleFieldsText::tr("choose…"), changed);
+}
+
+void addSlotField(QHBoxLayout* row, const model::Scene& scene, const std::string& slot,
+                  const std::function<void(const std::string&)>& changed)
+{
+    std::vector<std::string> names;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
+            if (entry.asset->slots[i].tintable) {
+                addOnce(names, entry.asset->slots[i].name);
+            }
+        }
+    }
+    addNameField(row, std::move(names), slot, RuleFieldsText::tr("all that can be"), changed);
+}
+
+void addTintField(QHBoxLayout* row, const model::Tint& tint,
+                  const std::function<void(const model::Tint&)>& changed)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("ruleColor"));
+    QPixmap pixmap(28, 14);
+    pixmap.fill(QColor(tint.red, tint.green, tint.blue));
+    button->setIcon(pixmap);
+    button->setIconSize(pixmap.size());
+    button->setToolTip(RuleFieldsText::tr("The colour; how much of it beside"));
+    row->addWidget(button);
+    QObject::connect(button, &QToolButton::clicked, button, [button, tint, changed] {
+        const QColor chosen =
+            QColorDialog::getColor(QColor(tint.red, tint.green, tint.blue), button);
+        if (chosen.isValid()) {
+            changed({static_cast<std::uint8_t>(chosen.red()),
+                     static_cast<std::uint8_t>(chosen.green()),
+                     static_cast<std::uint8_t>(chosen.blue()), tint.strength});
+        }
+    });
+    addNumberField(row, tint.strength / 2.55, 0.0, 100.0, RuleFieldsText::tr(" %"),
+                   [tint, changed](double percent) {
+                       model::Tint other = tint;
+                       other.strength = static_cast<std::uint8_t>(std::lround(percent * 2.55));
+                       changed(other);
+                   });
 }
 
 void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed)

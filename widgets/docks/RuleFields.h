@@ -8,6 +8,7 @@
 #include "model/scene/Scene.h"
 
 class QHBoxLayout;
+class QVBoxLayout;
 
 /// Small fields that a sentence is built from; each calls back when the artist changed it.
 namespace crowd::widgets {
@@ -33,6 +34,17 @@ void addArtistNumberField(QHBoxLayout* row, const model::Scene& scene, model::Nu
 void addClipField(QHBoxLayout* row, const model::Scene& scene,
                   const std::vector<model::ClipWeight>& clips,
                   const std::function<void(const std::vector<model::ClipWeight>&)>& changed);
+/// How often each of several clips comes, one row each.
+void addClipWeights(QVBoxLayout* layout, const std::vector<model::ClipWeight>& clips,
+                    const std::function<void(const std::vector<model::ClipWeight>&)>& changed);
+/// One clip of the scene's templates by name.
+void addOneClipField(QHBoxLayout* row, const model::Scene& scene, const std::string& clip,
+                     const std::function<void(const std::string&)>& changed);
+/// Slots of the scene's templates by name, and all of them.
+void addSlotField(QHBoxLayout* row, const model::Scene& scene, const std::string& slot,
+                  const std::function<void(const std::string&)>& changed);
+void addTintField(QHBoxLayout* row, const model::Tint& tint,
+                  const std::function<void(const model::Tint&)>& changed);
 void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed);
 
 } // namespace crowd::widgets

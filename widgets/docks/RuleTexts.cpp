@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
+#include <QtGui/QColor>
 
 namespace crowd::widgets {
 
@@ -164,6 +165,11 @@ QString conditionText(const Scene& scene, const Condition& condition)
         text = comparedText(
             RuleTextsContext::tr("people in %1").arg(placeText(scene, condition.place)), condition);
         break;
+    case ConditionKind::Property:
+        text = condition.property == ComparedProperty::Clip
+                   ? RuleTextsContext::tr("showing %1").arg(QString::fromStdString(condition.clip))
+                   : comparedText(comparedNames()[static_cast<int>(condition.property)], condition);
+        break;
     }
     return condition.isNot ? RuleTextsContext::tr("not %1").arg(text) : text;
 }
@@ -221,6 +227,27 @@ QString lookText(const Scene& scene, const Action& action)
     return action.seconds > 0.0F
                ? RuleTextsContext::tr("look at %1 for %2 s").arg(whom, number(action.seconds))
                : RuleTextsContext::tr("keep looking at %1").arg(whom);
+}
+
+QString propertyText(const Action& action)
+{
+    switch (action.property) {
+    case SettableProperty::Tint: {
+        const QString color = QColor(action.tint.red, action.tint.green, action.tint.blue).name();
+        return action.slot.empty() ? RuleTextsContext::tr("turn %1").arg(color)
+                                   : RuleTextsContext::tr("turn %1 at %2")
+                                         .arg(color, QString::fromStdString(action.slot));
+    }
+    case SettableProperty::Height:
+        return RuleTextsContext::tr("become %1 × as tall").arg(number(action.value));
+    case SettableProperty::PlaybackSpeed:
+        return RuleTextsContext::tr("move %1 × as fast").arg(number(action.value));
+    case SettableProperty::Clip:
+        return RuleTextsContext::tr("from now on %1").arg(clipText(action));
+    case SettableProperty::Phase:
+        return RuleTextsContext::tr("go to %1 of their clip").arg(number(action.value));
+    }
+    return {};
 }
 
 QString actionText(const Scene& scene, const Action& action)
@@ -288,6 +315,8 @@ QString actionText(const Scene& scene, const Action& action)
         return followText(scene, action);
     case ActionKind::LookAt:
         return lookText(scene, action);
+    case ActionKind::SetProperty:
+        return propertyText(action);
     }
     return {};
 }
@@ -295,6 +324,13 @@ QString actionText(const Scene& scene, const Action& action)
 bool hasNumber(const Scene& scene, NumberId id)
 {
     return std::ranges::find(scene.numbers, id, &NumberName::id) != scene.numbers.end();
+}
+
+bool hasSlot(const Scene& scene, const std::string& name)
+{
+    return std::ranges::any_of(scene.templates, [&](const TemplateEntry& entry) {
+        return !entry.asset || entry.asset->slotIndex(name) >= 0; // who is not there may have it
+    });
 }
 
 /// Whether an action names a place that must be there.
@@ -345,7 +381,13 @@ QString actionProblem(const Scene& scene, const Action& action)
     if (action.kind == ActionKind::WaitForEvent && action.event.empty()) {
         return RuleTextsContext::tr("The event to wait for has no name: type one.");
     }
-    if (action.kind == ActionKind::PlayClip) {
+    if (action.kind == ActionKind::SetProperty && action.property == SettableProperty::Tint &&
+        !action.slot.empty() && !hasSlot(scene, action.slot)) {
+        return RuleTextsContext::tr("Nobody has a slot of that name: choose one.");
+    }
+    const bool isClip =
+        action.kind == ActionKind::SetProperty && action.property == SettableProperty::Clip;
+    if (action.kind == ActionKind::PlayClip || isClip) {
         const bool isAny = std::ranges::any_of(action.clips, [&](const ClipWeight& clip) {
             return std::ranges::any_of(scene.templates, [&](const TemplateEntry& entry) {
                 return std::ranges::find(entry.clipNames, clip.clip) != entry.clipNames.end();
@@ -380,12 +422,12 @@ QStringList triggerNames()
 
 QStringList conditionNames()
 {
-    return {RuleTextsContext::tr("tagged"),         RuleTextsContext::tr("of template"),
-            RuleTextsContext::tr("inside place"),   RuleTextsContext::tr("walking path"),
-            RuleTextsContext::tr("seated"),         RuleTextsContext::tr("by chance"),
-            RuleTextsContext::tr("own number"),     RuleTextsContext::tr("speed"),
-            RuleTextsContext::tr("event’s number"), RuleTextsContext::tr("place full"),
-            RuleTextsContext::tr("people in place")};
+    return {RuleTextsContext::tr("tagged"),          RuleTextsContext::tr("of template"),
+            RuleTextsContext::tr("inside place"),    RuleTextsContext::tr("walking path"),
+            RuleTextsContext::tr("seated"),          RuleTextsContext::tr("by chance"),
+            RuleTextsContext::tr("own number"),      RuleTextsContext::tr("speed"),
+            RuleTextsContext::tr("event’s number"),  RuleTextsContext::tr("place full"),
+            RuleTextsContext::tr("people in place"), RuleTextsContext::tr("property")};
 }
 
 QStringList actionNames()
@@ -412,7 +454,8 @@ QStringList actionNames()
             RuleTextsContext::tr("appear at a place"),
             RuleTextsContext::tr("go to someone"),
             RuleTextsContext::tr("follow someone"),
-            RuleTextsContext::tr("look at")};
+            RuleTextsContext::tr("look at"),
+            RuleTextsContext::tr("change a property")};
 }
 
 QStringList reachNames()
@@ -453,6 +496,20 @@ QStringList cueReachNames()
 {
     return {RuleTextsContext::tr("everybody"), RuleTextsContext::tr("the selected people"),
             RuleTextsContext::tr("those tagged")};
+}
+
+QStringList comparedNames()
+{
+    return {RuleTextsContext::tr("height"), RuleTextsContext::tr("girth"),
+            RuleTextsContext::tr("playback speed"), RuleTextsContext::tr("walking speed"),
+            RuleTextsContext::tr("clip")};
+}
+
+QStringList settableNames()
+{
+    return {RuleTextsContext::tr("colour"), RuleTextsContext::tr("height"),
+            RuleTextsContext::tr("playback speed"), RuleTextsContext::tr("clip while at rest"),
+            RuleTextsContext::tr("place in that clip")};
 }
 
 QStringList aimNames()
@@ -532,6 +589,8 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
             (condition.kind == ConditionKind::Number && !hasNumber(scene, condition.number)) ||
             (condition.kind == ConditionKind::FollowsPath && condition.path != 0 &&
              scene.findPath(condition.path) == nullptr) ||
+            (condition.kind == ConditionKind::Property &&
+             condition.property == ComparedProperty::Clip && condition.clip.empty()) ||
             (condition.kind == ConditionKind::OfTemplate &&
              scene.findTemplate(condition.templateId) == nullptr);
         if (isGone) {

@@ -19,6 +19,8 @@ namespace crowd::widgets {
 [[nodiscard]] QStringList choiceNames();     ///< by PlaceChoice
 [[nodiscard]] QStringList cueReachNames();   ///< by CueReach
 [[nodiscard]] QStringList aimNames();        ///< by ActionAim
+[[nodiscard]] QStringList comparedNames();   ///< by ComparedProperty
+[[nodiscard]] QStringList settableNames();   ///< by SettableProperty
 [[nodiscard]] QString ruleSetName(model::RuleSet set);
 [[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
 

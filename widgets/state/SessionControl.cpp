@@ -11,6 +11,7 @@
 #include "behavior/session/SessionPlayer.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/document/SceneEdit.h"
+#include "widgets/state/PoseKeeping.h"
 
 namespace crowd::widgets {
 
@@ -363,43 +364,18 @@ bool SessionControl::keepPose()
     if (!isRunning() || m_document.isEditOpen()) {
         return false;
     }
-    namespace keys = model::columns;
     const model::CrowdFramePtr shown = frame(m_transport.seconds());
-    const model::Population& now = shown->population;
-    const model::Population before = m_document.scene().population;
-    std::vector<model::IndividualId> ids;
-    std::vector<glm::vec3> positions;
-    std::vector<float> headings;
-    std::vector<model::IndividualId> moved; // to a seat or away from one
-    std::vector<model::SeatId> seats;
-    std::vector<std::uint16_t> clips;
-    for (std::size_t row = 0; row < now.size(); ++row) {
-        const glm::vec3 position = now.column(keys::position)[row];
-        const float heading = now.column(keys::heading)[row];
-        const bool isThere = position.y > -1e4F; // who has left stays where he began
-        if (isThere && (position != before.column(keys::position)[row] ||
-                        heading != before.column(keys::heading)[row])) {
-            ids.push_back(now.ids()[row]);
-            positions.push_back(position);
-            headings.push_back(heading);
-        }
-        if (isThere && now.column(keys::seat)[row] != before.column(keys::seat)[row]) {
-            moved.push_back(now.ids()[row]);
-            seats.push_back(now.column(keys::seat)[row]);
-            clips.push_back(now.column(keys::clip)[row]);
-        }
-    }
+    const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
     m_isKeepingPose = true;
     auto edit = m_document.beginEdit();
-    edit->setColumn(keys::position, ids, std::span<const glm::vec3>(positions));
-    edit->setColumn(keys::heading, ids, std::span<const float>(headings));
-    edit->setColumn(keys::seat, moved, std::span<const model::SeatId>(seats));
-    edit->setColumn(keys::clip, moved, std::span<const std::uint16_t>(clips));
-    const bool isKept = edit->commit(
-        tr("Keep the pose of %n individual(s)", nullptr, static_cast<int>(ids.size())));
+    const int people = keepPlaces(*edit, shown->population);
+    if (pose && pose->looks) {
+        keepLooks(*edit, *pose->looks);
+    }
+    const bool isKept = edit->commit(tr("Keep the pose of %n individual(s)", nullptr, people));
     m_isKeepingPose = false;
     m_player->adopt(m_document.scene(), true);
-    Q_EMIT posesKept(static_cast<int>(ids.size()));
+    Q_EMIT posesKept(people);
     return isKept;
 }
 

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
+
+#include "widgets/docks/RuleEditor.h"
+#include "widgets/docks/RuleFields.h"
+#include "widgets/docks/RuleTexts.h"
+
+/// What a rule lets people do, line by line.
+namespace crowd::widgets {
+
+using model::Action;
+using model::ActionKind;
+using model::Rule;
+using model::SettableProperty;
+
+namespace {
+
+/// With values that suit it.
+void setKind(Action& action, ActionKind kind)
+{
+    action.kind = kind;
+    if (kind == ActionKind::SitDown) {
+        action.metres = 0.0F;
+    } else if (kind == ActionKind::WaitForEvent) {
+        action.seconds = 0.0F;
+    } else if (kind == ActionKind::Follow || kind == ActionKind::GoToPerson) {
+        action.metres = 1.5F;
+        action.seconds = kind == ActionKind::Follow ? 10.0F : 0.0F;
+    }
+    if (kind == ActionKind::SetProperty) {
+        action.value = 1.0F;
+    }
+    const bool isToPerson = kind == ActionKind::Follow || kind == ActionKind::GoToPerson;
+    if (isToPerson && action.aim == model::ActionAim::Place) {
+        action.aim = model::ActionAim::Sender;
+    }
+}
+
+} // namespace
+
+void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
+{
+    QHBoxLayout* row = rowIn(layout);
+    row->addWidget(new QLabel(index == 0 ? tr("do") : tr("then")));
+    addChoiceField(
+        row, actionNames(), static_cast<int>(m_rule.actions[index].kind), [this, index](int kind) {
+            setAction(index, [&](Action& each) { setKind(each, static_cast<ActionKind>(kind)); });
+        });
+    const auto addMove = [&](Qt::ArrowType arrow, const QString& tip, std::size_t other) {
+        auto* button = new QToolButton(this);
+        button->setArrowType(arrow);
+        button->setAutoRaise(true);
+        button->setToolTip(tip);
+        button->setEnabled(other < m_rule.actions.size());
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, index, other] {
+            m_apply([&](Rule& each) { std::swap(each.actions[index], each.actions[other]); });
+        });
+    };
+    if (m_rule.actions.size() > 1) {
+        addMove(Qt::UpArrow, tr("Earlier"), index - 1); // the first has none before it
+        addMove(Qt::DownArrow, tr("Later"), index + 1);
+    }
+    addRemoveButton(row, tr("Remove this"), [this, index] {
+        m_apply([&](Rule& each) {
+            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
+    addActionFields(layout, index);
+}
+
+void RuleEditor::addNumber(QHBoxLayout* row, std::size_t index, float Action::*member, double low,
+                           double high, const QString& suffix, const QString& zero)
+{
+    addNumberField(
+        row, static_cast<double>(m_rule.actions[index].*member), low, high, suffix,
+        [this, index, member](double edited) {
+            setAction(index, [&](Action& each) { each.*member = static_cast<float>(edited); });
+        },
+        zero);
+}
+
+void RuleEditor::addGoFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    addChoiceField(indentedRowIn(layout), choiceNames(), static_cast<int>(action.choice),
+                   [this, index](int choice) {
+                       setAction(index, [&](Action& each) {
+                           each.choice = static_cast<model::PlaceChoice>(choice);
+                       });
+                   });
+    const bool isGiven = action.choice == model::PlaceChoice::Given;
+    QHBoxLayout* row = indentedRowIn(layout);
+    if (!isGiven) {
+        addPathField(row, m_scene, action.path, tr("of any path"), [this, index](model::PathId id) {
+            setAction(index, [&](Action& each) { each.path = id; });
+        });
+    }
+    if (isGiven || action.path == 0) {
+        addPlaceField(row, m_scene, action.place, isGiven ? QString() : tr("with any name"),
+                      [this, index](model::PlaceId id) {
+                          setAction(index, [&](Action& each) { each.place = id; });
+                      });
+    }
+}
+
+void RuleEditor::addSendFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    QHBoxLayout* row = indentedRowIn(layout);
+    addTextField(row, QString::fromStdString(action.event), tr("event"),
+                 [this, index](const QString& text) {
+                     setAction(index, [&](Action& each) { each.event = text.toStdString(); });
+                 });
+    addChoiceField(row, reachNames(), static_cast<int>(action.reach), [this, index](int reach) {
+        setAction(index, [&](Action& each) { each.reach = static_cast<model::EventReach>(reach); });
+    });
+    row = indentedRowIn(layout);
+    if (action.reach == model::EventReach::Near) {
+        addNumber(row, index, &Action::metres, 0.0, 1000.0, tr(" m"));
+    } else if (action.reach == model::EventReach::Tagged) {
+        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
+            setAction(index, [&](Action& each) { each.tag = tag; });
+        });
+    }
+    addNumber(row, index, &Action::secondsPerMetre, 0.0, 60.0, tr(" s/m"), tr("at once"));
+    addNumber(row, index, &Action::value, -1e6, 1e6, {});
+}
+
+/// Whom or what it is about.
+void RuleEditor::addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace)
+{
+    const Action& action = m_rule.actions[index];
+    QHBoxLayout* row = indentedRowIn(layout);
+    QStringList names = aimNames();
+    if (!canBePlace && action.aim != model::ActionAim::Place) {
+        names.removeLast();
+    }
+    addChoiceField(row, names, static_cast<int>(action.aim), [this, index](int aim) {
+        setAction(index, [&](Action& each) { each.aim = static_cast<model::ActionAim>(aim); });
+    });
+    if (action.aim == model::ActionAim::Tagged) {
+        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
+            setAction(index, [&](Action& each) { each.tag = tag; });
+        });
+    } else if (action.aim == model::ActionAim::Place) {
+        addPlaceField(row, m_scene, action.place, {}, [this, index](model::PlaceId id) {
+            setAction(index, [&](Action& each) { each.place = id; });
+        });
+    }
+}
+
+void RuleEditor::addPropertyFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    const auto setClips = [this, index](const std::vector<model::ClipWeight>& clips) {
+        setAction(index, [&](Action& each) { each.clips = clips; });
+    };
+    addChoiceField(indentedRowIn(layout), settableNames(), static_cast<int>(action.property),
+                   [this, index](int property) {
+                       setAction(index, [&](Action& each) {
+                           each.property = static_cast<SettableProperty>(property);
+                           each.value = each.property == SettableProperty::Phase ? 0.0F : 1.0F;
+                       });
+                   });
+    QHBoxLayout* row = indentedRowIn(layout);
+    switch (action.property) {
+    case SettableProperty::Tint:
+        addSlotField(row, m_scene, action.slot, [this, index](const std::string& slot) {
+            setAction(index, [&](Action& each) { each.slot = slot; });
+        });
+        addTintField(row, action.tint, [this, index](const model::Tint& tint) {
+            setAction(index, [&](Action& each) { each.tint = tint; });
+        });
+        break;
+    case SettableProperty::Height:
+        addNumber(row, index, &Action::value, 0.05, 20.0, tr(" ×"));
+        break;
+    case SettableProperty::PlaybackSpeed:
+        addNumber(row, index, &Action::value, 0.0, 100.0, tr(" ×"));
+        break;
+    case SettableProperty::Clip:
+        addClipField(row, m_scene, action.clips, setClips);
+        addClipWeights(layout, action.clips, setClips);
+        break;
+    case SettableProperty::Phase:
+        addNumber(row, index, &Action::value, 0.0, 1.0, {});
+        break;
+    }
+}
+
+void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    const auto addPlace = [&](const QString& any) {
+        addPlaceField(indentedRowIn(layout), m_scene, action.place, any,
+                      [this, index](model::PlaceId id) {
+                          setAction(index, [&](Action& each) { each.place = id; });
+                      });
+    };
+    const auto addEdited = [&](float Action::*member, double high, const QString& suffix,
+                               const QString& zero = {}) {
+        addNumber(indentedRowIn(layout), index, member, 0.0, high, suffix, zero);
+    };
+    const auto setClips = [this, index](const std::vector<model::ClipWeight>& clips) {
+        setAction(index, [&](Action& each) { each.clips = clips; });
+    };
+    switch (action.kind) {
+    case ActionKind::PlayClip: {
+        QHBoxLayout* row = indentedRowIn(layout);
+        addClipField(row, m_scene, action.clips, setClips);
+        addChoiceField(row, {tr("once"), tr("for")}, action.isLooped ? 1 : 0,
+                       [this, index](int choice) {
+                           setAction(index, [&](Action& each) { each.isLooped = choice == 1; });
+                       });
+        if (action.isLooped) {
+            addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"));
+        }
+        addClipWeights(layout, action.clips, setClips);
+        break;
+    }
+    case ActionKind::SetProperty:
+        addPropertyFields(layout, index);
+        break;
+    case ActionKind::FollowPath:
+        addPathField(indentedRowIn(layout), m_scene, action.path, {},
+                     [this, index](model::PathId path) {
+                         setAction(index, [&](Action& each) { each.path = path; });
+                     });
+        break;
+    case ActionKind::GoToPlace:
+        addGoFields(layout, index);
+        break;
+    case ActionKind::TurnTo:
+        addAimFields(layout, index, true);
+        break;
+    case ActionKind::LookAt:
+        addAimFields(layout, index, true);
+        addEdited(&Action::seconds, 3600.0, tr(" s"), tr("until something else comes"));
+        break;
+    case ActionKind::GoToPerson:
+    case ActionKind::Follow: {
+        addAimFields(layout, index, false);
+        QHBoxLayout* row = indentedRowIn(layout);
+        row->addWidget(new QLabel(tr("up to")));
+        addNumber(row, index, &Action::metres, 0.0, 100.0, tr(" m"));
+        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"),
+                  action.kind == ActionKind::Follow ? tr("until something else comes")
+                                                    : tr("however long"));
+        break;
+    }
+    case ActionKind::LeaveScene:
+        addPlace(tr("where they are"));
+        break;
+    case ActionKind::Appear:
+        addPlace({});
+        break;
+    case ActionKind::Flee:
+        addAimFields(layout, index, true);
+        addEdited(&Action::metres, 1000.0, tr(" m"));
+        break;
+    case ActionKind::SitDown:
+        addEdited(&Action::metres, 1000.0, tr(" m"), tr("however far"));
+        break;
+    case ActionKind::Wait:
+        addEdited(&Action::seconds, 3600.0, tr(" s"));
+        break;
+    case ActionKind::WaitForEvent: {
+        QHBoxLayout* row = indentedRowIn(layout);
+        addTextField(row, QString::fromStdString(action.event), tr("event"),
+                     [this, index](const QString& text) {
+                         setAction(index, [&](Action& each) { each.event = text.toStdString(); });
+                     });
+        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"), tr("for ever"));
+        break;
+    }
+    case ActionKind::SetSpeed:
+        addEdited(&Action::value, 10.0, tr(" m/s"), tr("the event’s"));
+        break;
+    case ActionKind::AddTag:
+    case ActionKind::RemoveTag:
+        addTagField(indentedRowIn(layout), m_scene, action.tag, [this, index](std::uint8_t tag) {
+            setAction(index, [&](Action& each) { each.tag = tag; });
+        });
+        break;
+    case ActionKind::SendEvent:
+        addSendFields(layout, index);
+        break;
+    case ActionKind::SetNumber:
+    case ActionKind::AddToNumber: {
+        QHBoxLayout* row = indentedRowIn(layout);
+        addArtistNumberField(row, m_scene, action.number, [this, index](model::NumberId number) {
+            setAction(index, [&](Action& each) { each.number = number; });
+        });
+        addNumber(row, index, &Action::value, -1e6, 1e6, {});
+        break;
+    }
+    case ActionKind::Stop:
+    case ActionKind::GoOn:
+    case ActionKind::Again:
+    case ActionKind::StandUp:
+        break;
+    }
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/PoseKeeping.h"
+
+#include <optional>
+
+namespace crowd::widgets {
+
+namespace keys = model::columns;
+using behavior::SetLook;
+
+namespace {
+
+constexpr float kHasLeftBelow = -1e4F; ///< metres
+
+/// Ids with a value each, for one column.
+template<class T>
+struct Kept
+{
+    std::vector<model::IndividualId> ids;
+    std::vector<T> values;
+
+    void add(model::IndividualId id, const T& value)
+    {
+        ids.push_back(id);
+        values.push_back(value);
+    }
+    void write(model::SceneEdit& edit, model::ColumnKey<T> key) const
+    {
+        edit.setColumn(key, ids, std::span<const T>(values));
+    }
+};
+
+template<class T, class ValueOf>
+void keepSet(model::SceneEdit& edit, const std::vector<SetLook>& looks, model::ColumnKey<T> key,
+             const ValueOf& valueOf)
+{
+    Kept<T> kept;
+    for (const SetLook& look : looks) {
+        const std::optional<T> value = valueOf(look);
+        if (value && edit.scene().population.rowOf(look.id) != model::Population::npos) {
+            kept.add(look.id, *value);
+        }
+    }
+    kept.write(edit, key);
+}
+
+} // namespace
+
+int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
+{
+    const model::Population before = edit.scene().population;
+    Kept<glm::vec3> positions;
+    Kept<float> headings;
+    Kept<model::SeatId> seats;
+    Kept<std::uint16_t> clips;
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        const glm::vec3 position = shown.column(keys::position)[row];
+        const float heading = shown.column(keys::heading)[row];
+        const model::IndividualId id = shown.ids()[row];
+        if (position.y < kHasLeftBelow) {
+            continue;
+        }
+        if (position != before.column(keys::position)[row] ||
+            heading != before.column(keys::heading)[row]) {
+            positions.add(id, position);
+            headings.add(id, heading);
+        }
+        const model::SeatId seat = shown.column(keys::seat)[row];
+        if (seat != before.column(keys::seat)[row]) {
+            seats.add(id, seat);
+            clips.add(id, shown.column(keys::clip)[row]);
+        }
+    }
+    positions.write(edit, keys::position);
+    headings.write(edit, keys::heading);
+    seats.write(edit, keys::seat);
+    clips.write(edit, keys::clip);
+    return static_cast<int>(positions.ids.size());
+}
+
+void keepLooks(model::SceneEdit& edit, const std::vector<SetLook>& looks)
+{
+    for (int slot = 0; slot < 8; ++slot) {
+        keepSet(edit, looks, keys::tint(slot), [slot](const SetLook& look) {
+            return (look.tinted >> slot & 1) != 0
+                       ? std::optional(look.tints[static_cast<std::size_t>(slot)])
+                       : std::nullopt;
+        });
+    }
+    keepSet(edit, looks, keys::height, [](const SetLook& look) { return look.height; });
+    keepSet(edit, looks, keys::tags, [](const SetLook& look) { return look.tags; });
+    keepSet(edit, looks, keys::clip, [](const SetLook& look) { return look.clip; });
+    keepSet(edit, looks, keys::playbackSpeed,
+            [](const SetLook& look) { return look.playbackSpeed; });
+    keepSet(edit, looks, keys::phase, [](const SetLook& look) { return look.phase; });
+}
+
+} // namespace crowd::widgets
