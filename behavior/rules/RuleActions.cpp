@@ -287,8 +287,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         host.leave(agent);
         return true;
     case model::ActionKind::Again:
-        mind.action = kNone; // the step to the next one makes it the first
-        return true;
+    case model::ActionKind::Repeat:
+    case model::ActionKind::OneOf:
+        return true; // see branch()
     case model::ActionKind::SitDown:
         return sitDown(host, agent, action);
     case model::ActionKind::StandUp:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxLog = 4096;
 constexpr std::size_t kMaxQueue = 8;
-constexpr int kMaxActionsAtOnce = 64;
+constexpr int kMaxActionsAtOnce = 1024;
 constexpr std::uint64_t kLitSteps = 15;
 
 bool bringsBack(const model::Rule& rule)
@@ -313,6 +313,8 @@ void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent,
     ++m_counts[m_rules[index].id];
     mind.rule = index;
     mind.action = 0;
+    mind.turns = 0;
+    mind.rounds.clear();
     mind.isStarted = false;
     mind.isTravelling = false;
     mind.cause = cause;
@@ -347,11 +349,14 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
             continue;
         }
         const std::uint32_t rule = mind.rule;
+        if (branch(host, agent, actions)) {
+            continue;
+        }
         if (!run(host, agent, actions[mind.action])) {
             return;
         }
         if (mind.rule == rule) {
-            ++mind.action;
+            mind.action = lineAfter(mind, actions, mind.action);
             mind.isStarted = false;
             mind.isTravelling = false;
         }

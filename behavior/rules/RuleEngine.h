@@ -13,6 +13,7 @@
 #include "behavior/rules/PlaceRooms.h"
 #include "model/population/Population.h"
 #include "model/scene/Rule.h"
+#include "model/scene/RuleSequence.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
@@ -115,6 +116,12 @@ private:
         bool hasOrigin = false;
         model::IndividualId sender = 0; ///< 0: nobody
     };
+    /// A Repeat that runs.
+    struct Round
+    {
+        std::uint32_t line = 0;
+        std::uint32_t left = 0; ///< with the one that runs
+    };
     struct Waiting
     {
         model::RuleId rule = 0;
@@ -127,6 +134,8 @@ private:
         std::uint32_t rule = kNone; ///< index
         std::uint32_t action = 0;
         std::uint32_t firings = 0; ///< keys his draws
+        std::uint32_t turns = 0;   ///< of choices and repetitions: keys them
+        std::vector<Round> rounds; ///< the innermost last
         bool isStarted = false;    ///< the action has begun
         bool isTravelling = false; ///< until an errand ends
         double until = 0.0;        ///< seconds
@@ -192,6 +201,15 @@ private:
     [[nodiscard]] bool mayBreakOff(std::uint32_t busy, std::uint32_t other) const;
     void begin(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     void goOn(RuleHost& host, std::uint32_t agent);
+    /// To what belongs to a Repeat or a OneOf, or to the beginning. False: it is neither.
+    [[nodiscard]] bool branch(RuleHost& host, std::uint32_t agent, const model::Actions& actions);
+    [[nodiscard]] std::size_t drawAlternative(RuleHost& host, std::uint32_t agent,
+                                              const model::Actions& actions,
+                                              const std::vector<std::size_t>& lines) const;
+    /// Line to go on with after one that is over, with all that belongs to it.
+    [[nodiscard]] std::uint32_t lineAfter(Mind& mind, const model::Actions& actions,
+                                          std::size_t line) const;
+    [[nodiscard]] bool goesRound(Mind& mind, const model::Action& repeat, std::size_t line) const;
     /// True: the action is over.
     [[nodiscard]] bool run(RuleHost& host, std::uint32_t agent, const model::Action& action);
     /// One of the clips by weight; empty: there are none.

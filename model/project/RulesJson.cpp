@@ -3,6 +3,7 @@
 
 #include "model/project/EnvironmentJson.h"
 #include "model/project/JsonWriting.h"
+#include "model/scene/RuleSequence.h"
 
 namespace crowd::model {
 
@@ -20,7 +21,8 @@ constexpr std::array kActions{
     "play",          "follow", "go to",        "flee",          "stop",           "go on",
     "wait",          "speed",  "turn",         "tag",           "untag",          "send",
     "leave scene",   "again",  "sit down",     "stand up",      "wait for event", "set number",
-    "add to number", "appear", "go to person", "follow person", "look at",        "set property"};
+    "add to number", "appear", "go to person", "follow person", "look at",        "set property",
+    "repeat",        "one of"};
 constexpr std::array kComparedProperties{"height", "girth", "playback speed", "walk speed", "clip"};
 constexpr std::array kSettableProperties{"tint", "height", "playback speed", "clip", "phase"};
 constexpr std::array kComparisons{"less", "equal", "more"};
@@ -96,7 +98,10 @@ json toJson(const Action& action)
             {"property", nameOf(kSettableProperties, action.property)},
             {"slot", action.slot},
             {"color", colorText({action.tint.red, action.tint.green, action.tint.blue})},
-            {"strength", action.tint.strength}};
+            {"strength", action.tint.strength},
+            {"depth", action.depth},
+            {"times", action.times},
+            {"weight", number(action.weight)}};
 }
 
 json toJson(const Rule& rule)
@@ -189,6 +194,12 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
     readColor(fields, "color", color);
     action.tint = {color[0], color[1], color[2], action.tint.strength};
     fields.read("strength", action.tint.strength);
+    fields.read("depth", action.depth);
+    fields.read("times", action.times);
+    if (action.times > kMaxTimes) {
+        fields.complain("times", "must be at most " + std::to_string(kMaxTimes));
+    }
+    readWithin(fields, "weight", 0.0F, kMaxPayload, action.weight);
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
@@ -207,6 +218,7 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
     readObjects(fields, "do", where + ".", problem, [&](JsonFields item, const std::string& place) {
         readAction(std::move(item), rule.actions.emplace_back(), place, problem);
     });
+    settleDepths(rule.actions);
     readName(fields, "meeting", kMeetings, rule.meeting);
     readName(fields, "yields", kYields, rule.yields);
     readWithin(fields, "cooldown", 0.0F, kMaxSeconds, rule.cooldownSeconds);

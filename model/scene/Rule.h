@@ -49,6 +49,7 @@ struct NumberName
     friend bool operator==(const NumberName&, const NumberName&) = default;
 };
 inline constexpr float kMaxNumber = 1e6F;
+inline constexpr std::uint32_t kMaxTimes = 1000; ///< that an action repeats
 /// Numbers, and cues, that a scene may have.
 inline constexpr std::size_t kMaxNamed = 256;
 
@@ -164,7 +165,9 @@ enum class ActionKind : std::uint8_t {
     GoToPerson,   ///< as near to the aim as so many metres; gives up after `seconds`; 0: never
     Follow,       ///< stays so near to the aim for `seconds`; 0: until another rule comes
     LookAt,       ///< keeps facing the aim for `seconds`; 0: until another rule comes
-    SetProperty   ///< for the rest of the session; Keep Pose puts it into the scene
+    SetProperty,  ///< for the rest of the session; Keep Pose puts it into the scene
+    Repeat,       ///< what belongs to it, so many times; see RuleSequence.h
+    OneOf         ///< what belongs to one of several alternatives, drawn by weight
 };
 
 /// What an action can set of somebody while a session runs.
@@ -217,6 +220,9 @@ struct Action
     SettableProperty property = SettableProperty::Tint;
     std::string slot; ///< Tint: by name; empty: all tintable slots
     Tint tint{200, 60, 60, 255};
+    std::uint8_t depth = 0;  ///< deeper ones belong to a Repeat or OneOf above
+    std::uint32_t times = 2; ///< Repeat; 0: for ever
+    float weight = 1.0F;     ///< OneOf: against the other alternatives
     friend bool operator==(const Action&, const Action&) = default;
 };
 

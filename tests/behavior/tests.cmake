@@ -4,6 +4,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleActions
     tst_RuleAims
     tst_RuleLooks
+    tst_RuleSequences
     tst_Rules
     tst_Session
     tst_SessionPlayer

@@ -57,7 +57,7 @@ void furnish(SceneDocument& document)
     other.conditions.back().number = 2;
     other.conditions.back().comparison = Comparison::Less;
     other.conditions.back().value = -3.5F;
-    other.actions.resize(5);
+    other.actions.resize(8);
     other.actions[0].kind = ActionKind::GoToPlace;
     other.actions[0].choice = PlaceChoice::Ahead;
     other.actions[1].kind = ActionKind::AddToNumber;
@@ -69,6 +69,12 @@ void furnish(SceneDocument& document)
     other.actions[4].kind = ActionKind::SetProperty;
     other.actions[4].slot = "hair";
     other.actions[4].tint = {1, 20, 255, 77};
+    other.actions[5].kind = ActionKind::Repeat;
+    other.actions[5].times = 0;
+    other.actions[6].kind = ActionKind::OneOf;
+    other.actions[6].depth = 1;
+    other.actions[6].weight = 2.5F;
+    other.actions[7].depth = 2;
     other.conditions.push_back({ConditionKind::Property});
     other.conditions.back().property = ComparedProperty::Clip;
     other.conditions.back().clip = "wave";
@@ -294,6 +300,10 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "rules[0].if[0].compare must be one of");
     row("a number without end", R"("rules": [{"id": 1, "if": [{"value": 1e300}]}],)",
         "rules[0].if[0].value must be a finite number");
+    row("what repeats too often", R"("rules": [{"id": 1, "do": [{"times": 100000}]}],)",
+        "rules[0].do[0].times must be at most");
+    row("a weight below nothing", R"("rules": [{"id": 1, "do": [{"weight": -1}]}],)",
+        "rules[0].do[0].weight must lie between");
     row("a tint stronger than can be", R"("rules": [{"id": 1, "do": [{"strength": 300}]}],)",
         "rules[0].do[0].strength must be");
     row("a property that nobody has", R"("rules": [{"id": 1, "do": [{"property": "soul"}]}],)",

@@ -189,7 +189,7 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     QVERIFY(desk.isReady());
     QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::Waited) + 1);
     QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::Property) + 1);
-    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::SetProperty) + 1);
+    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::OneOf) + 1);
     QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);
     QVERIFY(yieldNames().size() == static_cast<int>(model::RuleYield::Nobody) + 1);
     model::Rule rule;

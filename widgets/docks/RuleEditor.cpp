@@ -21,7 +21,7 @@ using model::TriggerKind;
 
 namespace {
 
-constexpr int kIndent = 20; ///< logical pixels
+constexpr int kIndent = 14; ///< logical pixels
 
 } // namespace
 
@@ -47,20 +47,34 @@ RuleEditor::RuleEditor(const model::Scene& scene, const Rule& rule,
     addMeeting(layout);
 }
 
-QHBoxLayout* RuleEditor::rowIn(QVBoxLayout* layout, int depth)
+QHBoxLayout* RuleEditor::rowIn(QVBoxLayout* layout) const
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
-    if (depth > 0) {
-        row->addSpacing(kIndent * depth);
+    if (m_depth > 0) {
+        row->addSpacing(kIndent * m_depth);
     }
     layout->addLayout(row);
     return row;
 }
 
-QHBoxLayout* RuleEditor::indentedRowIn(QVBoxLayout* layout)
+QHBoxLayout* RuleEditor::indentedRowIn(QVBoxLayout* layout) const
 {
-    return rowIn(layout, 1);
+    QHBoxLayout* row = rowIn(layout);
+    row->addSpacing(kIndent);
+    return row;
+}
+
+void RuleEditor::addTextButton(QHBoxLayout* row, const char* name, const QString& text,
+                               const QString& tip, const Change& change)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setAutoRaise(true);
+    row->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, change] { m_apply(change); });
 }
 
 void RuleEditor::setTrigger(const std::function<void(Trigger&)>& change)
@@ -81,17 +95,10 @@ void RuleEditor::setAction(std::size_t index, const std::function<void(model::Ac
 void RuleEditor::addMore(QVBoxLayout* layout)
 {
     QHBoxLayout* row = rowIn(layout);
-    const auto addButton = [&](const char* name, const QString& text, const Change& change) {
-        auto* button = new QToolButton(this);
-        button->setObjectName(QLatin1String(name));
-        button->setText(text);
-        button->setAutoRaise(true);
-        row->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, change] { m_apply(change); });
-    };
-    addButton("addCondition", tr("+ only if…"), [](Rule& each) { each.conditions.emplace_back(); });
-    addButton("addAction", tr("+ then…"),
-              [](Rule& each) { each.actions.emplace_back().kind = model::ActionKind::Wait; });
+    addTextButton(row, "addCondition", tr("+ only if…"), tr("Adds a condition"),
+                  [](Rule& each) { each.conditions.emplace_back(); });
+    addTextButton(row, "addAction", tr("+ then…"), tr("Adds something to do"),
+                  [](Rule& each) { each.actions.emplace_back().kind = model::ActionKind::Wait; });
     row->addStretch(1);
 }
 

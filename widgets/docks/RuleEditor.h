@@ -25,9 +25,12 @@ public:
                std::function<void(const Change&)> apply, QWidget* parent);
 
 private:
-    static QHBoxLayout* rowIn(QVBoxLayout* layout, int depth = 0);
+    /// As far in as the line that is being built.
+    QHBoxLayout* rowIn(QVBoxLayout* layout) const;
     /// What belongs to the row above, a little further in.
-    static QHBoxLayout* indentedRowIn(QVBoxLayout* layout);
+    QHBoxLayout* indentedRowIn(QVBoxLayout* layout) const;
+    void addTextButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
+                       const Change& change);
     void addTrigger(QVBoxLayout* layout);
     void addTriggerFields(QHBoxLayout* row);
     void addConditions(QVBoxLayout* layout);
@@ -35,6 +38,8 @@ private:
     void addConditionFields(QHBoxLayout* row, std::size_t index);
     void addActions(QVBoxLayout* layout);
     void addAction(QVBoxLayout* layout, std::size_t index);
+    [[nodiscard]] QString wordBefore(std::size_t index) const;
+    void addBlockFields(QVBoxLayout* layout, std::size_t index);
     void addActionFields(QVBoxLayout* layout, std::size_t index);
     void addSendFields(QVBoxLayout* layout, std::size_t index);
     void addGoFields(QVBoxLayout* layout, std::size_t index);
@@ -54,6 +59,7 @@ private:
     const model::Scene& m_scene;
     const model::Rule m_rule;
     std::function<void(const Change&)> m_apply;
+    int m_depth = 0; ///< of the line that is being built
 };
 
 } // namespace crowd::widgets

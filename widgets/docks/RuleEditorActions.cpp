@@ -6,6 +6,7 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/scene/RuleSequence.h"
 #include "widgets/docks/RuleEditor.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleTexts.h"
@@ -35,6 +36,10 @@ void setKind(Action& action, ActionKind kind)
     if (kind == ActionKind::SetProperty) {
         action.value = 1.0F;
     }
+    if (kind == ActionKind::Repeat || kind == ActionKind::OneOf) {
+        action.times = 2;
+        action.weight = 1.0F;
+    }
     const bool isToPerson = kind == ActionKind::Follow || kind == ActionKind::GoToPerson;
     if (isToPerson && action.aim == model::ActionAim::Place) {
         action.aim = model::ActionAim::Sender;
@@ -43,35 +48,81 @@ void setKind(Action& action, ActionKind kind)
 
 } // namespace
 
+QString RuleEditor::wordBefore(std::size_t index) const
+{
+    if (m_rule.actions[index].kind == ActionKind::OneOf) {
+        return model::alternativesOf(m_rule.actions, index).front() == index ? tr("either")
+                                                                             : tr("or");
+    }
+    return index == 0 ? tr("do") : tr("then");
+}
+
 void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
 {
+    const Action& action = m_rule.actions[index];
+    m_depth = action.depth;
     QHBoxLayout* row = rowIn(layout);
-    row->addWidget(new QLabel(index == 0 ? tr("do") : tr("then")));
-    addChoiceField(
-        row, actionNames(), static_cast<int>(m_rule.actions[index].kind), [this, index](int kind) {
-            setAction(index, [&](Action& each) { setKind(each, static_cast<ActionKind>(kind)); });
+    row->addWidget(new QLabel(wordBefore(index)));
+    addChoiceField(row, actionNames(), static_cast<int>(action.kind), [this, index](int kind) {
+        m_apply([&](Rule& each) {
+            setKind(each.actions[index], static_cast<ActionKind>(kind));
+            model::settleDepths(each.actions); // nothing belongs to it any more
         });
-    const auto addMove = [&](Qt::ArrowType arrow, const QString& tip, std::size_t other) {
+    });
+    const auto addMove = [&](Qt::ArrowType arrow, const QString& tip,
+                             void (*shift)(model::Actions&, std::size_t)) {
+        model::Actions moved = m_rule.actions;
+        shift(moved, index);
         auto* button = new QToolButton(this);
         button->setArrowType(arrow);
         button->setAutoRaise(true);
         button->setToolTip(tip);
-        button->setEnabled(other < m_rule.actions.size());
+        button->setEnabled(moved != m_rule.actions);
         row->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, index, other] {
-            m_apply([&](Rule& each) { std::swap(each.actions[index], each.actions[other]); });
-        });
+        connect(button, &QToolButton::clicked, this,
+                [this, index, shift] { m_apply([&](Rule& each) { shift(each.actions, index); }); });
     };
     if (m_rule.actions.size() > 1) {
-        addMove(Qt::UpArrow, tr("Earlier"), index - 1); // the first has none before it
-        addMove(Qt::DownArrow, tr("Later"), index + 1);
+        addMove(Qt::UpArrow, tr("Earlier, or into or out of what repeats"), &model::moveUp);
+        addMove(Qt::DownArrow, tr("Later, or into or out of what repeats"), &model::moveDown);
     }
-    addRemoveButton(row, tr("Remove this"), [this, index] {
-        m_apply([&](Rule& each) {
-            each.actions.erase(each.actions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
+    addRemoveButton(
+        row, model::isHead(action) ? tr("Remove this and what is in it") : tr("Remove this"),
+        [this, index] { m_apply([&](Rule& each) { model::removeLine(each.actions, index); }); });
     addActionFields(layout, index);
+    m_depth = 0;
+}
+
+/// What repeats, or is one of several.
+void RuleEditor::addBlockFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    QHBoxLayout* row = indentedRowIn(layout);
+    if (action.kind == ActionKind::Repeat) {
+        addNumberField(
+            row, static_cast<double>(action.times), 0.0, static_cast<double>(model::kMaxTimes),
+            tr(" ×"),
+            [this, index](double times) {
+                setAction(index,
+                          [&](Action& each) { each.times = static_cast<std::uint32_t>(times); });
+            },
+            tr("for ever"));
+    } else {
+        addNumber(row, index, &Action::weight, 0.0, 1000.0, tr(" ×"));
+        row->itemAt(row->count() - 1)
+            ->widget()
+            ->setToolTip(tr("How often it comes, against the others"));
+    }
+    addTextButton(row, "addInside", tr("+ in it"), tr("Adds something to do in it"),
+                  [index](Rule& each) {
+                      Action wait;
+                      wait.kind = ActionKind::Wait;
+                      model::addInside(each.actions, index, wait);
+                  });
+    if (action.kind == ActionKind::OneOf) {
+        addTextButton(row, "addAlternative", tr("+ or…"), tr("Adds another one to choose among"),
+                      [index](Rule& each) { model::addAlternative(each.actions, index); });
+    }
 }
 
 void RuleEditor::addNumber(QHBoxLayout* row, std::size_t index, float Action::*member, double low,
@@ -300,6 +351,10 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         addNumber(row, index, &Action::value, -1e6, 1e6, {});
         break;
     }
+    case ActionKind::Repeat:
+    case ActionKind::OneOf:
+        addBlockFields(layout, index);
+        break;
     case ActionKind::Stop:
     case ActionKind::GoOn:
     case ActionKind::Again:

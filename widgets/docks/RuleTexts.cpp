@@ -2,10 +2,13 @@
 #include "widgets/docks/RuleTexts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 #include <QtGui/QColor>
+
+#include "model/scene/RuleSequence.h"
 
 namespace crowd::widgets {
 
@@ -317,8 +320,81 @@ QString actionText(const Scene& scene, const Action& action)
         return lookText(scene, action);
     case ActionKind::SetProperty:
         return propertyText(action);
+    case ActionKind::Repeat:
+        return action.times == 0
+                   ? RuleTextsContext::tr("repeat for ever")
+                   : RuleTextsContext::tr("repeat %1 ×").arg(QLocale().toString(action.times));
+    case ActionKind::OneOf:
+        return RuleTextsContext::tr("one of these");
     }
     return {};
+}
+
+QString sequenceText(const Scene& scene, const Actions& actions, std::size_t begin,
+                     std::size_t end);
+
+QString blockText(const Scene& scene, const Actions& actions, std::size_t head)
+{
+    const std::size_t end = endOf(actions, head);
+    return end == head + 1
+               ? RuleTextsContext::tr("nothing")
+               : RuleTextsContext::tr("(%1)").arg(sequenceText(scene, actions, head + 1, end));
+}
+
+/// "either (…) 70 % or (…) 30 %".
+QString choiceText(const Scene& scene, const Actions& actions,
+                   const std::vector<std::size_t>& lines)
+{
+    float total = 0.0F;
+    for (const std::size_t line : lines) {
+        total += actions[line].weight;
+    }
+    QStringList texts;
+    for (const std::size_t line : lines) {
+        const float share = total > 0.0F ? actions[line].weight / total : 0.0F;
+        texts << RuleTextsContext::tr("%1 %2 %").arg(
+            blockText(scene, actions, line), QLocale().toString(std::lround(100.0F * share)));
+    }
+    return RuleTextsContext::tr("either %1").arg(texts.join(RuleTextsContext::tr(" or ")));
+}
+
+/// What is done line by line, with what belongs to each.
+QString sequenceText(const Scene& scene, const Actions& actions, std::size_t begin, std::size_t end)
+{
+    QStringList texts;
+    for (std::size_t line = begin; line < end;) {
+        const Action& action = actions[line];
+        if (action.kind == ActionKind::OneOf) {
+            const std::vector<std::size_t> lines = alternativesOf(actions, line);
+            texts << choiceText(scene, actions, lines);
+            line = endOf(actions, lines.back());
+            continue;
+        }
+        texts << (action.kind == ActionKind::Repeat
+                      ? RuleTextsContext::tr("%1 %2").arg(actionText(scene, action),
+                                                          blockText(scene, actions, line))
+                      : actionText(scene, action));
+        line = endOf(actions, line);
+    }
+    return texts.join(RuleTextsContext::tr(", then "));
+}
+
+QString blockProblem(const Actions& actions, std::size_t line)
+{
+    if (actions[line].kind == ActionKind::Repeat && endOf(actions, line) == line + 1) {
+        return RuleTextsContext::tr("There is nothing to repeat: press “+ in it”.");
+    }
+    if (actions[line].kind != ActionKind::OneOf) {
+        return {};
+    }
+    const std::vector<std::size_t> lines = alternativesOf(actions, line);
+    const bool isAny =
+        std::ranges::any_of(lines, [&](std::size_t each) { return actions[each].weight > 0.0F; });
+    if (lines.size() < 2) {
+        return RuleTextsContext::tr("There is only one to choose: press “+ or…” for another.");
+    }
+    return isAny ? QString()
+                 : RuleTextsContext::tr("None of them ever comes: let one come more often.");
 }
 
 bool hasNumber(const Scene& scene, NumberId id)
@@ -455,7 +531,9 @@ QStringList actionNames()
             RuleTextsContext::tr("go to someone"),
             RuleTextsContext::tr("follow someone"),
             RuleTextsContext::tr("look at"),
-            RuleTextsContext::tr("change a property")};
+            RuleTextsContext::tr("change a property"),
+            RuleTextsContext::tr("repeat"),
+            RuleTextsContext::tr("one of these")};
 }
 
 QStringList reachNames()
@@ -558,11 +636,8 @@ QString ruleSentence(const Scene& scene, const Rule& rule)
             when, conditions.join(rule.isAnyEnough ? RuleTextsContext::tr(" or ")
                                                    : RuleTextsContext::tr(" and ")));
     }
-    QStringList actions;
-    for (const Action& action : rule.actions) {
-        actions << actionText(scene, action);
-    }
-    return RuleTextsContext::tr("%1: %2").arg(when, actions.join(RuleTextsContext::tr(", then ")));
+    return RuleTextsContext::tr("%1: %2").arg(
+        when, sequenceText(scene, rule.actions, 0, rule.actions.size()));
 }
 
 QString ruleProblem(const Scene& scene, const Rule& rule)
@@ -601,8 +676,9 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
     if (rule.actions.empty()) {
         return RuleTextsContext::tr("It does nothing yet: add something to do.");
     }
-    for (const Action& action : rule.actions) {
-        const QString problem = actionProblem(scene, action);
+    for (std::size_t line = 0; line < rule.actions.size(); ++line) {
+        const QString block = blockProblem(rule.actions, line);
+        const QString problem = block.isEmpty() ? actionProblem(scene, rule.actions[line]) : block;
         if (!problem.isEmpty()) {
             return problem;
         }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "behavior/rules/RuleEngine.h"
+#include "model/base/Random.h"
+
+/// In which order rules do what they do: what repeats, and what is one of several.
+namespace crowd::behavior {
+
+std::size_t RuleEngine::drawAlternative(RuleHost& host, std::uint32_t agent,
+                                        const model::Actions& actions,
+                                        const std::vector<std::size_t>& lines) const
+{
+    float total = 0.0F;
+    for (const std::size_t line : lines) {
+        total += actions[line].weight;
+    }
+    const Mind& mind = m_minds[agent];
+    float drawn = total * draw(host, agent, model::hashKeys(mind.action, 72, mind.turns));
+    for (const std::size_t line : lines) {
+        drawn -= actions[line].weight;
+        if (drawn < 0.0F) {
+            return line;
+        }
+    }
+    return lines.back();
+}
+
+bool RuleEngine::branch(RuleHost& host, std::uint32_t agent, const model::Actions& actions)
+{
+    Mind& mind = m_minds[agent];
+    const std::size_t line = mind.action;
+    switch (actions[line].kind) {
+    case model::ActionKind::Again:
+        mind.rounds.clear();
+        ++mind.turns;
+        mind.action = 0;
+        return true;
+    case model::ActionKind::Repeat:
+        std::erase_if(mind.rounds, [line](const Round& round) { return round.line >= line; });
+        if (model::endOf(actions, line) == line + 1) {
+            mind.action = lineAfter(mind, actions, line); // there is nothing in it
+        } else {
+            mind.rounds.push_back({mind.action, actions[line].times});
+            ++mind.action;
+        }
+        return true;
+    case model::ActionKind::OneOf: {
+        const std::vector<std::size_t> lines = model::alternativesOf(actions, line);
+        const std::size_t chosen = drawAlternative(host, agent, actions, lines);
+        ++mind.turns;
+        mind.action = model::endOf(actions, chosen) == chosen + 1
+                          ? lineAfter(mind, actions, lines.back())
+                          : static_cast<std::uint32_t>(chosen + 1);
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+/// Whether what belongs to a Repeat comes once more.
+bool RuleEngine::goesRound(Mind& mind, const model::Action& repeat, std::size_t line) const
+{
+    const auto round = std::ranges::find(mind.rounds, line, &Round::line);
+    if (round == mind.rounds.end()) {
+        return false;
+    }
+    ++mind.turns;
+    if (repeat.times != 0 && --round->left == 0) {
+        mind.rounds.erase(round, mind.rounds.end());
+        return false;
+    }
+    return true;
+}
+
+std::uint32_t RuleEngine::lineAfter(Mind& mind, const model::Actions& actions,
+                                    std::size_t line) const
+{
+    std::size_t next = model::endOf(actions, line);
+    for (std::size_t parent = model::parentOf(actions, line);
+         parent != model::kNoLine && next >= model::endOf(actions, parent);
+         parent = model::parentOf(actions, parent)) {
+        if (actions[parent].kind == model::ActionKind::OneOf) {
+            next = model::endOf(actions, model::alternativesOf(actions, parent).back());
+        } else if (goesRound(mind, actions[parent], parent)) {
+            return static_cast<std::uint32_t>(parent + 1);
+        }
+    }
+    return static_cast<std::uint32_t>(next);
+}
+
+} // namespace crowd::behavior
