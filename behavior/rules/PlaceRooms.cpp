@@ -62,8 +62,7 @@ void PlaceRooms::move(model::PlaceId from, model::PlaceId to)
 bool PlaceRooms::isFull(model::PlaceId id) const
 {
     const std::size_t index = indexOf(id);
-    return index < m_places.size() && m_places[index].capacity != 0 &&
-           m_rooms[index].taken >= m_places[index].capacity;
+    return index < m_places.size() && m_rooms[index].taken >= model::roomOf(m_places[index]);
 }
 
 std::uint32_t PlaceRooms::inside(model::PlaceId id) const
@@ -72,12 +71,15 @@ std::uint32_t PlaceRooms::inside(model::PlaceId id) const
     return index < m_rooms.size() ? m_rooms[index].inside : 0;
 }
 
-bool PlaceRooms::isFree(model::PlaceId id, model::PlaceId holds) const
+bool PlaceRooms::isFree(model::PlaceId id, model::PlaceId holds, bool isInLine) const
 {
     const std::size_t index = indexOf(id);
-    const std::uint32_t own = holds == id ? 1 : 0;
-    return index < m_rooms.size() &&
-           m_rooms[index].taken < std::max(1U, m_places[index].capacity) + own;
+    if (index >= m_rooms.size()) {
+        return false;
+    }
+    const model::Place& place = m_places[index];
+    const std::uint32_t room = isInLine && place.capacity == 0 ? 1 : model::roomOf(place);
+    return m_rooms[index].taken < room + (holds == id ? 1U : 0U);
 }
 
 std::vector<model::PlaceId> PlaceRooms::candidates(model::PlaceId place, model::PathId path) const
@@ -108,15 +110,17 @@ std::optional<model::PlaceId> PlaceRooms::choose(model::PlaceChoice choice, mode
     const std::vector<model::PlaceId> ids = candidates(place, path);
     if (choice == model::PlaceChoice::Ahead) {
         const auto own = std::ranges::find(ids, holds);
-        const bool canMove = own != ids.end() && own != ids.begin() && isFree(*(own - 1), holds);
+        const bool canMove =
+            own != ids.end() && own != ids.begin() && isFree(*(own - 1), holds, true);
         return canMove ? std::optional(*(own - 1)) : std::nullopt;
     }
     std::optional<model::PlaceId> best;
     float nearest = 0.0F;
     for (const model::PlaceId id : ids) {
         const model::Place* each = find(id);
-        const bool isMeant =
-            each != nullptr && (choice == model::PlaceChoice::Nearest || isFree(id, holds));
+        const bool isInLine = choice == model::PlaceChoice::FirstFree;
+        const bool isMeant = each != nullptr &&
+                             (choice == model::PlaceChoice::Nearest || isFree(id, holds, isInLine));
         const float away = isMeant ? flatDistance(each->position, near) : 0.0F;
         if (isMeant && (!best || away < nearest)) {
             best = id;

@@ -23,7 +23,10 @@ namespace crowd::behavior {
 }
 
 /// Places that people ask for by what they are, and how many have taken each: whoever is on his
-/// way to one, or in one and on his way to no other. Counted once a step, when somebody asks.
+/// way to one, or in one and on his way to no other. A place without stated room has room for as
+/// many as can stand in it (model::roomOf), but for one where people line up, which they do when
+/// they go to the first free place of a path or to the one ahead. Counted once a step, when
+/// somebody asks.
 class PlaceRooms
 {
 public:
@@ -65,8 +68,8 @@ private:
 
     [[nodiscard]] std::vector<model::PlaceId> candidates(model::PlaceId place,
                                                          model::PathId path) const;
-    /// Nobody else is there, or it has room for more.
-    [[nodiscard]] bool isFree(model::PlaceId id, model::PlaceId holds) const;
+    /// Has room for one more beside who holds it himself.
+    [[nodiscard]] bool isFree(model::PlaceId id, model::PlaceId holds, bool isInLine) const;
     [[nodiscard]] std::size_t indexOf(model::PlaceId id) const;
 
     std::vector<model::Place> m_places; ///< ascending ids

@@ -268,26 +268,27 @@ bool RuleEngine::holds(RuleHost& host, const model::Rule& rule, std::uint32_t ag
     return rule.isAnyEnough ? isAny : areAll;
 }
 
-void RuleEngine::fire(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
+bool RuleEngine::fire(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
 {
     const model::Rule& rule = m_rules[index];
     const Memory& memory = m_memory[index][agent];
     Mind& mind = m_minds[agent];
     if (m_now < memory.last + static_cast<double>(rule.cooldownSeconds) ||
         (rule.limit != 0 && memory.count >= rule.limit) || !holds(host, rule, agent, cause)) {
-        return;
+        return false;
     }
     if (mind.rule != kNone) {
         if (rule.meeting == model::RuleMeeting::Queue && mind.queue.size() < kMaxQueue) {
             mind.queue.push_back({rule.id, cause});
-            return;
+            return true;
         }
         if (rule.meeting != model::RuleMeeting::Interrupt || !mayBreakOff(mind.rule, index)) {
-            return;
+            return false;
         }
         host.endClip(agent);
     }
     begin(host, index, agent, cause);
+    return true;
 }
 
 bool RuleEngine::mayBreakOff(std::uint32_t busy, std::uint32_t other) const

@@ -158,8 +158,9 @@ private:
         double last = -1e18;
         double next = -1.0; ///< Every; Waited: since when he stands
         std::uint32_t count = 0;
-        bool wasThere = false; ///< Start, Entered, Left, TagNear, SpeedLimit, Waited
-        bool isSeen = false;   ///< SpeedLimit: looked at before
+        bool wasThere = false;    ///< Start, Entered, Left, TagNear, SpeedLimit, Waited
+        bool isSeen = false;      ///< SpeedLimit: looked at before
+        model::PlaceId place = 0; ///< AheadFree: that he had when it was free last
     };
     struct Event
     {
@@ -189,6 +190,7 @@ private:
     void lookAround(RuleHost& host);
     void lookAt(RuleHost& host, std::uint32_t rule);
     void lookForTags(RuleHost& host, std::uint32_t rule);
+    void lookAhead(RuleHost& host, std::uint32_t rule);
     [[nodiscard]] bool happensTo(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
     [[nodiscard]] bool isCrossed(const model::Trigger& trigger, float speed, Memory& memory) const;
     [[nodiscard]] bool isTired(const model::Trigger& trigger, float speed, Memory& memory) const;
@@ -197,7 +199,8 @@ private:
                              const Cause& cause);
     [[nodiscard]] bool holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
                              std::uint32_t agent, const Cause& cause);
-    void fire(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
+    /// False: it does not come to it, now at least.
+    bool fire(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     [[nodiscard]] bool mayBreakOff(std::uint32_t busy, std::uint32_t other) const;
     void begin(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     void goOn(RuleHost& host, std::uint32_t agent);

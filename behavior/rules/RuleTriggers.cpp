@@ -120,6 +120,7 @@ bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t ag
     case model::TriggerKind::Event:
     case model::TriggerKind::ClipEnded:
     case model::TriggerKind::TagNear:
+    case model::TriggerKind::AheadFree:
         break;
     }
     return false;
@@ -173,12 +174,34 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
     }
 }
 
+/// Once for each time that the place before somebody's gets free; who is busy does it after.
+void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule)
+{
+    const model::PathId path = m_rules[rule].trigger.path;
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        const model::PlaceId own = m_minds[agent].holds;
+        if (own == 0 || host.isGone(agent)) {
+            continue;
+        }
+        Memory& memory = m_memory[rule][agent];
+        const bool isFree =
+            rooms(host)
+                .choose(model::PlaceChoice::Ahead, 0, path, host.position(agent), own)
+                .has_value();
+        const bool isKnown = memory.wasThere && memory.place == own;
+        memory.place = own;
+        memory.wasThere = isFree && (isKnown || fire(host, rule, agent, {}));
+    }
+}
+
 void RuleEngine::lookAround(RuleHost& host)
 {
     for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
         const model::TriggerKind kind = m_rules[rule].trigger.kind;
         if (kind == model::TriggerKind::TagNear) {
             lookForTags(host, rule);
+        } else if (kind == model::TriggerKind::AheadFree) {
+            lookAhead(host, rule);
         } else if (kind != model::TriggerKind::Event && kind != model::TriggerKind::ClipEnded) {
             lookAt(host, rule);
         }

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 constexpr std::array kTriggers{"start",    "event",       "arrived",    "entered",
                                "left",     "path ended",  "clip ended", "every",
-                               "tag near", "speed limit", "waited"};
+                               "tag near", "speed limit", "waited",     "ahead free"};
 constexpr std::array kConditions{"tag",     "template", "in place",  "follows",
                                  "seated",  "chance",   "number",    "speed",
                                  "payload", "full",     "people in", "property"};

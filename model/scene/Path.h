@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -37,10 +38,21 @@ struct Place
     std::array<std::uint8_t, 3> color{240, 150, 40}; ///< sRGB
     PlaceRole role = PlaceRole::Spot;
     std::string unknownMembers{}; ///< see Scene::unknownMembers
-    std::uint32_t capacity = 0;   ///< so many have room; 0: as many as come
-    float speedShare = 0.5F;      ///< Slow: of the speed that people would walk with
+    /// So many have room; 0: as many as can stand in it, two on a square metre, or one where
+    /// people line up (PlaceChoice::FirstFree and Ahead).
+    std::uint32_t capacity = 0;
+    float speedShare = 0.5F; ///< Slow: of the speed that people would walk with
     friend bool operator==(const Place&, const Place&) = default;
 };
+
+/// So many have room in it where nobody lines up; see Place::capacity.
+[[nodiscard]] inline std::uint32_t roomOf(const Place& place)
+{
+    constexpr float kPeoplePerSquareMetre = 2.0F;
+    const float people = kPeoplePerSquareMetre * 3.14159265F * place.radius * place.radius;
+    return place.capacity != 0 ? place.capacity
+                               : static_cast<std::uint32_t>(std::max(1.0F, people));
+}
 
 inline constexpr float kMinPlaceRadius = 0.05F;
 inline constexpr float kMaxPlaceRadius = 200.0F;

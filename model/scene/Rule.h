@@ -80,7 +80,8 @@ enum class TriggerKind : std::uint8_t {
     Every,      ///< again and again
     TagNear,    ///< somebody with a tag came near
     SpeedLimit, ///< became faster or slower than so many metres a second
-    Waited      ///< has stood still for so many seconds
+    Waited,     ///< has stood still for so many seconds
+    AheadFree   ///< the place before his in the path's order is free now
 };
 
 struct Trigger
@@ -88,7 +89,7 @@ struct Trigger
     TriggerKind kind = TriggerKind::Event;
     std::string event;            ///< Event
     PlaceId place = 0;            ///< Arrived, Entered, Left; 0: any
-    PathId path = 0;              ///< PathEnded; 0: any
+    PathId path = 0;              ///< PathEnded; 0: any. AheadFree
     float seconds = 5.0F;         ///< Every, Waited
     float jitter = 0.2F;          ///< Every: share of the time, 0..1
     std::uint8_t tag = 0;         ///< TagNear

@@ -201,10 +201,9 @@ std::vector<Rule> queue(const Scene& scene)
     serve.yields = RuleYield::Nobody;
     Rule moveUp;
     moveUp.name = named(Names::tr("Move up"));
-    moveUp.trigger.kind = TriggerKind::Every;
-    moveUp.trigger.seconds = 0.7F;
-    moveUp.trigger.jitter = 0.5F;
-    moveUp.actions = {goTo(PlaceChoice::Ahead, path)};
+    moveUp.trigger.kind = TriggerKind::AheadFree;
+    moveUp.trigger.path = path;
+    moveUp.actions = {action(ActionKind::Wait, 0.5F), goTo(PlaceChoice::Ahead, path)};
     moveUp.meeting = RuleMeeting::Ignore;
     return {join, serve, moveUp};
 }

@@ -187,7 +187,7 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
 {
     Desk<RulesDock> desk;
     QVERIFY(desk.isReady());
-    QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::Waited) + 1);
+    QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::AheadFree) + 1);
     QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::Property) + 1);
     QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::OneOf) + 1);
     QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);

@@ -138,7 +138,8 @@ void EnvironmentDock::buildForm(QFormLayout* form)
     m_capacity = new NumberField(0.0, static_cast<double>(model::kMaxPlaceCapacity), 0, this);
     m_capacity->setObjectName(QStringLiteral("placeCapacity"));
     m_capacity->setToolTip(tr("So many have room, for rules that ask whether it is full or free; "
-                              "0: as many as come"));
+                              "0: as many as can stand in it, two on a square metre, but one where "
+                              "people line up"));
     form->addRow(tr("Room for"), m_capacity);
     connect(m_capacity, &NumberField::valueEdited, this, [this](double value) {
         changePlace(tr("Change the room of a place"),

@@ -141,6 +141,7 @@ void RuleEditor::addTriggerFields(QHBoxLayout* row)
         });
         break;
     case TriggerKind::PathEnded:
+    case TriggerKind::AheadFree:
         addPathField(row, m_scene, trigger.path, tr("any path"), [this](model::PathId path) {
             setTrigger([&](Trigger& each) { each.path = path; });
         });

@@ -123,6 +123,11 @@ QString triggerText(const Scene& scene, const Trigger& trigger)
             .arg(number(trigger.metresPerSecond));
     case TriggerKind::Waited:
         return RuleTextsContext::tr("When someone has stood for %1 s").arg(number(trigger.seconds));
+    case TriggerKind::AheadFree:
+        return trigger.path == 0
+                   ? RuleTextsContext::tr("When the place ahead of someone gets free")
+                   : RuleTextsContext::tr("When the place ahead of someone in %1 gets free")
+                         .arg(pathText(scene, trigger.path));
     }
     return {};
 }
@@ -493,7 +498,8 @@ QStringList triggerNames()
             RuleTextsContext::tr("every so often"),
             RuleTextsContext::tr("someone tagged is near"),
             RuleTextsContext::tr("a speed is passed"),
-            RuleTextsContext::tr("someone has stood for")};
+            RuleTextsContext::tr("someone has stood for"),
+            RuleTextsContext::tr("the place ahead gets free")};
 }
 
 QStringList conditionNames()
@@ -651,8 +657,9 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
     if (isPlace && trigger.place != 0 && scene.findPlace(trigger.place) == nullptr) {
         return RuleTextsContext::tr("The place is not there any more: choose another one.");
     }
-    if (trigger.kind == TriggerKind::PathEnded && trigger.path != 0 &&
-        scene.findPath(trigger.path) == nullptr) {
+    const bool isOfPath =
+        trigger.kind == TriggerKind::PathEnded || trigger.kind == TriggerKind::AheadFree;
+    if (isOfPath && trigger.path != 0 && scene.findPath(trigger.path) == nullptr) {
         return RuleTextsContext::tr("The path is not there any more: choose another one.");
     }
     for (const Condition& condition : rule.conditions) {
