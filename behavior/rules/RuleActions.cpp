@@ -236,6 +236,7 @@ void RuleEngine::changeNumber(std::uint32_t agent, const model::Action& action)
     number = std::clamp(action.kind == model::ActionKind::SetNumber ? action.value
                                                                     : number + action.value,
                         -model::kMaxNumber, model::kMaxNumber);
+    m_areNumbersStale = true;
 }
 
 bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& action)

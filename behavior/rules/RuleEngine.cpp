@@ -62,7 +62,6 @@ void RuleEngine::setRules(const model::Scene& scene)
     m_problems.clear();
 }
 
-/// Those that go on under the same name keep their values.
 void RuleEngine::giveNumbers(const model::Scene& scene)
 {
     if (m_numbers == scene.numbers) {
@@ -70,28 +69,59 @@ void RuleEngine::giveNumbers(const model::Scene& scene)
     }
     const std::vector<model::NumberName> former = std::exchange(m_numbers, scene.numbers);
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
-        std::vector<float> numbers = firstNumbers(m_agentOf[agent].first);
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto known = std::ranges::find(former, m_numbers[i].id, &model::NumberName::id);
-            if (known != former.end() && known->low == m_numbers[i].low &&
-                known->high == m_numbers[i].high) {
-                numbers[i] =
-                    m_minds[agent].numbers[static_cast<std::size_t>(known - former.begin())];
-            }
+        const model::IndividualId id = m_agentOf[agent].first;
+        std::vector<float> numbers;
+        for (const model::NumberName& named : m_numbers) {
+            const auto known = std::ranges::find(former, named.id, &model::NumberName::id);
+            const float first = firstNumber(named, id);
+            const bool keeps = known != former.end() && firstNumber(*known, id) == first;
+            numbers.push_back(
+                keeps ? m_minds[agent].numbers[static_cast<std::size_t>(known - former.begin())]
+                      : first);
         }
         m_minds[agent].numbers = std::move(numbers);
     }
+    m_areNumbersStale = true;
 }
 
 /// What somebody begins with.
+float RuleEngine::firstNumber(const model::NumberName& named, model::IndividualId id) const
+{
+    const auto own = std::ranges::lower_bound(named.values, id, {},
+                                              &std::pair<model::IndividualId, float>::first);
+    if (own != named.values.end() && own->first == id) {
+        return own->second;
+    }
+    const float share = model::unitFloat(model::hashKeys(m_seed, id, named.id, 55));
+    return named.low + (named.high - named.low) * share;
+}
+
 std::vector<float> RuleEngine::firstNumbers(model::IndividualId id) const
 {
     std::vector<float> numbers;
     for (const model::NumberName& named : m_numbers) {
-        const float share = model::unitFloat(model::hashKeys(m_seed, id, named.id, 55));
-        numbers.push_back(named.low + (named.high - named.low) * share);
+        numbers.push_back(firstNumber(named, id));
     }
     return numbers;
+}
+
+std::shared_ptr<const std::vector<OwnNumber>> RuleEngine::ownNumbers()
+{
+    if (m_areNumbersStale) {
+        m_areNumbersStale = false;
+        auto own = std::make_shared<std::vector<OwnNumber>>();
+        for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+            for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+                const model::IndividualId id = m_agentOf[agent].first;
+                const float value = m_minds[agent].numbers[i];
+                if (value != firstNumber(m_numbers[i], id)) {
+                    own->push_back({m_numbers[i].id, id, value});
+                }
+            }
+        }
+        m_ownNumbers = std::move(own);
+    }
+    return m_ownNumbers;
 }
 
 float RuleEngine::number(std::uint32_t agent, model::NumberId id) const

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "behavior/rules/PlaceRooms.h"
+#include "behavior/session/SessionPose.h"
 #include "model/population/Population.h"
 #include "model/scene/Rule.h"
 #include "model/scene/RuleSequence.h"
@@ -90,6 +92,9 @@ public:
     [[nodiscard]] std::uint64_t tags(std::uint32_t agent) const { return m_minds[agent].tags; }
     /// Of the artist's numbers, as it is now; 0 where there is none of that id.
     [[nodiscard]] float number(std::uint32_t agent, model::NumberId id) const;
+    /// Those that are not what they were at the beginning, ascending by number and individual;
+    /// null before there are any.
+    [[nodiscard]] std::shared_ptr<const std::vector<OwnNumber>> ownNumbers();
 
     void step(RuleHost& host, std::uint64_t step);
     void send(const std::string& event, float payload, std::uint32_t agent,
@@ -245,6 +250,7 @@ private:
                                     const model::Place& place) const;
     void changeNumber(std::uint32_t agent, const model::Action& action);
     void giveNumbers(const model::Scene& scene);
+    [[nodiscard]] float firstNumber(const model::NumberName& named, model::IndividualId id) const;
     [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;
     [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;
     void complain(std::string problem);
@@ -266,6 +272,8 @@ private:
     std::vector<std::string> m_problems;
     std::uint64_t m_order = 0;
     std::uint64_t m_step = 0;
+    std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers;
+    bool m_areNumbersStale = false;
     double m_now = 0.0;
     std::uint32_t m_seed = 1;
 };

@@ -278,6 +278,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     m_seats.clear(); // read anew when somebody wants one
     publishLooks();
     m_rules.setRules(scene);
+    m_ownNumbers = m_rules.ownNumbers();
 }
 
 void Session::adoptPaths(const model::Scene& scene)
@@ -463,6 +464,7 @@ void Session::step()
         }
     });
     publishLooks();
+    m_ownNumbers = m_rules.ownNumbers();
 }
 
 /// Attractors, repellers and exits.
@@ -705,6 +707,7 @@ SessionPosePtr Session::pose() const
     pose->seconds = seconds();
     pose->hasSeats = m_hasSat;
     pose->looks = m_shownLooks;
+    pose->numbers = m_ownNumbers;
     pose->people.reserve(m_shown.size());
     for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
         if (m_shown[agent].isLive) {

@@ -229,6 +229,7 @@ private:
     std::map<model::IndividualId, SetLook> m_looks; ///< what rules have set
     std::shared_ptr<const std::vector<SetLook>> m_shownLooks; ///< as of the last step
     bool m_areLooksStale = false;
+    std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers; ///< as of the last step
     bool m_hasSat = false; ///< somebody's seat is not the scene's
     std::vector<std::string> m_warnings;
     std::uint32_t m_seed = 1;

@@ -57,6 +57,14 @@ struct SetLook
     std::optional<float> phase;
 };
 
+/// An artist's number of somebody, where rules have made another one of it.
+struct OwnNumber
+{
+    model::NumberId number = 0;
+    model::IndividualId id = 0;
+    float value = 0.0F;
+};
+
 /// Everybody whom a session moves at one of its steps; whoever is not here is as the scene says.
 /// Immutable once published; read on any thread.
 struct SessionPose
@@ -67,6 +75,7 @@ struct SessionPose
     bool hasSeats = false;                             ///< somebody's seat is not the scene's
     std::vector<model::IndividualId> lit;              ///< for whom a rule fired lately; ascending
     std::shared_ptr<const std::vector<SetLook>> looks; ///< ascending ids; null: nobody's
+    std::shared_ptr<const std::vector<OwnNumber>> numbers; ///< see RuleEngine::ownNumbers
 };
 
 using SessionPosePtr = std::shared_ptr<const SessionPose>;

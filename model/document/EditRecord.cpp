@@ -178,7 +178,7 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     if (m_tags && *m_tags != scene.tags) {
         delta.tags = ValueDelta<std::vector<TagName>>{*m_tags, scene.tags};
     }
-    if (m_numbers && *m_numbers != scene.numbers) {
+    if (m_numbers && !isSame(*m_numbers, scene.numbers)) {
         delta.numbers = ValueDelta<std::vector<NumberName>>{*m_numbers, scene.numbers};
     }
     if (m_cues && *m_cues != scene.cues) {

@@ -87,4 +87,62 @@ bool isSame(const Path& a, const Path& b)
     return a == b;
 }
 
+// What is equal and has the same numbers bit by bit.
+
+namespace {
+
+bool isSame(const Trigger& a, const Trigger& b)
+{
+    return isSame(a.seconds, b.seconds) && isSame(a.jitter, b.jitter) &&
+           isSame(a.metres, b.metres) && isSame(a.metresPerSecond, b.metresPerSecond);
+}
+
+bool isSame(const Condition& a, const Condition& b)
+{
+    return isSame(a.chance, b.chance) && isSame(a.value, b.value);
+}
+
+bool isSame(const Action& a, const Action& b)
+{
+    return isSame(a.seconds, b.seconds) && isSame(a.value, b.value) && isSame(a.metres, b.metres) &&
+           isSame(a.secondsPerMetre, b.secondsPerMetre) && isSame(a.weight, b.weight) &&
+           std::ranges::equal(a.clips, b.clips, [](const ClipWeight& x, const ClipWeight& y) {
+               return isSame(x.weight, y.weight);
+           });
+}
+
+template<class Part>
+bool areSame(const std::vector<Part>& a, const std::vector<Part>& b)
+{
+    return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return isSame(x, y); });
+}
+
+} // namespace
+
+bool isSame(const std::vector<Rule>& a, const std::vector<Rule>& b)
+{
+    return a == b && std::ranges::equal(a, b, [](const Rule& x, const Rule& y) {
+               return isSame(x.cooldownSeconds, y.cooldownSeconds) &&
+                      isSame(x.trigger, y.trigger) && areSame(x.conditions, y.conditions) &&
+                      areSame(x.actions, y.actions);
+           });
+}
+
+bool isSame(const std::vector<NumberName>& a, const std::vector<NumberName>& b)
+{
+    return a == b && std::ranges::equal(a, b, [](const NumberName& x, const NumberName& y) {
+               return isSame(x.low, y.low) && isSame(x.high, y.high) &&
+                      std::ranges::equal(x.values, y.values, [](const auto& p, const auto& q) {
+                          return isSame(p.second, q.second);
+                      });
+           });
+}
+
+bool isSame(const std::vector<Cue>& a, const std::vector<Cue>& b)
+{
+    return a == b && std::ranges::equal(a, b, [](const Cue& x, const Cue& y) {
+               return isSame(x.payload, y.payload);
+           });
+}
+
 } // namespace crowd::model

@@ -14,5 +14,8 @@ namespace crowd::model {
 [[nodiscard]] bool isSame(const Lighting& a, const Lighting& b);
 [[nodiscard]] bool isSame(const Place& a, const Place& b);
 [[nodiscard]] bool isSame(const Path& a, const Path& b);
+[[nodiscard]] bool isSame(const std::vector<Rule>& a, const std::vector<Rule>& b);
+[[nodiscard]] bool isSame(const std::vector<NumberName>& a, const std::vector<NumberName>& b);
+[[nodiscard]] bool isSame(const std::vector<Cue>& a, const std::vector<Cue>& b);
 
 } // namespace crowd::model

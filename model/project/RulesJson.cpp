@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "model/project/EnvironmentJson.h"
@@ -250,6 +253,18 @@ json toJson(const Cue& cue)
             {"tag", cue.tag}};
 }
 
+json toJson(const NumberName& named)
+{
+    json object = {{"id", named.id},
+                   {"name", named.name},
+                   {"low", number(named.low)},
+                   {"high", number(named.high)}};
+    for (const auto& [id, value] : named.values) {
+        object["values"].push_back({id, number(value)});
+    }
+    return object;
+}
+
 void readCue(JsonFields fields, Cue& cue)
 {
     fields.require("id", cue.id);
@@ -264,12 +279,42 @@ void readCue(JsonFields fields, Cue& cue)
     readTag(fields, "tag", cue.tag);
 }
 
+/// Pairs of an individual and its value.
+void readNumberValues(JsonFields& fields, NumberName& named)
+{
+    const json* list = fields.find("values");
+    if (list == nullptr) {
+        return;
+    }
+    const auto isPair = [](const json& pair) {
+        return pair.is_array() && pair.size() == 2 && pair[0].is_number_unsigned() &&
+               pair[0].get<std::uint64_t>() <= std::numeric_limits<IndividualId>::max() &&
+               pair[1].is_number() && std::fabs(pair[1].get<double>()) <= double{kMaxNumber};
+    };
+    if (!list->is_array() || !std::ranges::all_of(*list, isPair)) {
+        fields.complain("values", "must be a list of pairs: an individual's id and a number from "
+                                  "-1000000 to 1000000");
+        return;
+    }
+    for (const json& pair : *list) {
+        named.values.emplace_back(pair[0].get<IndividualId>(), pair[1].get<float>());
+    }
+    std::ranges::sort(named.values);
+    const auto twice = std::ranges::adjacent_find(
+        named.values, [](const auto& a, const auto& b) { return a.first == b.first; });
+    if (twice != named.values.end()) {
+        fields.complain("values",
+                        "names the individual " + std::to_string(twice->first) + " twice");
+    }
+}
+
 void readNumber(JsonFields fields, NumberName& named)
 {
     fields.require("id", named.id);
     fields.read("name", named.name);
     readWithin(fields, "low", -kMaxNumber, kMaxNumber, named.low);
     readWithin(fields, "high", named.low, kMaxNumber, named.high);
+    readNumberValues(fields, named);
 }
 
 /// Not too many, each with an id of its own.
@@ -315,10 +360,7 @@ void writeRules(const Scene& scene, json& top)
             {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}});
     }
     for (const NumberName& named : scene.numbers) {
-        top["numbers"].push_back({{"id", named.id},
-                                  {"name", named.name},
-                                  {"low", number(named.low)},
-                                  {"high", number(named.high)}});
+        top["numbers"].push_back(toJson(named));
     }
     for (const Cue& cue : scene.cues) {
         top["cues"].push_back(toJson(cue));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/base/Color.h"
@@ -46,6 +47,9 @@ struct NumberName
     std::string name;
     float low = 0.0F;
     float high = 0.0F;
+    /// Who begins with another one: what a session had made of it when the pose was kept. Ascending
+    /// ids; they may name who is gone.
+    std::vector<std::pair<IndividualId, float>> values{};
     friend bool operator==(const NumberName&, const NumberName&) = default;
 };
 inline constexpr float kMaxNumber = 1e6F;

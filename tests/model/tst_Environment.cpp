@@ -79,7 +79,8 @@ void furnish(SceneDocument& document)
     other.conditions.back().property = ComparedProperty::Clip;
     other.conditions.back().clip = "wave";
     edit->setRules({rule, other});
-    edit->setNumbers({{2, "patience", -1.0F, 4.5F}, {7, "hunger", 0.0F, 0.0F}});
+    edit->setNumbers(
+        {{2, "patience", -1.0F, 4.5F, {{1, 2.5F}, {900, -7.0F}}}, {7, "hunger", 0.0F, 0.0F}});
     edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});
     edit->setSurface({0.5F, 2.0F, 0.3F, 35.0F});
     Place full = *edit->scene().findPlace(b);
@@ -318,6 +319,12 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "numbers: the id 1 is given twice");
     row("a number the wrong way round", R"("numbers": [{"id": 1, "low": 2, "high": 1}],)",
         "numbers[0].high must lie between");
+    row("a value of nobody", R"("numbers": [{"id": 1, "values": [[-1, 2]]}],)",
+        "numbers[0].values must be a list of pairs");
+    row("a value without end", R"("numbers": [{"id": 1, "values": [[1, 1e99]]}],)",
+        "numbers[0].values must be a list of pairs");
+    row("two values of one", R"("numbers": [{"id": 1, "values": [[4, 2], [4, 3]]}],)",
+        "numbers[0].values names the individual 4 twice");
     row("the number of nobody", R"("numbers": [{"id": 0}],)", "numbers: the id 0 is not allowed");
     row("a cue without id", R"("cues": [{}],)", "cues[0].id is missing");
     row("a cue with the key of a panel", R"("cues": [{"id": 1, "key": "F12"}],)",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/PoseKeeping.h"
 
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace crowd::widgets {
 
@@ -93,6 +95,25 @@ void keepLooks(model::SceneEdit& edit, const std::vector<SetLook>& looks)
     keepSet(edit, looks, keys::playbackSpeed,
             [](const SetLook& look) { return look.playbackSpeed; });
     keepSet(edit, looks, keys::phase, [](const SetLook& look) { return look.phase; });
+}
+
+void keepNumbers(model::SceneEdit& edit, const std::vector<behavior::OwnNumber>& numbers)
+{
+    const model::Population& people = edit.scene().population;
+    std::vector<model::NumberName> kept = edit.scene().numbers;
+    for (model::NumberName& named : kept) {
+        std::map<model::IndividualId, float> values(named.values.begin(), named.values.end());
+        for (const behavior::OwnNumber& own : numbers) {
+            if (own.number == named.id) {
+                values[own.id] = own.value;
+            }
+        }
+        std::erase_if(values, [&people](const auto& value) {
+            return people.rowOf(value.first) == model::Population::npos;
+        });
+        named.values.assign(values.begin(), values.end());
+    }
+    edit.setNumbers(std::move(kept));
 }
 
 } // namespace crowd::widgets

@@ -14,5 +14,7 @@ namespace crowd::widgets {
 int keepPlaces(model::SceneEdit& edit, const model::Population& shown);
 /// Colours, heights, tags and own clips that rules have set.
 void keepLooks(model::SceneEdit& edit, const std::vector<behavior::SetLook>& looks);
+/// The artist's numbers that rules have changed become those that people begin with.
+void keepNumbers(model::SceneEdit& edit, const std::vector<behavior::OwnNumber>& numbers);
 
 } // namespace crowd::widgets

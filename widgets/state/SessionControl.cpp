@@ -372,6 +372,9 @@ bool SessionControl::keepPose()
     if (pose && pose->looks) {
         keepLooks(*edit, *pose->looks);
     }
+    if (pose && pose->numbers) {
+        keepNumbers(*edit, *pose->numbers);
+    }
     const bool isKept = edit->commit(tr("Keep the pose of %n individual(s)", nullptr, people));
     m_isKeepingPose = false;
     m_player->adopt(m_document.scene(), true);
