@@ -347,7 +347,7 @@ void bindEnvironment(SceneClass& scene)
         .def_property_readonly(
             "environment", &environment,
             "A dict of lists as the project file has them: places, paths, tags, rules, "
-            "numbers, cues, and the surface to walk on.")
+            "numbers, cues, the surface to walk on, and stepsPerSecond.")
         .def("set_environment", &setEnvironment, py::arg("environment"),
              "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
              "text; "

@@ -101,6 +101,7 @@ void putEnvironment(SceneEdit& edit, const Scene& wanted)
     if (wanted.surface != edit.scene().surface) {
         edit.setSurface(wanted.surface);
     }
+    edit.setStepsPerSecond(wanted.stepsPerSecond);
 }
 
 Error noTemplate(TemplateId id)

@@ -309,9 +309,9 @@ std::string environment(const SceneDelta& delta, const Scene& after)
     const EnvironmentParts changed{!delta.places.empty(),     !delta.paths.empty(),
                                    delta.tags.has_value(),    delta.rules.has_value(),
                                    delta.numbers.has_value(), delta.cues.has_value(),
-                                   delta.surface.has_value()};
+                                   delta.surface.has_value(), delta.stepsPerSecond.has_value()};
     if (!changed.places && !changed.paths && !changed.tags && !changed.rules && !changed.numbers &&
-        !changed.cues && !changed.surface) {
+        !changed.cues && !changed.surface && !changed.steps) {
         return {};
     }
     return Call("scene.set_environment", pythonText(environmentText(after, changed))).line();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxEvents = 500'000;
 constexpr float kFullTurn = 6.2831853F;
-constexpr std::uint64_t kStepsToAskAgain = 10; ///< for a free place
+constexpr double kSecondsToAskAgain = 1.0 / 3.0; ///< for a free place
 
 } // namespace
 
@@ -105,7 +105,7 @@ bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action
         // Until a place is free he goes on with what he does.
         mind.isStarted =
             choice == model::PlaceChoice::NearestFree || choice == model::PlaceChoice::FirstFree;
-        mind.until = m_now + static_cast<double>(kStepsToAskAgain) / 30.0;
+        mind.until = m_now + kSecondsToAskAgain;
         return !mind.isStarted;
     }
     mind.isStarted = true;

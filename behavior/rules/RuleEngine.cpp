@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxLog = 4096;
 constexpr std::size_t kMaxQueue = 8;
 constexpr int kMaxActionsAtOnce = 1024;
-constexpr std::uint64_t kLitSteps = 15;
+constexpr double kLitSeconds = 0.5;
 
 bool bringsBack(const model::Rule& rule)
 {
@@ -62,6 +62,7 @@ void RuleEngine::setRules(const model::Scene& scene)
     m_problems.clear();
 }
 
+/// Who begins with the same as before keeps what he has.
 void RuleEngine::giveNumbers(const model::Scene& scene)
 {
     if (m_numbers == scene.numbers) {
@@ -188,12 +189,6 @@ std::vector<RuleFired> RuleEngine::takeLog()
     return std::exchange(m_log, {});
 }
 
-bool RuleEngine::isLit(std::uint32_t agent, std::uint64_t step) const
-{
-    const Mind& mind = m_minds[agent];
-    return mind.litStep != 0 && step < mind.litStep + kLitSteps;
-}
-
 float RuleEngine::draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const
 {
     return model::unitFloat(
@@ -217,7 +212,7 @@ void RuleEngine::send(const std::string& event, float payload, std::uint32_t age
 void RuleEngine::step(RuleHost& host, std::uint64_t step)
 {
     m_step = step;
-    m_now = static_cast<double>(step) / 30.0;
+    m_now = static_cast<double>(step) / m_stepsPerSecond;
     m_places.forget();
     m_tagged.clear();
     deliver(host);
@@ -349,9 +344,9 @@ void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent,
     mind.isStarted = false;
     mind.isTravelling = false;
     mind.cause = cause;
-    mind.litStep = std::max<std::uint64_t>(1, m_step);
+    mind.litUntil = m_now + kLitSeconds;
     if (m_log.size() < kMaxLog) {
-        m_log.push_back({m_step, m_rules[index].id, host.id(agent)});
+        m_log.push_back({m_now, m_rules[index].id, host.id(agent)});
     }
 }
 

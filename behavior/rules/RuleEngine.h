@@ -71,7 +71,7 @@ public:
 /// "A rule fired", for the artist's log.
 struct RuleFired
 {
-    std::uint64_t step = 0;
+    double seconds = 0.0; ///< since the session began
     model::RuleId rule = 0;
     model::IndividualId who = 0;
     friend bool operator==(const RuleFired&, const RuleFired&) = default;
@@ -96,6 +96,8 @@ public:
     /// null before there are any.
     [[nodiscard]] std::shared_ptr<const std::vector<OwnNumber>> ownNumbers();
 
+    /// As long as the session's; 30 before it is said.
+    void setStepsPerSecond(std::uint32_t steps) { m_stepsPerSecond = steps; }
     void step(RuleHost& host, std::uint64_t step);
     void send(const std::string& event, float payload, std::uint32_t agent,
               const glm::vec3& origin);
@@ -108,7 +110,7 @@ public:
     /// Sentences about what went wrong while running, each once.
     [[nodiscard]] const std::vector<std::string>& problems() const { return m_problems; }
     /// For whom a rule fired within the last half second.
-    [[nodiscard]] bool isLit(std::uint32_t agent, std::uint64_t step) const;
+    [[nodiscard]] bool isLit(std::uint32_t agent) const { return m_now < m_minds[agent].litUntil; }
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
 
 private:
@@ -146,7 +148,7 @@ private:
         double until = 0.0;        ///< seconds
         Cause cause;
         std::vector<Waiting> queue;
-        std::uint64_t litStep = 0;
+        double litUntil = -1.0;     ///< seconds
         bool hasHeard = false;      ///< the event that he waited for
         model::PlaceId goal = 0;    ///< of the errand that he is on or was on last
         model::PlaceId holds = 0;   ///< place that counts him as its guest
@@ -272,6 +274,7 @@ private:
     std::vector<std::string> m_problems;
     std::uint64_t m_order = 0;
     std::uint64_t m_step = 0;
+    std::uint32_t m_stepsPerSecond = 30;
     std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers;
     bool m_areNumbersStale = false;
     double m_now = 0.0;

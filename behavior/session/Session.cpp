@@ -20,11 +20,11 @@ constexpr float kBodyRadius = 0.25F;
 constexpr float kTurnRadiansPerSecond = 4.0F;
 constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he is pushed
 constexpr float kMovesAbove = 0.02F;
-constexpr float kRunsAbove = 2.0F;      ///< m/s
-constexpr float kFastestStride = 12.0F; ///< m/s: faster is no walk but a jump
-constexpr float kGroupSpread = 0.35F;   ///< metres times the root of its size
-constexpr float kSpeedSmoothing = 0.15F;
-constexpr float kRampShare = 0.25F; ///< of the way to the ground's height, a step
+constexpr float kRunsAbove = 2.0F;       ///< m/s
+constexpr float kFastestStride = 12.0F;  ///< m/s: faster is no walk but a jump
+constexpr float kGroupSpread = 0.35F;    ///< metres times the root of its size
+constexpr float kSpeedSmoothing = 0.15F; ///< in 1/30 s
+constexpr float kRampShare = 0.25F;      ///< of the way to the ground's height, in 1/30 s
 constexpr int kObstacleSides = 12;
 constexpr float kExitMetres = 0.5F;  ///< who is so near to an exit is through
 constexpr float kFieldReach = 3.0F;  ///< of an attractor or repeller, times its radius
@@ -45,12 +45,17 @@ bool isSameList(const std::vector<model::TemplateEntry>& a,
 } // namespace
 
 /// Angle after turning towards another one as far as a body can in one step.
-float Session::turnedTo(float heading, float target)
+float Session::turnedTo(float heading, float target) const
 {
     float turn = std::remainder(target - heading, 2.0F * std::numbers::pi_v<float>);
-    const float most = kTurnRadiansPerSecond * kStepSeconds;
+    const float most = kTurnRadiansPerSecond * m_stepSeconds;
     turn = std::clamp(turn, -most, most);
     return std::remainder(heading + turn, 2.0F * std::numbers::pi_v<float>);
+}
+
+float Session::shareInStep(float share) const
+{
+    return m_stepsPerSecond == 30 ? share : 1.0F - std::pow(1.0F - share, 30.0F * m_stepSeconds);
 }
 
 SessionPlan SessionPlan::of(const model::Scene& scene)
@@ -63,8 +68,11 @@ SessionPlan SessionPlan::of(const model::Scene& scene)
 
 Session::Session(const model::Scene& scene, const SessionPlan& plan)
     : m_population(scene.population), m_places(plan.places), m_paths(plan.paths),
-      m_stages(scene.stages), m_seed(scene.seed)
+      m_stages(scene.stages), m_seed(scene.seed), m_stepsPerSecond(scene.stepsPerSecond),
+      m_stepSeconds(1.0F / static_cast<float>(scene.stepsPerSecond)),
+      m_smoothing(shareInStep(kSpeedSmoothing)), m_rampShare(shareInStep(kRampShare))
 {
+    m_rules.setStepsPerSecond(m_stepsPerSecond);
     m_plannedWalls = plan.walls;
     readTemplates(scene);
     m_warnings = m_follower.setPaths(m_places, m_paths);
@@ -452,7 +460,7 @@ void Session::step()
     m_rules.step(*this, m_steps);
     actPlaces();
     brake();
-    m_crowd.step(kStepSeconds);
+    m_crowd.step(m_stepSeconds);
     ++m_steps;
     const std::vector<std::uint32_t> sitters = m_sitters;
     for (const std::uint32_t agent : sitters) {
@@ -558,12 +566,12 @@ void Session::show(std::size_t row)
     }
     if (m_surface && agents.preferredSpeed[row] != 0.0F) {
         const float ground = m_surface->height(agents.x[row], agents.z[row], agents.y[row]);
-        agents.y[row] += (ground - agents.y[row]) * kRampShare;
+        agents.y[row] += (ground - agents.y[row]) * m_rampShare;
     }
     const glm::vec2 way(agents.x[row] - shown.position.x, agents.z[row] - shown.position.z);
     shown.position = {agents.x[row], agents.y[row], agents.z[row]};
     if (shown.sitting != Sitting::Settles) {
-        shown.speed += (speed - shown.speed) * kSpeedSmoothing;
+        shown.speed += (speed - shown.speed) * m_smoothing;
     }
     if (speed > kTurnsAbove) {
         shown.heading = turnedTo(shown.heading, std::atan2(velocityX, velocityZ));
@@ -573,9 +581,9 @@ void Session::show(std::size_t row)
     }
     const float ahead = way.x * std::sin(shown.heading) + way.y * std::cos(shown.heading);
     shown.stride =
-        ahead < kFastestStride * kStepSeconds ? std::max(ahead / kStepSeconds, 0.0F) : 0.0F;
+        ahead < kFastestStride * m_stepSeconds ? std::max(ahead / m_stepSeconds, 0.0F) : 0.0F;
     if (const ClipFacts* facts = clipFacts(shown, shown.order)) {
-        shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(kStepSeconds) /
+        shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(m_stepSeconds) /
                                                         static_cast<double>(facts->seconds)
                                                   : 0.0;
         shown.orderPlace = shown.isOrderLooped ? shown.orderPlace - std::floor(shown.orderPlace)
@@ -619,7 +627,7 @@ void Session::followGait(Shown& shown, float speed, bool wantsOn) const
     if (present.seconds > 0.0F) {
         const float rate = GaitTable::playback(present, shown.stride, shown.height);
         shown.place +=
-            static_cast<double>(rate * kStepSeconds) / static_cast<double>(present.seconds);
+            static_cast<double>(rate * m_stepSeconds) / static_cast<double>(present.seconds);
         shown.place -= std::floor(shown.place);
     }
 }
@@ -653,7 +661,7 @@ void Session::goOnFading(Shown& shown) const
         shown.from.rate = GaitTable::playback(gait, shown.stride, shown.height);
     }
     if (shown.from.clipSeconds > 0.0F) {
-        shown.from.place += static_cast<double>(kStepSeconds * shown.from.rate) /
+        shown.from.place += static_cast<double>(m_stepSeconds * shown.from.rate) /
                             static_cast<double>(shown.from.clipSeconds);
     }
 }
@@ -713,7 +721,7 @@ SessionPosePtr Session::pose() const
         if (m_shown[agent].isLive) {
             pose->people.push_back(poseOf(agent));
         }
-        if (m_rules.isLit(static_cast<std::uint32_t>(agent), m_steps)) {
+        if (m_rules.isLit(static_cast<std::uint32_t>(agent))) {
             pose->lit.push_back(m_population.ids()[agent]);
         }
     }

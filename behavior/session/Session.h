@@ -40,21 +40,22 @@ struct SessionPlan
 };
 
 /// One run of the simulation. Starts from the scene, keeps columns of its own and never writes to
-/// the scene. Whoever does not walk is an obstacle that stays. Steps are 1/30 s; the same scene,
-/// plan, edits and number of steps give the same bits. One thread at a time; frames and poses may
-/// be read on any.
+/// the scene. Whoever does not walk is an obstacle that stays. Steps are as long as the scene said
+/// when the session began; the same scene, plan, edits and number of steps give the same bits. One
+/// thread at a time; frames and poses may be read on any.
 class Session : private RuleHost
 {
 public:
-    static constexpr float kStepSeconds = 1.0F / 30.0F;
-
     Session(const model::Scene& scene, const SessionPlan& plan);
     explicit Session(const model::Scene& scene) : Session(scene, SessionPlan::of(scene)) {}
     ~Session() override;
 
     void step();
     [[nodiscard]] std::uint64_t steps() const { return m_steps; }
-    [[nodiscard]] double seconds() const { return m_start + static_cast<double>(m_steps) / 30.0; }
+    [[nodiscard]] double seconds() const
+    {
+        return m_start + static_cast<double>(m_steps) / m_stepsPerSecond;
+    }
     /// The transport's time at the beginning: only where clips stand depends on it.
     void setStart(double seconds) { m_start = seconds; }
 
@@ -111,7 +112,7 @@ private:
         std::uint32_t style = 0;             ///< gait to move with; 0: any
         model::SeatId seat = model::kNoSeat; ///< sits there, or goes there to sit
         Sitting sitting = Sitting::No;
-        std::uint32_t stepsBlocked = 0;
+        float blockedSeconds = 0.0F;
         ClipPlace last; ///< at the end of the last step
         bool hasLast = false;
         ClipPlace from;             ///< what it did before it changed over, where it is by now
@@ -178,7 +179,9 @@ private:
     /// The scene's value of a column counts again for somebody.
     void forgetLook(std::uint32_t agent, model::ColumnId column);
 
-    [[nodiscard]] static float turnedTo(float heading, float target);
+    [[nodiscard]] float turnedTo(float heading, float target) const;
+    /// Of a share that is covered in 1/30 s: that which is in a step.
+    [[nodiscard]] float shareInStep(float share) const;
     void readSeats();
     void settle(std::uint32_t agent);
     void takeSeat(std::uint32_t agent);
@@ -234,6 +237,10 @@ private:
     std::vector<std::string> m_warnings;
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;
+    std::uint32_t m_stepsPerSecond = 30;
+    float m_stepSeconds = 1.0F / 30.0F;
+    float m_smoothing = 0.0F; ///< of speeds, a step
+    float m_rampShare = 0.0F; ///< of the way to the ground's height, a step
     double m_start = 0.0;
 };
 

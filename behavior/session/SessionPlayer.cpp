@@ -9,8 +9,8 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr std::size_t kMaxPoses = 64; ///< two seconds: more than anybody runs ahead
-constexpr double kSlack = 1e-9;       ///< seconds; sums of thirtieths are not exact
+constexpr double kKeptSeconds = 1.2; ///< more than anybody runs ahead
+constexpr double kSlack = 1e-9;      ///< seconds; sums of steps are not exact
 constexpr std::size_t kMaxLog = 20000;
 
 } // namespace
@@ -162,7 +162,7 @@ void SessionPlayer::publish(Session& session, double stepMs)
         m_poses.pop_back(); // the same step, after an edit
     }
     m_poses.push_back(std::move(pose));
-    if (m_poses.size() > kMaxPoses) {
+    while (m_poses.front()->seconds < m_poses.back()->seconds - kKeptSeconds) {
         m_poses.pop_front();
     }
     m_report = {std::move(problems), session.rules().counts(), stepMs};

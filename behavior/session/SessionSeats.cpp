@@ -14,8 +14,8 @@ constexpr float kSettlesWithin = 0.9F;  ///< metres of the seat: the rest goes p
 constexpr float kSqueezesWithin = 4.0F; ///< who cannot get on does so from here
 constexpr float kSettleSpeed = 0.9F;    ///< m/s
 constexpr float kBlockedBelow = 0.15F;  ///< m/s
-constexpr std::uint32_t kBlockedSteps = 60;
-constexpr std::uint32_t kGivesUpSteps = 450;
+constexpr float kBlockedSeconds = 2.0F;
+constexpr float kGivesUpSeconds = 15.0F;
 constexpr float kTurnsToSeatWithin = 0.4F;
 
 float awayFrom(const glm::vec3& a, const glm::vec3& b)
@@ -87,7 +87,7 @@ bool Session::sit(std::uint32_t agent, float metres)
     m_follower.sendTo(agent, m_seats[best].seat.position);
     shown.seat = m_seats[best].id;
     shown.sitting = Sitting::Goes;
-    shown.stepsBlocked = 0;
+    shown.blockedSeconds = 0.0F;
     shown.isLive = true;
     m_hasSat = true;
     m_sitters.insert(std::ranges::upper_bound(m_sitters, agent), agent);
@@ -114,18 +114,19 @@ void Session::settle(std::uint32_t agent)
     }
     const float away = awayFrom(seat->position, shown.position);
     if (shown.sitting == Sitting::Goes) {
-        shown.stepsBlocked = shown.speed < kBlockedBelow ? shown.stepsBlocked + 1 : 0;
-        const bool isThere =
-            away < kSettlesWithin || (shown.stepsBlocked > kBlockedSteps && away < kSqueezesWithin);
+        shown.blockedSeconds =
+            shown.speed < kBlockedBelow ? shown.blockedSeconds + m_stepSeconds : 0.0F;
+        const bool isThere = away < kSettlesWithin ||
+                             (shown.blockedSeconds > kBlockedSeconds && away < kSqueezesWithin);
         if (isThere) {
             shown.sitting = Sitting::Settles;
             m_follower.stop(agent);
-        } else if (shown.stepsBlocked > kGivesUpSteps) {
+        } else if (shown.blockedSeconds > kGivesUpSeconds) {
             leaveSeat(agent);
         }
         return;
     }
-    const float reach = kSettleSpeed * kStepSeconds;
+    const float reach = kSettleSpeed * m_stepSeconds;
     const glm::vec3 way = seat->position - shown.position;
     const float length = glm::length(way);
     shown.speed = kSettleSpeed;

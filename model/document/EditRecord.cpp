@@ -147,6 +147,13 @@ void EditRecord::touchSurface(const Scene& scene)
     }
 }
 
+void EditRecord::touchSteps(const Scene& scene)
+{
+    if (!m_steps) {
+        m_steps = scene.stepsPerSecond;
+    }
+}
+
 SceneDelta EditRecord::delta(const Scene& scene) const
 {
     SceneDelta delta;
@@ -172,7 +179,7 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     }
     delta.places = entryDeltas(m_places, scene.places);
     delta.paths = entryDeltas(m_paths, scene.paths);
-    if (m_rules && *m_rules != scene.rules) {
+    if (m_rules && !isSame(*m_rules, scene.rules)) {
         delta.rules = ValueDelta<std::vector<Rule>>{*m_rules, scene.rules};
     }
     if (m_tags && *m_tags != scene.tags) {
@@ -181,11 +188,14 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     if (m_numbers && !isSame(*m_numbers, scene.numbers)) {
         delta.numbers = ValueDelta<std::vector<NumberName>>{*m_numbers, scene.numbers};
     }
-    if (m_cues && *m_cues != scene.cues) {
+    if (m_cues && !isSame(*m_cues, scene.cues)) {
         delta.cues = ValueDelta<std::vector<Cue>>{*m_cues, scene.cues};
     }
     if (m_surface && *m_surface != scene.surface) {
         delta.surface = ValueDelta<SurfaceSettings>{*m_surface, scene.surface};
+    }
+    if (m_steps && *m_steps != scene.stepsPerSecond) {
+        delta.stepsPerSecond = ValueDelta<std::uint32_t>{*m_steps, scene.stepsPerSecond};
     }
     return delta;
 }

@@ -35,6 +35,7 @@ public:
     void touchNumbers(const Scene& scene);
     void touchCues(const Scene& scene);
     void touchSurface(const Scene& scene);
+    void touchSteps(const Scene& scene);
 
     [[nodiscard]] IndividualId nextIdBefore() const { return m_nextIdBefore; }
     /// From the scene before the edit to `scene`.
@@ -56,6 +57,7 @@ private:
     std::optional<std::vector<NumberName>> m_numbers;
     std::optional<std::vector<Cue>> m_cues;
     std::optional<SurfaceSettings> m_surface;
+    std::optional<std::uint32_t> m_steps;
 };
 
 } // namespace crowd::model

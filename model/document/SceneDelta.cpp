@@ -68,7 +68,8 @@ std::size_t bytesOf(const std::vector<Rule>& rules)
         total += sizeof(rule) + rule.name.size() + rule.unknownMembers.size() +
                  rule.conditions.size() * sizeof(Condition) + rule.actions.size() * sizeof(Action);
         for (const Action& action : rule.actions) {
-            total += action.event.size() + action.clips.size() * sizeof(ClipWeight);
+            total +=
+                action.event.size() + action.slot.size() + action.clips.size() * sizeof(ClipWeight);
         }
     }
     return total;
@@ -167,7 +168,7 @@ bool SceneDelta::isEmpty() const
 {
     return added.ids.empty() && removed.ids.empty() && columns.empty() && templates.empty() &&
            stages.empty() && !cameras && !lighting && places.empty() && paths.empty() && !rules &&
-           !tags && !numbers && !cues && !surface;
+           !tags && !numbers && !cues && !surface && !stepsPerSecond;
 }
 
 std::size_t SceneDelta::bulkBytes() const
@@ -250,8 +251,11 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
     if (delta.cues) {
         scene.cues = isRedo ? delta.cues->after : delta.cues->before;
     }
-    if (delta.tags || delta.rules || delta.numbers || delta.cues) {
+    if (delta.tags || delta.rules || delta.numbers || delta.cues || delta.stepsPerSecond) {
         announce(RulesChanged{});
+    }
+    if (delta.stepsPerSecond) {
+        scene.stepsPerSecond = isRedo ? delta.stepsPerSecond->after : delta.stepsPerSecond->before;
     }
     if (delta.surface) {
         scene.surface = isRedo ? delta.surface->after : delta.surface->before;

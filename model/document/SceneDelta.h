@@ -54,6 +54,7 @@ struct SceneDelta
     std::optional<ValueDelta<std::vector<NumberName>>> numbers;
     std::optional<ValueDelta<std::vector<Cue>>> cues;
     std::optional<ValueDelta<SurfaceSettings>> surface;
+    std::optional<ValueDelta<std::uint32_t>> stepsPerSecond;
 
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).

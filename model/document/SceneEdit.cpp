@@ -320,6 +320,13 @@ void SceneEdit::setSurface(const SurfaceSettings& surface)
     m_document.announce(PathsChanged{});
 }
 
+void SceneEdit::setStepsPerSecond(std::uint32_t steps)
+{
+    m_record->touchSteps(scene());
+    m_document.m_scene.stepsPerSecond = steps;
+    m_document.announce(RulesChanged{});
+}
+
 void SceneEdit::rollback()
 {
     const SceneDelta delta = m_record->delta(scene());

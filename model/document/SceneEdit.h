@@ -61,6 +61,7 @@ public:
     void setNumbers(std::vector<NumberName> numbers); ///< ascending ids
     void setCues(std::vector<Cue> cues);
     void setSurface(const SurfaceSettings& surface);
+    void setStepsPerSecond(std::uint32_t steps); ///< one of kStepRates
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();

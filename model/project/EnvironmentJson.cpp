@@ -192,6 +192,9 @@ void writeEnvironment(const Scene& scene, json& top)
     if (scene.surface != SurfaceSettings()) {
         top["surface"] = surfaceJson(scene.surface);
     }
+    if (scene.stepsPerSecond != kStepRates.front()) {
+        top["stepsPerSecond"] = scene.stepsPerSecond;
+    }
 }
 
 void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
@@ -205,6 +208,10 @@ void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
                 });
     if (const json* surface = top.find("surface")) {
         scene.surface = surfaceFrom(JsonFields(*surface, "surface", problem));
+    }
+    top.read("stepsPerSecond", scene.stepsPerSecond);
+    if (std::ranges::find(kStepRates, scene.stepsPerSecond) == kStepRates.end()) {
+        top.complain("stepsPerSecond", "must be 30, 60 or 120");
     }
     sortEntries(scene.places, "places", problem);
     sortEntries(scene.paths, "paths", problem);

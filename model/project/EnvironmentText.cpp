@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array kMembers{"places", "paths", "tags", "rules", "numbers", "cues"};
 constexpr const char* kSurface = "surface";
+constexpr const char* kSteps = "stepsPerSecond";
 
 } // namespace
 
@@ -33,6 +34,9 @@ std::string environmentText(const Scene& scene, const EnvironmentParts& parts)
     if (parts.surface) {
         meant[kSurface] = surfaceJson(scene.surface);
     }
+    if (parts.steps) {
+        meant[kSteps] = scene.stepsPerSecond;
+    }
     return meant.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -44,9 +48,11 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene)
                      "numbers and cues."};
     }
     for (const auto& [name, value] : top.items()) {
-        if (name != kSurface && std::ranges::find(kMembers, name) == kMembers.end()) {
+        if (name != kSurface && name != kSteps &&
+            std::ranges::find(kMembers, name) == kMembers.end()) {
             return Error{"The environment has no \"" + name +
-                         "\": there are places, paths, tags, rules, numbers, cues and surface."};
+                         "\": there are places, paths, tags, rules, numbers, cues, surface and "
+                         "stepsPerSecond."};
         }
     }
     Scene changed = scene;

@@ -20,10 +20,11 @@ struct EnvironmentParts
     bool numbers = true;
     bool cues = true;
     bool surface = true;
+    bool steps = true;
 };
 
-/// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "surface"
-/// as the project file has them; those that are meant, also where they are empty.
+/// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "surface",
+/// "stepsPerSecond" as the project file has them; those that are meant, also where they are empty.
 [[nodiscard]] std::string environmentText(const Scene& scene, const EnvironmentParts& parts = {});
 
 /// Puts what the text holds in the place of what the scene has; members that are not there stay.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -100,6 +101,9 @@ struct WorldSeat
     Seat seat; ///< position and heading in the world frame, metres
 };
 
+/// How finely time can be divided while a session runs, steps a second; the first is the usual one.
+inline constexpr std::array<std::uint32_t, 3> kStepRates{30, 60, 120};
+
 struct Scene
 {
     std::string name;
@@ -117,6 +121,7 @@ struct Scene
     std::vector<Cue> cues;           ///< in the order in which they are shown
     SurfaceSettings surface;
     std::uint32_t seed = 1;
+    std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session
     /// JSON text of an object with those top-level members of the project file that this version
     /// does not know, empty for none; written back unchanged. Entries keep theirs in the same way.
     std::string unknownMembers;

@@ -81,6 +81,7 @@ void furnish(SceneDocument& document)
     edit->setRules({rule, other});
     edit->setNumbers(
         {{2, "patience", -1.0F, 4.5F, {{1, 2.5F}, {900, -7.0F}}}, {7, "hunger", 0.0F, 0.0F}});
+    edit->setStepsPerSecond(120);
     edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});
     edit->setSurface({0.5F, 2.0F, 0.3F, 35.0F});
     Place full = *edit->scene().findPlace(b);
@@ -136,6 +137,7 @@ void TestEnvironment::savingKeepsEverything()
     QCOMPARE(read.value().numbers, document.scene().numbers);
     QCOMPARE(read.value().cues, document.scene().cues);
     QCOMPARE(read.value().surface, document.scene().surface);
+    QCOMPARE(read.value().stepsPerSecond, 120U);
     QCOMPARE(textOf(read.value()), text);
 }
 
@@ -153,6 +155,7 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
         edit->setNumbers({});
         edit->setCues({});
         edit->setSurface({});
+        edit->setStepsPerSecond(60);
         edit->commit(QStringLiteral("Clear"));
     }
     const std::string less = textOf(document.scene());
@@ -325,6 +328,8 @@ void TestEnvironment::refusesWhatIsWrong_data()
         "numbers[0].values must be a list of pairs");
     row("two values of one", R"("numbers": [{"id": 1, "values": [[4, 2], [4, 3]]}],)",
         "numbers[0].values names the individual 4 twice");
+    row("steps without time", R"("stepsPerSecond": 0,)", "stepsPerSecond must be 30, 60 or 120");
+    row("steps of any length", R"("stepsPerSecond": 45,)", "stepsPerSecond must be 30, 60 or 120");
     row("the number of nobody", R"("numbers": [{"id": 0}],)", "numbers: the id 0 is not allowed");
     row("a cue without id", R"("cues": [{}],)", "cues[0].id is missing");
     row("a cue with the key of a panel", R"("cues": [{"id": 1, "key": "F12"}],)",

@@ -328,7 +328,7 @@ void RulesDock::refreshCounts()
     m_isFilling = false;
     const std::vector<behavior::RuleFired> fired = m_state.session().takeLog();
     for (const behavior::RuleFired& each : fired) {
-        m_lines.push_back({static_cast<double>(each.step) / 30.0, each.rule, each.who});
+        m_lines.push_back({each.seconds, each.rule, each.who});
         if (m_lines.size() > kMaxLines) {
             m_lines.pop_front();
         }

@@ -17,7 +17,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kStepSeconds = 1.0 / 30.0;
 constexpr double kAheadSeconds = 0.1; ///< at speed 1
 constexpr int kProgressMs = 150;
 constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
@@ -241,6 +240,7 @@ std::size_t SessionControl::surfacePolygons() const
 void SessionControl::start()
 {
     m_startSeconds = m_transport.seconds();
+    m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
     m_frame.reset();
     Q_EMIT stateChanged();
@@ -281,12 +281,13 @@ void SessionControl::stepOnce()
     if (!isRunning() && m_document.scene().hasBehaviour() && isReady()) {
         start();
     }
-    const double steps = std::floor((m_transport.seconds() - m_startSeconds) * 30.0 + 1e-6) + 1.0;
-    const double next = m_startSeconds + steps * kStepSeconds;
+    const double rate = isRunning() ? m_stepsPerSecond : m_document.scene().stepsPerSecond;
+    const double steps = std::floor((m_transport.seconds() - m_startSeconds) * rate + 1e-6) + 1.0;
+    const double next = m_startSeconds + steps / rate;
     if (isRunning()) {
         m_player->request(next);
     }
-    m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + kStepSeconds);
+    m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + 1.0 / rate);
 }
 
 void SessionControl::stop()

@@ -91,10 +91,11 @@ private:
     std::unique_ptr<behavior::SessionPlayer> m_player;
     std::unique_ptr<Surface> m_surface;
     QString m_surfaceProblem;
-    QTimer m_hand;               ///< the edits of one stroke's moment go together
-    QTimer m_progress;           ///< while the surface is built
-    QTimer m_ways;               ///< until areas that are being changed come to rest
-    double m_startSeconds = 0.0; ///< of the transport, when the session began
+    QTimer m_hand;                       ///< the edits of one stroke's moment go together
+    QTimer m_progress;                   ///< while the surface is built
+    QTimer m_ways;                       ///< until areas that are being changed come to rest
+    double m_startSeconds = 0.0;         ///< of the transport, when the session began
+    std::uint32_t m_stepsPerSecond = 30; ///< of the session
     bool m_isKeepingPose = false;
     bool m_isSurfaceStale = true;
     bool m_hasBehaviour = false;
