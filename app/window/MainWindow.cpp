@@ -21,6 +21,7 @@
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
+#include "app/window/StepMenu.h"
 #include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
 #include "widgets/dialogs/WelcomePage.h"
@@ -164,6 +165,7 @@ void MainWindow::buildMenus()
     fillRecentMenu();
     fillExamplesMenu(specials.at("@examples"));
     m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
+    fillStepMenu(*specials.at("@step-length"), m_state);
 }
 
 void MainWindow::buildToolBar()

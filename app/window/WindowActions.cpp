@@ -193,7 +193,7 @@ const WindowAction kPlayActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Play or pause"), true},
      [](MainWindow& w, bool on) { w.state().transport().setPlaying(on); }},
     {{"step", QT_TRANSLATE_NOOP("Actions", "&Step"), "step", "Ctrl+Right",
-      QT_TRANSLATE_NOOP("Actions", "One step of a thirtieth of a second, then pause")},
+      QT_TRANSLATE_NOOP("Actions", "One step, then pause")},
      [](MainWindow& w, bool) { w.state().session().stepOnce(); }},
     {{"stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "stop", "Ctrl+Home",
       QT_TRANSLATE_NOOP("Actions", "Back to the start, everybody where the scene has them")},
@@ -278,8 +278,8 @@ constexpr const char* kViewMenu[] = {
     "view-top",        "projection", "",      "camera-add", "@cameras",
     "@keep-cameras",   "",           "paths", "tags",       "ground-grid",
     "shadows",         "look-lit",   "",      "full-screen"};
-constexpr const char* kPlayMenu[] = {"play",   "step",   "stop", "",
-                                     "faster", "slower", "",     "keep-pose"};
+constexpr const char* kPlayMenu[] = {"play",   "step",         "stop", "",         "faster",
+                                     "slower", "@step-length", "",     "keep-pose"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
@@ -307,6 +307,7 @@ constexpr Submenu kSubmenus[] = {
     {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
     {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
     {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View &as Camera")},
+    {"@step-length", QT_TRANSLATE_NOOP("Menus", "&Length of a Step")},
 };
 
 constexpr const char* kToolBar[] = {"new-theatre",

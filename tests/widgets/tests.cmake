@@ -5,6 +5,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_Docks
     tst_IndividualDock
     tst_PickDrag
+    tst_RulePanel
     tst_ToolController
     tst_Transport
     tst_ViewportCamera

@@ -14,7 +14,6 @@
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
-#include "widgets/dialogs/CueDialog.h"
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/NumberList.h"
@@ -239,16 +238,11 @@ void TestBehaviourDocks::cuesAreButtonsAndKeys()
     QVERIFY(desk.isReady());
     const CueKeys keys(desk.state, &desk.window);
     auto* add = desk.dock->findChild<QToolButton*>(QStringLiteral("addCue"));
-    QTimer::singleShot(0, [] {
-        auto* dialog = qobject_cast<CueDialog*>(QApplication::activeModalWidget());
-        QVERIFY(dialog != nullptr);
-        dialog->findChild<QComboBox*>(QStringLiteral("cueEvent"))
-            ->setCurrentText(QStringLiteral("panic"));
-        dialog->accept();
-    });
     QTest::mouseClick(add, Qt::LeftButton);
     const auto& cues = desk.document.scene().cues;
     QCOMPARE(cues.size(), std::size_t{1});
+    crowd::testing::type(*desk.dock->findChild<QLineEdit*>(QStringLiteral("cueEvent")),
+                         QStringLiteral("panic"));
     QCOMPARE(cues[0].event, std::string("panic"));
     QCOMPARE(cues[0].key, std::string("F3"));
     const auto shown = [&] { return desk.dock->findChild<QToolButton*>(QStringLiteral("cue1")); };
@@ -260,6 +254,8 @@ void TestBehaviourDocks::cuesAreButtonsAndKeys()
     QTest::mouseClick(shown(), Qt::LeftButton);
     QVERIFY2(said.contains(QStringLiteral("Play")), qPrintable(said)); // nobody listens yet
     QCOMPARE(desk.window.findChildren<QShortcut*>().size(), 1);
+    desk.document.undoStack().undo();
+    QCOMPARE(cues[0].event, std::string("cheer"));
     desk.document.undoStack().undo();
     QVERIFY(desk.document.scene().cues.empty());
     QTRY_VERIFY(desk.window.findChildren<QShortcut*>().isEmpty());

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
 #include "model/scene/RuleSets.h"
-#include "widgets/dialogs/CueDialog.h"
+#include "widgets/docks/CueForm.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"
 
@@ -24,16 +26,19 @@ QString cueTip(const model::Scene& scene, const model::Cue& cue)
     const QString who = cue.reach == model::CueReach::Tagged
                             ? CueBar::tr("those tagged %1").arg(tagText(scene, cue.tag))
                             : cueReachNames()[static_cast<int>(cue.reach)];
-    return CueBar::tr("Sends “%1” to %2. Right click: change or delete.")
+    return CueBar::tr("Sends “%1” to %2. The arrow changes or deletes it.")
         .arg(QString::fromStdString(cue.event), who);
 }
 
 } // namespace
 
 CueBar::CueBar(EditorState& state, QWidget* parent)
-    : QWidget(parent), m_state(state), m_grid(new QGridLayout(this))
+    : QWidget(parent), m_state(state), m_grid(new QGridLayout)
 {
-    m_grid->setContentsMargins(0, 0, 0, 0);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(3);
+    layout->addLayout(m_grid);
     m_grid->setSpacing(3);
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -61,11 +66,12 @@ void CueBar::rebuild()
     }
     auto* add = new QToolButton(this);
     add->setObjectName(QStringLiteral("addCue"));
-    add->setText(tr("+ Cue…"));
+    add->setText(tr("+ Cue"));
     add->setToolTip(tr("A button, with a key if you like, that lets an event happen to people"));
     add->setAutoRaise(true);
     connect(add, &QToolButton::clicked, this, &CueBar::addCue);
     m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow);
+    showForm();
 }
 
 QWidget* CueBar::buttonOf(const model::Cue& cue)
@@ -77,21 +83,58 @@ QWidget* CueBar::buttonOf(const model::Cue& cue)
     button->setToolTip(cueTip(m_state.scene(), cue));
     button->setObjectName(QStringLiteral("cue%1").arg(cue.id));
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    button->setPopupMode(QToolButton::MenuButtonPopup);
+    button->setMenu(menuOf(cue.id, button));
     button->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(button, &QToolButton::clicked, this, [this, cue] { sendCue(m_state, cue); });
-    connect(button, &QToolButton::customContextMenuRequested, this,
-            [this, button, id = cue.id](const QPoint& position) {
-                showMenu(id, button->mapToGlobal(position));
-            });
+    connect(button, &QToolButton::customContextMenuRequested, button, &QToolButton::showMenu);
     return button;
 }
 
-void CueBar::showMenu(model::CueId id, const QPoint& globalPosition)
+QMenu* CueBar::menuOf(model::CueId id, QWidget* parent)
 {
-    QMenu menu(this);
-    connect(menu.addAction(tr("Change…")), &QAction::triggered, this, [this, id] { editCue(id); });
-    connect(menu.addAction(tr("Delete")), &QAction::triggered, this, [this, id] { removeCue(id); });
-    menu.exec(globalPosition);
+    auto* menu = new QMenu(parent);
+    connect(menu->addAction(tr("Change")), &QAction::triggered, this, [this, id] { editCue(id); });
+    connect(menu->addAction(tr("Delete")), &QAction::triggered, this,
+            [this, id] { removeCue(id); });
+    return menu;
+}
+
+/// Of the cue that is being changed, as it is now.
+void CueBar::showForm()
+{
+    QString focused; // the field that the artist has gone on to
+    if (m_form != nullptr) {
+        const QWidget* field = QApplication::focusWidget();
+        focused = field != nullptr && m_form->isAncestorOf(field) ? field->objectName() : QString();
+        m_form->hide();
+        m_form->deleteLater(); // one of its fields may have asked for it
+        m_form = nullptr;
+    }
+    const auto& cues = m_state.scene().cues;
+    const auto found = std::ranges::find(cues, m_edited, &model::Cue::id);
+    if (found == cues.end()) {
+        m_edited = 0;
+        return;
+    }
+    auto* form = new CueForm(
+        m_state.scene(), *found, [this](const auto& apply) { change(apply); }, this);
+    connect(form, &CueForm::closed, this, [this] { editCue(0); });
+    layout()->addWidget(form);
+    m_form = form;
+    if (auto* field = focused.isEmpty() ? nullptr : form->findChild<QWidget*>(focused)) {
+        field->setFocus(Qt::TabFocusReason);
+    }
+}
+
+void CueBar::change(const std::function<void(model::Cue&)>& apply)
+{
+    std::vector<model::Cue> cues = m_state.scene().cues;
+    const auto found = std::ranges::find(cues, m_edited, &model::Cue::id);
+    if (found != cues.end()) {
+        apply(*found);
+        setCues(std::move(cues), tr("Change a cue"));
+    }
 }
 
 void CueBar::setCues(std::vector<model::Cue> cues, const QString& undoText)
@@ -125,25 +168,15 @@ void CueBar::addCue()
     }
     const std::vector<std::string> events = model::eventsOf(m_state.scene());
     made.event = events.empty() ? std::string("cheer") : events.front();
-    CueDialog dialog(m_state.scene(), made, this);
-    if (dialog.exec() == QDialog::Accepted) {
-        cues.push_back(dialog.cue());
-        setCues(std::move(cues), tr("Add a cue"));
-    }
+    cues.push_back(made);
+    m_edited = made.id;
+    setCues(std::move(cues), tr("Add a cue"));
 }
 
 void CueBar::editCue(model::CueId id)
 {
-    std::vector<model::Cue> cues = m_state.scene().cues;
-    const auto found = std::ranges::find(cues, id, &model::Cue::id);
-    if (found == cues.end()) {
-        return;
-    }
-    CueDialog dialog(m_state.scene(), *found, this);
-    if (dialog.exec() == QDialog::Accepted) {
-        *found = dialog.cue();
-        setCues(std::move(cues), tr("Change a cue"));
-    }
+    m_edited = id;
+    showForm();
 }
 
 void CueBar::removeCue(model::CueId id)

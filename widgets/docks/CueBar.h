@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <QtWidgets/QWidget>
@@ -8,11 +9,12 @@
 #include "widgets/state/EditorState.h"
 
 class QGridLayout;
+class QMenu;
 
 namespace crowd::widgets {
 
-/// The scene's cues as buttons: a click lets the event happen. They are added, changed and deleted
-/// here, each as one undo step.
+/// The scene's cues as buttons: a click lets the event happen. They are added, changed in a form
+/// below the buttons and deleted here, each change as one undo step.
 class CueBar : public QWidget
 {
     Q_OBJECT
@@ -25,12 +27,17 @@ private:
     void addCue();
     void editCue(model::CueId id);
     void removeCue(model::CueId id);
-    void showMenu(model::CueId id, const QPoint& globalPosition);
+    void showForm();
+    void change(const std::function<void(model::Cue&)>& apply);
+    [[nodiscard]] QMenu* menuOf(model::CueId id, QWidget* parent);
     void setCues(std::vector<model::Cue> cues, const QString& undoText);
     [[nodiscard]] QWidget* buttonOf(const model::Cue& cue);
 
     EditorState& m_state;
-    QGridLayout* m_grid; ///< owned by this widget
+    model::CueId m_edited = 0; ///< whose form is open
+    // Children of this widget.
+    QGridLayout* m_grid;
+    QWidget* m_form = nullptr;
 };
 
 } // namespace crowd::widgets

@@ -162,6 +162,17 @@ void NamesForm::addNumberRow(QVBoxLayout* layout, const model::NumberName& numbe
     addValue(&model::NumberName::low, tr("Nobody begins with less"));
     row->addWidget(new QLabel(tr("to")));
     addValue(&model::NumberName::high, tr("Nobody begins with more"));
+    if (!number.values.empty()) {
+        auto* kept = new QToolButton(m_rows);
+        kept->setObjectName(QStringLiteral("forgetKept"));
+        kept->setText(tr("%n kept", nullptr, static_cast<int>(number.values.size())));
+        kept->setToolTip(tr("So many people begin with what Keep Pose has kept; press to let all "
+                            "begin between the two again"));
+        row->addWidget(kept);
+        connect(kept, &QToolButton::clicked, this, [this, id = number.id] {
+            changeNumber(id, [](model::NumberName& each) { each.values.clear(); });
+        });
+    }
     addRemoveButton(row, tr("Delete the number"), [this, id = number.id] {
         std::vector<model::NumberName> numbers = m_state.scene().numbers;
         std::erase_if(numbers, [id](const model::NumberName& each) { return each.id == id; });

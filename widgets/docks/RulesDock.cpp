@@ -5,6 +5,7 @@
 
 #include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
@@ -361,8 +362,18 @@ void RulesDock::showLog()
     m_log->moveCursor(QTextCursor::End);
 }
 
+/// Which of the editor's fields has the keyboard; -1: none.
+qsizetype RulesDock::focusedField() const
+{
+    QWidget* field = QApplication::focusWidget();
+    return m_editor != nullptr && field != nullptr
+               ? m_editor->findChildren<QWidget*>().indexOf(field)
+               : -1;
+}
+
 void RulesDock::rebuildEditor()
 {
+    const qsizetype focused = focusedField();
     delete m_editor;
     m_editor = nullptr;
     const Rule* rule = current();
@@ -375,6 +386,10 @@ void RulesDock::rebuildEditor()
     m_editor = new RuleEditor(
         m_state.scene(), shown, [this](const auto& apply) { change(apply); }, m_editorArea);
     m_editorArea->layout()->addWidget(m_editor);
+    const QList<QWidget*> fields = m_editor->findChildren<QWidget*>();
+    if (focused >= 0 && focused < fields.size()) {
+        fields[focused]->setFocus(Qt::TabFocusReason); // where the artist has gone on to
+    }
     const QString problem = ruleProblem(m_state.scene(), shown);
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());

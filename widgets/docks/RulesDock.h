@@ -33,6 +33,7 @@ private:
     QWidget* makeButtons(QWidget* parent);
     void rebuildList();
     void rebuildEditor();
+    [[nodiscard]] qsizetype focusedField() const;
     void refreshCounts();
     void takeOrder();
     void setRules(std::vector<model::Rule> rules, const QString& undoText);

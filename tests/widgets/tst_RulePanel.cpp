@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QToolButton>
+
+#include "model/document/SceneEdit.h"
+#include "tests/program/WindowTest.h"
+#include "tests/widgets/Desk.h"
+#include "widgets/docks/CueForm.h"
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RulesDock.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::Desk;
+using model::ActionKind;
+
+namespace {
+
+using RulesDesk = Desk<RulesDock>;
+
+/// What is shown of that name: forms that were replaced are gone.
+template<class Widget>
+Widget* shown(RulesDesk& desk, const char* name)
+{
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    for (Widget* widget : desk.all<Widget>()) {
+        if (widget->objectName() == QLatin1String(name)) {
+            return widget;
+        }
+    }
+    return nullptr;
+}
+
+void activate(QComboBox& box, int index)
+{
+    box.setCurrentIndex(index);
+    Q_EMIT box.activated(index);
+}
+
+void press(RulesDesk& desk, const char* name, int which = 0)
+{
+    QList<QToolButton*> buttons;
+    for (QToolButton* button : desk.all<QToolButton>()) {
+        if (button->objectName() == QLatin1String(name)) {
+            buttons << button;
+        }
+    }
+    QVERIFY2(buttons.size() > which, name);
+    QTest::mouseClick(buttons[which], Qt::LeftButton);
+}
+
+void giveRule(RulesDesk& desk, const model::Rule& rule)
+{
+    auto edit = desk.document.beginEdit();
+    edit->setRules({rule});
+    edit->commit(QStringLiteral("Rule"));
+    auto* list = desk.dock->findChild<QListWidget*>();
+    QTRY_COMPARE(list->count(), 1);
+    list->setCurrentRow(0);
+}
+
+model::Action actionOf(ActionKind kind)
+{
+    model::Action action;
+    action.kind = kind;
+    return action;
+}
+
+model::Rule ruleOf(std::vector<model::Action> actions)
+{
+    model::Rule rule;
+    rule.id = 1;
+    rule.trigger.event = "go";
+    rule.actions = std::move(actions);
+    return rule;
+}
+
+} // namespace
+
+class TestRulePanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aCueIsChangedInPlace();
+    void keysOfOtherCuesAreNotOffered();
+    void blocksAreBuiltWithButtons();
+    void weightsOfClipsAreEdited();
+    void sentencesTellWhatRepeatsAndWhatIsDrawn();
+    void blocksSayWhatIsMissing();
+    void theFieldKeepsTheKeyboard();
+};
+
+void TestRulePanel::aCueIsChangedInPlace()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    press(desk, "addCue");
+    const auto& cues = desk.document.scene().cues;
+    QCOMPARE(cues.size(), std::size_t{1});
+    QVERIFY(shown<QWidget>(desk, "cueForm") != nullptr);
+    crowd::testing::type(*shown<QLineEdit>(desk, "cueName"), QStringLiteral("Run!"));
+    QCOMPARE(cues[0].name, std::string("Run!"));
+    crowd::testing::type(*shown<QLineEdit>(desk, "cueEvent"), QStringLiteral("run"));
+    QCOMPARE(cues[0].event, std::string("run"));
+    crowd::testing::type(*shown<QLineEdit>(desk, "cueEvent"), QString());
+    QCOMPARE(cues[0].event, std::string("run")); // a cue needs one
+    shown<QDoubleSpinBox>(desk, "cuePayload")->setValue(3.5);
+    QCOMPARE(cues[0].payload, 3.5F);
+    activate(*shown<QComboBox>(desk, "cueReach"), static_cast<int>(model::CueReach::Tagged));
+    QVERIFY(cues[0].reach == model::CueReach::Tagged);
+    activate(*shown<QComboBox>(desk, "cueKey"), 0);
+    QVERIFY(cues[0].key.empty());
+    // Each is a step of its own, and the form follows.
+    desk.document.undoStack().undo();
+    QCOMPARE(cues[0].key, std::string("F3"));
+    desk.document.undoStack().undo();
+    QVERIFY(cues[0].reach == model::CueReach::Everybody);
+    desk.document.undoStack().undo();
+    QCOMPARE(shown<QDoubleSpinBox>(desk, "cuePayload")->value(), 0.0);
+    press(desk, "cueDone");
+    QVERIFY(shown<QWidget>(desk, "cueForm") == nullptr);
+    QCOMPARE(cues.size(), std::size_t{1});
+}
+
+void TestRulePanel::keysOfOtherCuesAreNotOffered()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    press(desk, "addCue");
+    press(desk, "addCue");
+    QCOMPARE(desk.document.scene().cues[1].key, std::string("F4"));
+    auto* keys = shown<QComboBox>(desk, "cueKey");
+    QCOMPARE(keys->findText(QStringLiteral("F3")), -1);
+    QVERIFY(keys->findText(QStringLiteral("F10")) >= 0);
+}
+
+void TestRulePanel::blocksAreBuiltWithButtons()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    giveRule(desk, ruleOf({actionOf(ActionKind::Repeat), actionOf(ActionKind::Stop)}));
+    const auto actions = [&] { return desk.document.scene().rules[0].actions; };
+    QTRY_VERIFY(shown<QToolButton>(desk, "addInside") != nullptr);
+    press(desk, "addInside");
+    QCOMPARE(actions().size(), std::size_t{3});
+    QVERIFY(actions()[1].kind == ActionKind::Wait && actions()[1].depth == 1);
+    // The last line up: into the repeat.
+    const auto arrows = [&] {
+        QList<QToolButton*> up;
+        for (QToolButton* button : desk.all<QToolButton>()) {
+            if (button->arrowType() == Qt::UpArrow) {
+                up << button;
+            }
+        }
+        return up;
+    };
+    QTRY_COMPARE(arrows().size(), 3);
+    QVERIFY(!arrows()[0]->isEnabled());
+    QTest::mouseClick(arrows()[2], Qt::LeftButton);
+    QVERIFY(actions()[2].kind == ActionKind::Stop && actions()[2].depth == 1);
+    desk.document.undoStack().undo();
+    QCOMPARE(int{actions()[2].depth}, 0);
+    giveRule(desk, ruleOf({actionOf(ActionKind::OneOf)}));
+    QTRY_VERIFY(shown<QToolButton>(desk, "addAlternative") != nullptr);
+    press(desk, "addAlternative");
+    QCOMPARE(actions().size(), std::size_t{2});
+    QVERIFY(actions()[1].kind == ActionKind::OneOf && actions()[1].depth == 0);
+}
+
+void TestRulePanel::weightsOfClipsAreEdited()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    model::Action play = actionOf(ActionKind::PlayClip);
+    play.clips = {{"clap", 1.0F}, {"cheer", 2.0F}};
+    giveRule(desk, ruleOf({play}));
+    const auto weights = [&] {
+        QList<QDoubleSpinBox*> found;
+        for (QDoubleSpinBox* box : desk.all<QDoubleSpinBox>()) {
+            if (box->toolTip().contains(QStringLiteral("against the others"))) {
+                found << box;
+            }
+        }
+        return found;
+    };
+    QTRY_COMPARE(weights().size(), 2);
+    QCOMPARE(weights()[1]->value(), 2.0);
+    weights()[1]->setValue(5.0);
+    QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 5.0F);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 2.0F);
+}
+
+void TestRulePanel::sentencesTellWhatRepeatsAndWhatIsDrawn()
+{
+    model::Scene scene;
+    model::Action repeat = actionOf(ActionKind::Repeat);
+    repeat.times = 3;
+    model::Action often = actionOf(ActionKind::OneOf);
+    often.depth = 1;
+    often.weight = 3.0F;
+    model::Action seldom = often;
+    seldom.weight = 1.0F;
+    model::Action wait = actionOf(ActionKind::Wait);
+    wait.seconds = 2.0F;
+    wait.depth = 2;
+    model::Action stop = actionOf(ActionKind::Stop);
+    stop.depth = 2;
+    const model::Rule rule =
+        ruleOf({repeat, often, wait, seldom, stop, actionOf(ActionKind::GoOn)});
+    QCOMPARE(ruleSentence(scene, rule),
+             QStringLiteral("When “go” reaches someone: repeat 3 × (either (wait 2 s) 75 % or "
+                            "(stop) 25 %), then walk on"));
+}
+
+void TestRulePanel::blocksSayWhatIsMissing()
+{
+    const model::Scene scene;
+    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::Repeat)}))
+                .contains(QStringLiteral("nothing to repeat")));
+    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::OneOf)}))
+                .contains(QStringLiteral("only one to choose")));
+    model::Action never = actionOf(ActionKind::OneOf);
+    never.weight = 0.0F;
+    QVERIFY(ruleProblem(scene, ruleOf({never, never})).contains(QStringLiteral("ever comes")));
+    model::Action after = actionOf(ActionKind::Follow);
+    after.aim = model::ActionAim::Place;
+    QVERIFY(ruleProblem(scene, ruleOf({after})).contains(QStringLiteral("nobody to go after")));
+    model::Action look = actionOf(ActionKind::LookAt);
+    look.aim = model::ActionAim::Place;
+    look.place = 9;
+    QVERIFY(ruleProblem(scene, ruleOf({look})).contains(QStringLiteral("not there any more")));
+    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::LookAt)})).isEmpty());
+}
+
+/// Whoever tabs from one field to the next types into that, also though both were made anew.
+void TestRulePanel::theFieldKeepsTheKeyboard()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+    press(desk, "addCue");
+    auto* name = shown<QLineEdit>(desk, "cueName");
+    name->setFocus();
+    QTRY_VERIFY(name->hasFocus());
+    QTest::keyClicks(name, QStringLiteral("Go"));
+    shown<QLineEdit>(desk, "cueEvent")->setFocus(Qt::TabFocusReason);
+    QTRY_COMPARE(desk.document.scene().cues[0].name, std::string("Go"));
+    QTRY_VERIFY(shown<QLineEdit>(desk, "cueEvent")->hasFocus());
+}
+
+CROWD_WINDOW_TEST(TestRulePanel)
+#include "tst_RulePanel.moc"
