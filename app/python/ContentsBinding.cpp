@@ -334,8 +334,27 @@ py::object environment(const ScenePtr& scene)
     return py::module_::import("json").attr("loads")(environmentText(*scene->scene()));
 }
 
+/// Raises where a number has no finite value, naming its place: JSON has no words for those.
+void refuseInfinite(const py::handle& value, const std::string& place)
+{
+    if (py::isinstance<py::float_>(value) && !std::isfinite(value.cast<double>())) {
+        throw ScriptError(place + " must be a finite number.");
+    }
+    if (py::isinstance<py::dict>(value)) {
+        for (const auto& [key, item] : value.cast<py::dict>()) {
+            refuseInfinite(item, place + "." + py::str(key).cast<std::string>());
+        }
+    } else if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+        std::size_t index = 0;
+        for (const py::handle item : value) {
+            refuseInfinite(item, place + "[" + std::to_string(index++) + "]");
+        }
+    }
+}
+
 void setEnvironment(const ScenePtr& scene, const py::object& given)
 {
+    refuseInfinite(given, "environment");
     const py::object text =
         py::isinstance<py::str>(given) ? given : py::module_::import("json").attr("dumps")(given);
     valueOrRaise(scene->setEnvironment(text.cast<std::string>()));

@@ -240,10 +240,10 @@ void MainWindow::connectParts()
     connect(&m_state.session(), &widgets::SessionControl::posesKept, this, [this](int people) {
         m_state.showStatus(tr("%n people are kept where they are", nullptr, people));
     });
-    connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, [this] {
-        const std::vector<std::string> problems = m_state.session().problems();
-        if (m_state.session().isRunning() && !problems.empty()) {
-            m_state.showStatus(QString::fromStdString(problems.front()));
+    connect(&m_state.session(), &widgets::SessionControl::problemsChanged, this, [this] {
+        const std::vector<behavior::Problem>& problems = m_state.session().problems();
+        if (!problems.empty()) {
+            m_state.showStatus(QString::fromStdString(problems.back().text));
         }
     });
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);

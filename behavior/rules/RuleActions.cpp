@@ -209,8 +209,10 @@ bool RuleEngine::isMeant(RuleHost& host, const model::Action& action, std::uint3
 void RuleEngine::send(RuleHost& host, std::uint32_t agent, const model::Action& action)
 {
     if (m_events.size() > kMaxEvents) {
-        complain("There are too many events under way; further ones are dropped. A rule may be "
-                 "sending events that make it send again: give it a cooldown or a limit.");
+        complainOf(m_minds[agent].rule,
+                   " sends more events than can be under way; further ones are dropped. It may be "
+                   "sending events that make it send again: give it a pause, or say how often at "
+                   "most.");
         return;
     }
     const glm::vec3 at = host.position(agent);

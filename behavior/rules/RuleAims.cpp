@@ -158,8 +158,8 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
         }
         mind.isNear = true;
         mind.aimedAt = aim->point;
-        host.turnTo(agent, aim->point);
-        return !isFollowing;
+        host.turnTo(agent, aim->point); // once he stands: who moves looks ahead
+        return !isFollowing && host.speed(agent) < kGetsOnAbove;
     }
     if (mind.isNear || flatDistance(mind.aimedAt, aim->point) > kAimsAnew) {
         host.sendTo(agent, aim->point);

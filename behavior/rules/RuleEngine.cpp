@@ -16,6 +16,8 @@ constexpr std::size_t kMaxLog = 4096;
 constexpr std::size_t kMaxQueue = 8;
 constexpr int kMaxActionsAtOnce = 1024;
 constexpr double kLitSeconds = 0.5;
+constexpr double kEchoSeconds = 0.2;
+constexpr std::uint32_t kMaxEchoes = 30;
 
 bool bringsBack(const model::Rule& rule)
 {
@@ -166,7 +168,7 @@ void RuleEngine::setTags(std::uint32_t agent, std::uint64_t tags)
     m_minds[agent].tags = tags;
 }
 
-void RuleEngine::complain(std::string problem)
+void RuleEngine::complain(Problem problem)
 {
     if (std::ranges::find(m_problems, problem) == m_problems.end() && m_problems.size() < 50) {
         m_problems.push_back(std::move(problem));
@@ -175,7 +177,7 @@ void RuleEngine::complain(std::string problem)
 
 void RuleEngine::complainOf(std::uint32_t rule, const std::string& problem)
 {
-    complain("Rule \"" + m_rules[rule].name + "\"" + problem);
+    complain({"Rule \"" + m_rules[rule].name + "\"" + problem, m_rules[rule].id});
 }
 
 std::uint64_t RuleEngine::count(model::RuleId rule) const
@@ -329,10 +331,22 @@ bool RuleEngine::mayBreakOff(std::uint32_t busy, std::uint32_t other) const
     return false;
 }
 
+/// Events that people send each other round and round, as fast as steps follow each other.
+void RuleEngine::noticeEcho(std::uint32_t index, Memory& memory, const Cause& cause)
+{
+    memory.echoes =
+        cause.sender != 0 && m_now - memory.last <= kEchoSeconds ? memory.echoes + 1 : 0;
+    if (memory.echoes == kMaxEchoes) {
+        complainOf(index, " fires over and over for the same people: events go round in a circle. "
+                          "Give it a pause, or say how often at most.");
+    }
+}
+
 void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
 {
     Mind& mind = m_minds[agent];
     Memory& memory = m_memory[index][agent];
+    noticeEcho(index, memory, cause);
     memory.last = m_now;
     ++memory.count;
     ++mind.firings;

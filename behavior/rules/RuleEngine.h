@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "behavior/rules/PlaceRooms.h"
+#include "behavior/session/Problem.h"
 #include "behavior/session/SessionPose.h"
 #include "model/population/Population.h"
 #include "model/scene/Rule.h"
@@ -107,8 +108,13 @@ public:
     [[nodiscard]] const std::map<model::RuleId, std::uint64_t>& counts() const { return m_counts; }
     /// What fired since the last call, at most some thousand entries.
     [[nodiscard]] std::vector<RuleFired> takeLog();
-    /// Sentences about what went wrong while running, each once.
-    [[nodiscard]] const std::vector<std::string>& problems() const { return m_problems; }
+    /// What went wrong while running, each once.
+    [[nodiscard]] const std::vector<Problem>& problems() const { return m_problems; }
+    /// Place that counts somebody as its guest; 0: none does.
+    [[nodiscard]] model::PlaceId heldPlace(std::uint32_t agent) const
+    {
+        return m_minds[agent].holds;
+    }
     /// For whom a rule fired within the last half second.
     [[nodiscard]] bool isLit(std::uint32_t agent) const { return m_now < m_minds[agent].litUntil; }
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
@@ -165,6 +171,7 @@ private:
         double last = -1e18;
         double next = -1.0; ///< Every; Waited: since when he stands
         std::uint32_t count = 0;
+        std::uint32_t echoes = 0; ///< times that it fired right after the last time, by rules
         bool wasThere = false;    ///< Start, Entered, Left, TagNear, SpeedLimit, Waited
         bool isSeen = false;      ///< SpeedLimit: looked at before
         model::PlaceId place = 0; ///< AheadFree: that he had when it was free last
@@ -209,6 +216,7 @@ private:
     /// False: it does not come to it, now at least.
     bool fire(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     [[nodiscard]] bool mayBreakOff(std::uint32_t busy, std::uint32_t other) const;
+    void noticeEcho(std::uint32_t rule, Memory& memory, const Cause& cause);
     void begin(RuleHost& host, std::uint32_t rule, std::uint32_t agent, const Cause& cause);
     void goOn(RuleHost& host, std::uint32_t agent);
     /// To what belongs to a Repeat or a OneOf, or to the beginning. False: it is neither.
@@ -255,7 +263,7 @@ private:
     [[nodiscard]] float firstNumber(const model::NumberName& named, model::IndividualId id) const;
     [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;
     [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;
-    void complain(std::string problem);
+    void complain(Problem problem);
     /// Begins with the rule's name.
     void complainOf(std::uint32_t rule, const std::string& problem);
 
@@ -271,7 +279,7 @@ private:
     std::map<std::uint8_t, std::vector<std::uint32_t>> m_tagged;
     std::map<model::RuleId, std::uint64_t> m_counts;
     std::vector<RuleFired> m_log;
-    std::vector<std::string> m_problems;
+    std::vector<Problem> m_problems;
     std::uint64_t m_order = 0;
     std::uint64_t m_step = 0;
     std::uint32_t m_stepsPerSecond = 30;

@@ -48,10 +48,10 @@ float squareOf(glm::vec2 v)
 
 } // namespace
 
-std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> places,
-                                                std::span<const model::Path> paths)
+std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places,
+                                            std::span<const model::Path> paths)
 {
-    std::vector<std::string> problems;
+    std::vector<Problem> problems;
     const std::vector<Route> former = std::move(m_routes);
     m_routes.clear();
     m_slow.clear();
@@ -67,12 +67,14 @@ std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> pl
         for (const model::PlaceId id : path.places) {
             const auto place = std::ranges::find(places, id, &model::Place::id);
             if (place == places.end()) {
-                problems.push_back(nameOf(path) + " names a place that is not there any more; " +
-                                   "people pass it over.");
+                problems.push_back({nameOf(path) + " names a place that is not there any more; " +
+                                        "people pass it over.",
+                                    0, 0, path.id});
             } else if (!model::Bounds::isPlace(place->position) || !std::isfinite(place->radius)) {
-                problems.push_back("Place \"" + place->name +
-                                   "\" has no position or size; people "
-                                   "pass it over. Give it numbers.");
+                problems.push_back({"Place \"" + place->name +
+                                        "\" has no position or size; people "
+                                        "pass it over. Give it numbers.",
+                                    0, place->id, path.id});
             } else {
                 Stop stop{id,
                           {place->position.x, place->position.z},
@@ -87,7 +89,8 @@ std::vector<std::string> PathFollower::setPaths(std::span<const model::Place> pl
             }
         }
         if (route.stops.empty()) {
-            problems.push_back(nameOf(path) + " has no places: nobody can walk it. Add some.");
+            problems.push_back(
+                {nameOf(path) + " has no places: nobody can walk it. Add some.", 0, 0, path.id});
         } else {
             m_routes.push_back(std::move(route));
         }
@@ -125,8 +128,16 @@ model::PathId PathFollower::pathOf(std::uint32_t agent) const
     return route == kNoRoute ? 0 : m_routes[route].id;
 }
 
-std::vector<std::string> PathFollower::assign(std::span<const Assignment> assignments,
-                                              std::size_t agents)
+model::PlaceId PathFollower::endPlace(std::uint32_t agent) const
+{
+    const Walk& walk = m_walks[agent];
+    return walk.hasArrived && !walk.hasErrand && walk.route != kNoRoute
+               ? m_routes[walk.route].stops.back().place
+               : 0;
+}
+
+std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignments,
+                                          std::size_t agents)
 {
     std::size_t lost = 0;
     m_walks.assign(agents, {});
@@ -136,8 +147,8 @@ std::vector<std::string> PathFollower::assign(std::span<const Assignment> assign
     if (lost == 0) {
         return {};
     }
-    return {"Standing still, since their paths cannot be walked: " + std::to_string(lost) +
-            ". Give them another path."};
+    return {{"Standing still, since their paths cannot be walked: " + std::to_string(lost) +
+             ". Give them another path."}};
 }
 
 bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/session/Problem.h"
 #include "model/scene/Path.h"
 
 namespace crowd::behavior {
@@ -39,10 +40,10 @@ public:
 
     /// Sentences for the artist about paths and assignments that cannot be walked; those are left
     /// out. Who walks goes on where the new paths allow.
-    [[nodiscard]] std::vector<std::string> setPaths(std::span<const model::Place> places,
-                                                    std::span<const model::Path> paths);
-    [[nodiscard]] std::vector<std::string> assign(std::span<const Assignment> assignments,
-                                                  std::size_t agents);
+    [[nodiscard]] std::vector<Problem> setPaths(std::span<const model::Place> places,
+                                                std::span<const model::Path> paths);
+    [[nodiscard]] std::vector<Problem> assign(std::span<const Assignment> assignments,
+                                              std::size_t agents);
     /// What there is to walk on; null: open ground.
     void setSurface(std::shared_ptr<const WalkSurface> surface);
 
@@ -84,6 +85,8 @@ public:
         return m_walks[agent].reached;
     }
     [[nodiscard]] model::PathId pathOf(std::uint32_t agent) const;
+    /// Where those who have walked a simple path to its end stand; 0: he has not.
+    [[nodiscard]] model::PlaceId endPlace(std::uint32_t agent) const;
 
 private:
     struct Branch

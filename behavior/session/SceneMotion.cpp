@@ -59,7 +59,9 @@ std::vector<std::string> SceneMotion::problems() const
 {
     std::vector<std::string> problems;
     if (m_session) {
-        problems = m_session->warnings();
+        for (const Problem& problem : m_session->warnings()) {
+            problems.push_back(problem.text);
+        }
     }
     if (!m_surfaceProblem.empty()) {
         problems.push_back(m_surfaceProblem);

@@ -26,9 +26,8 @@ constexpr float kGroupSpread = 0.35F;    ///< metres times the root of its size
 constexpr float kSpeedSmoothing = 0.15F; ///< in 1/30 s
 constexpr float kRampShare = 0.25F;      ///< of the way to the ground's height, in 1/30 s
 constexpr int kObstacleSides = 12;
-constexpr float kExitMetres = 0.5F;  ///< who is so near to an exit is through
-constexpr float kFieldReach = 3.0F;  ///< of an attractor or repeller, times its radius
-constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who have left
+constexpr float kExitMetres = 0.5F; ///< who is so near to an exit is through
+constexpr float kFieldReach = 3.0F; ///< of an attractor or repeller, times its radius
 
 bool isSameList(const std::vector<model::TemplateEntry>& a,
                 const std::vector<model::TemplateEntry>& b)
@@ -40,6 +39,13 @@ bool isSameList(const std::vector<model::TemplateEntry>& a,
                    return x == y || (std::isnan(x) && std::isnan(y));
                });
     });
+}
+
+/// One of those that can be.
+std::uint32_t stepsOf(const model::Scene& scene)
+{
+    const auto found = std::ranges::find(model::kStepRates, scene.stepsPerSecond);
+    return found == model::kStepRates.end() ? model::kStepRates.front() : *found;
 }
 
 } // namespace
@@ -68,17 +74,24 @@ SessionPlan SessionPlan::of(const model::Scene& scene)
 
 Session::Session(const model::Scene& scene, const SessionPlan& plan)
     : m_population(scene.population), m_places(plan.places), m_paths(plan.paths),
-      m_stages(scene.stages), m_seed(scene.seed), m_stepsPerSecond(scene.stepsPerSecond),
-      m_stepSeconds(1.0F / static_cast<float>(scene.stepsPerSecond)),
+      m_stages(scene.stages), m_seed(scene.seed), m_stepsPerSecond(stepsOf(scene)),
+      m_stepSeconds(1.0F / static_cast<float>(m_stepsPerSecond)),
       m_smoothing(shareInStep(kSpeedSmoothing)), m_rampShare(shareInStep(kRampShare))
 {
+    if (m_stepsPerSecond != scene.stepsPerSecond) {
+        warn({"There cannot be " + std::to_string(scene.stepsPerSecond) +
+              " steps a second; there are as many as usual. Choose a length in the menu Play."});
+    }
     m_rules.setStepsPerSecond(m_stepsPerSecond);
     m_plannedWalls = plan.walls;
     readTemplates(scene);
-    m_warnings = m_follower.setPaths(m_places, m_paths);
+    for (Problem& problem : m_follower.setPaths(m_places, m_paths)) {
+        warn(std::move(problem));
+    }
     countGroups(m_population);
     addPeople(plan);
     m_follower.setGroups(m_population.column(model::columns::group));
+    leaveOutWhoIsNowhere();
     addBodies();
     setWalls(m_places);
     m_rules.setRules(scene);
@@ -192,11 +205,11 @@ void Session::addPeople(const SessionPlan& plan)
                                model::hashKeys(m_seed, walker.id, 31), pace});
     }
     if (missing > 0) {
-        m_warnings.push_back("Walkers that are not in the scene, or named twice. Left out: " +
-                             std::to_string(missing) + ".");
+        warn({"Walkers that are not in the scene, or named twice. Left out: " +
+              std::to_string(missing) + "."});
     }
-    for (std::string& problem : m_follower.assign(assignments, m_population.size())) {
-        m_warnings.push_back(std::move(problem));
+    for (Problem& problem : m_follower.assign(assignments, m_population.size())) {
+        warn(std::move(problem));
     }
     for (std::size_t row = 0; row < m_population.size() && plan.walkers.empty(); ++row) {
         m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(m_population, row));
@@ -253,20 +266,7 @@ void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
     m_crowd.setLevels(m_surface != nullptr);
     setWalls(m_places);
     warnOfPlaces();
-}
-
-/// Places that nobody can get to.
-void Session::warnOfPlaces()
-{
-    for (const model::Place& place : m_places) {
-        const bool isOn = !m_surface || place.role != model::PlaceRole::Spot ||
-                          m_surface->reaches(place.position, std::max(place.radius, 0.5F));
-        if (!isOn && m_surface->reaches(place.position, 30.0F)) {
-            m_warnings.push_back("Place \"" + place.name +
-                                 "\" is not on ground that people can walk on; they go as near as "
-                                 "they can. Move it.");
-        }
-    }
+    warnOfPaths();
 }
 
 void Session::adopt(const model::Scene& scene, bool arePosesKept)
@@ -299,6 +299,7 @@ void Session::adoptPaths(const model::Scene& scene)
     m_warnings = m_follower.setPaths(m_places, m_paths);
     setWalls(m_places);
     warnOfPlaces();
+    warnOfPaths();
 }
 
 /// People came or went.
@@ -340,6 +341,7 @@ void Session::adoptRows(const model::Scene& scene)
     std::ranges::set_difference(people.ids(), m_population.ids(), std::back_inserter(come));
     (void)m_population.remove(gone);
     m_population.add(people.rows(come));
+    leaveOutWhoIsNowhere();
     addBodies();
 }
 
@@ -422,12 +424,18 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         m_shown[row].seat = now.column(keys::seat)[row];
     });
     if (hasMoved) {
+        leaveOutWhoIsNowhere();
         addBodies();
     }
 }
 
 void Session::send(const std::string& event, float payload, std::vector<model::IndividualId> ids)
 {
+    if (!std::isfinite(payload)) {
+        warn({"Event \"" + event +
+              "\" came with a number that is none, and is not sent. Give it another one."});
+        return;
+    }
     glm::vec3 middle(0.0F);
     std::vector<std::uint32_t> agents;
     for (const model::IndividualId each : ids) {
@@ -473,6 +481,9 @@ void Session::step()
     });
     publishLooks();
     m_ownNumbers = m_rules.ownNumbers();
+    if (m_steps % m_stepsPerSecond == 0) {
+        warnOfCrowding();
+    }
 }
 
 /// Attractors, repellers and exits.
@@ -543,8 +554,9 @@ void Session::show(std::size_t row)
     if (shown.isGone) {
         // Out of everybody's way, spread as they were at the beginning.
         const glm::vec3 start = m_population.column(model::columns::position)[agents.agent[row]];
-        agents.x[row] = start.x;
-        agents.z[row] = start.z;
+        const bool isSomewhere = model::Bounds::isPlace(start);
+        agents.x[row] = isSomewhere ? start.x : 0.0F;
+        agents.z[row] = isSomewhere ? start.z : 0.0F;
         agents.y[row] = kGoneHeight;
         return;
     }

@@ -74,8 +74,8 @@ public:
     [[nodiscard]] SessionPosePtr pose() const;
     /// Everybody as of the last step, for the renderer.
     [[nodiscard]] model::CrowdFramePtr frame() const;
-    /// Sentences for the artist about what in the plan could not be followed.
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
+    /// What in the plan could not be followed, or came to grief.
+    [[nodiscard]] const std::vector<Problem>& warnings() const { return m_warnings; }
     [[nodiscard]] RuleEngine& rules() { return m_rules; }
 
     /// For measuring and tuning.
@@ -125,6 +125,7 @@ private:
         std::optional<float> rate;
         std::optional<double> phase; ///< at time 0
     };
+    static constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who have left
     struct ClipFacts
     {
         float seconds = 0.0F;
@@ -194,6 +195,11 @@ private:
     void addBodies();
     void setWalls(const std::vector<model::Place>& places);
     void warnOfPlaces();
+    void warnOfPaths();
+    void warnOfLeg(const model::Path& path, const model::Place& from, const model::Place& to);
+    void warnOfCrowding();
+    void warn(Problem problem);
+    void leaveOutWhoIsNowhere();
     void adoptRows(const model::Scene& scene);
     void adoptValues(const model::Scene& scene, bool arePosesKept);
     void adoptPaths(const model::Scene& scene);
@@ -234,7 +240,7 @@ private:
     bool m_areLooksStale = false;
     std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers; ///< as of the last step
     bool m_hasSat = false; ///< somebody's seat is not the scene's
-    std::vector<std::string> m_warnings;
+    std::vector<Problem> m_warnings;
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;
     std::uint32_t m_stepsPerSecond = 30;

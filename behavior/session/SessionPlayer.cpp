@@ -153,8 +153,8 @@ std::vector<RuleFired> SessionPlayer::takeLog()
 void SessionPlayer::publish(Session& session, double stepMs)
 {
     SessionPosePtr pose = session.pose();
-    std::vector<std::string> problems = session.warnings();
-    const std::vector<std::string>& ruleProblems = session.rules().problems();
+    std::vector<Problem> problems = session.warnings();
+    const std::vector<Problem>& ruleProblems = session.rules().problems();
     problems.insert(problems.end(), ruleProblems.begin(), ruleProblems.end());
     const std::vector<RuleFired> fired = session.rules().takeLog();
     const std::scoped_lock lock(m_mutex);

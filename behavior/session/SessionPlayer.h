@@ -24,7 +24,7 @@ class SessionPlayer
 public:
     struct Report
     {
-        std::vector<std::string> problems; ///< sentences for the artist
+        std::vector<Problem> problems;
         std::map<model::RuleId, std::uint64_t> fired;
         double stepMs = 0.0; ///< of the last step
     };

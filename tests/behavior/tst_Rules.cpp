@@ -178,7 +178,7 @@ void TestRules::aRuleThatRepeatsWithoutTimeIsEnded()
     session.send("spin", 0.0F, {1});
     run(session, 5);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().find("\"spin\" repeats") != std::string::npos);
+    QVERIFY(session.rules().problems().front().text.find("\"spin\" repeats") != std::string::npos);
 }
 
 void TestRules::eventsInACircleNeverCloseWithinOneStep()
@@ -298,7 +298,7 @@ void TestRules::deletedPathsAreSaidByTheRulesName()
     session.send("walk", 0.0F, {1});
     run(session, 3);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().find("\"walk\"") != std::string::npos);
+    QVERIFY(session.rules().problems().front().text.find("\"walk\"") != std::string::npos);
 }
 
 void TestRules::editsWhileItRunsTakeEffect()

@@ -413,8 +413,8 @@ void SessionTest::badPlansAreSaidAndSurvived()
     Session session(scene, plan);
     QCOMPARE(session.warnings().size(), std::size_t{5});
     const auto isSaid = [&](const char* words) {
-        return std::ranges::any_of(session.warnings(), [&](const std::string& warning) {
-            return warning.find(words) != std::string::npos;
+        return std::ranges::any_of(session.warnings(), [&](const behavior::Problem& warning) {
+            return warning.text.find(words) != std::string::npos;
         });
     };
     QVERIFY(isSaid("Place \"2\" has no position"));

@@ -137,6 +137,33 @@ class Contents(unittest.TestCase):
                 scene.set_environment(wrong)
         self.assertEqual(scene.environment, same)
 
+    def test_rules_that_repeat_draw_follow_and_change_properties(self):
+        scene = crowdbrush.Scene()
+        wanted = {
+            "stepsPerSecond": 120,
+            "numbers": [{"id": 1, "name": "hunger", "low": 0, "high": 1, "values": [[4, 2.5]]}],
+            "rules": [{"id": 1, "name": "play", "when": {"kind": "ahead free"},
+                       "if": [{"kind": "property", "property": "clip", "clip": "wave"}],
+                       "do": [{"kind": "repeat", "times": 0},
+                              {"kind": "one of", "depth": 1, "weight": 3},
+                              {"kind": "follow person", "depth": 2, "aim": "tagged", "tag": 2},
+                              {"kind": "one of", "depth": 1, "weight": 1},
+                              {"kind": "set property", "depth": 2, "property": "tint",
+                               "slot": "top", "color": "#112233", "strength": 99}]}]}
+        self.undone_and_redone(scene, lambda: scene.set_environment(wanted))
+        now = scene.environment
+        self.assertEqual(now["stepsPerSecond"], 120)
+        self.assertEqual(now["numbers"][0]["values"], [[4, 2.5]])
+        for key, value in wanted["rules"][0]["do"][4].items():
+            self.assertEqual(now["rules"][0]["do"][4][key], value)
+        for wrong, place in (({"rules": [{"id": 1, "do": [{"value": float("nan")}]}]},
+                              r"environment\.rules\[0\]\.do\[0\]\.value must be a finite"),
+                             ({"numbers": [{"id": 1, "high": float("inf")}]}, "high must be a finite"),
+                             ({"stepsPerSecond": 0}, "stepsPerSecond must be 30, 60 or 120")):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(crowdbrush.Error, place):
+                scene.set_environment(wrong)
+        self.assertEqual(scene.environment, now)
+
     def test_the_walking_style_brush(self):
         scene = crowdbrush.Scene()
         man = scene.add_template(MAN)

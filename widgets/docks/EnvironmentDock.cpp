@@ -31,6 +31,7 @@ namespace {
 enum EnvironmentItemType { KindItem = 1001, PathItem, PlaceItem };
 constexpr int kIndexRole = Qt::UserRole + 1;
 constexpr int kRedrawMs = 30;
+constexpr QColor kTroubleColor(208, 80, 64);
 
 QIcon swatch(const std::array<std::uint8_t, 3>& color)
 {
@@ -69,6 +70,12 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_note->setWordWrap(true);
     m_note->setEnabled(false);
     layout->addWidget(m_note);
+    m_problem = new QLabel(content);
+    m_problem->setObjectName(QStringLiteral("placeProblem"));
+    m_problem->setWordWrap(true);
+    m_problem->setStyleSheet(QStringLiteral("color: %1").arg(kTroubleColor.name()));
+    m_problem->hide();
+    layout->addWidget(m_problem);
     m_form = new QFormLayout;
     m_form->setContentsMargins(4, 0, 4, 0);
     layout->addLayout(m_form);
@@ -94,6 +101,8 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
                 }
             });
     connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentDock::showSelection);
+    connect(&m_state.session(), &SessionControl::problemsChanged, this,
+            &EnvironmentDock::showProblems);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &EnvironmentDock::takeSelection);
     connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         if (!m_isFilling) {
@@ -238,6 +247,7 @@ void EnvironmentDock::rebuild()
     m_note->setVisible(isEmpty);
     m_tree->setVisible(!isEmpty); // else the note would stand below an empty list
     showSelection();
+    showProblems();
 }
 
 void EnvironmentDock::addPaths()
@@ -304,6 +314,7 @@ void EnvironmentDock::showSelection()
     }
     m_isFilling = false;
     refreshForm();
+    showProblems();
 }
 
 void EnvironmentDock::takeSelection()
@@ -326,6 +337,36 @@ void EnvironmentDock::takeSelection()
     m_state.paths().select(places);
     m_state.paths().look(chosen);
     showSelection();
+}
+
+/// What a session has to say about a path or a place; empty: nothing.
+QString EnvironmentDock::problemOf(const QTreeWidgetItem& item) const
+{
+    const auto id = item.data(0, kIdRole).toUInt();
+    const bool isPath = item.type() == PathItem;
+    for (const behavior::Problem& problem : m_state.session().problems()) {
+        if (id != 0 && item.type() != KindItem && (isPath ? problem.path : problem.place) == id) {
+            return QString::fromStdString(problem.text);
+        }
+    }
+    return {};
+}
+
+/// At the paths and places, and above the form for the one that is chosen.
+void EnvironmentDock::showProblems()
+{
+    m_isFilling = true;
+    QString chosen;
+    for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
+        const QString problem = problemOf(**it);
+        (*it)->setData(0, Qt::ForegroundRole,
+                       problem.isEmpty() ? QVariant() : QVariant(QBrush(kTroubleColor)));
+        (*it)->setToolTip(0, problem);
+        chosen = chosen.isEmpty() && (*it)->isSelected() ? problem : chosen;
+    }
+    m_isFilling = false;
+    m_problem->setText(chosen);
+    m_problem->setVisible(!chosen.isEmpty());
 }
 
 void EnvironmentDock::refreshForm()

@@ -39,6 +39,8 @@ private:
     void showSelection();
     void takeSelection();
     void refreshForm();
+    [[nodiscard]] QString problemOf(const QTreeWidgetItem& item) const;
+    void showProblems();
     void rename(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
     void fillPathMenu(QMenu& menu, model::PathId path);
@@ -64,6 +66,7 @@ private:
     QComboBox* m_kind;
     QToolButton* m_color;
     QLabel* m_people;
+    QLabel* m_problem;
     BranchList* m_branches;
     QLabel* m_note;
     QFormLayout* m_form;

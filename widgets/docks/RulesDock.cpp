@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kCountMs = 250;
 constexpr std::size_t kMaxLines = 400;
+constexpr QColor kProblemColor(208, 80, 64);
 
 QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
 {
@@ -67,7 +68,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_problem = new QLabel(content);
     m_problem->setObjectName(QStringLiteral("ruleProblem"));
     m_problem->setWordWrap(true);
-    m_problem->setStyleSheet(QStringLiteral("color: #d05040"));
+    m_problem->setStyleSheet(QStringLiteral("color: %1").arg(kProblemColor.name()));
     layout->addWidget(m_problem);
     m_editorArea = new QWidget(content);
     auto* area = new QVBoxLayout(m_editorArea);
@@ -110,6 +111,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
         }
         refreshCounts();
     });
+    connect(&m_state.session(), &SessionControl::problemsChanged, this, &RulesDock::showProblems);
     connect(m_onlySelected, &QCheckBox::clicked, this, &RulesDock::showLog);
     connect(&m_state.selection(), &Selection::changed, this, &RulesDock::showLog);
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
@@ -289,11 +291,6 @@ void RulesDock::rebuildList()
         item->setData(kIdRole, rule.id);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(rule.isEnabled ? Qt::Checked : Qt::Unchecked);
-        const QString problem = ruleProblem(scene, rule);
-        if (!problem.isEmpty()) {
-            item->setForeground(QColor(208, 80, 64));
-            item->setToolTip(problem);
-        }
         if (rule.id == m_current) {
             m_list->setCurrentItem(item);
         }
@@ -302,6 +299,39 @@ void RulesDock::rebuildList()
     m_list->setVisible(!scene.rules.empty()); // else the note would stand below an empty list
     m_isFilling = false;
     refreshCounts();
+    showProblems();
+}
+
+/// What is wrong with a rule as it stands, or came to light while it runs.
+QString RulesDock::problemOf(const Rule& rule) const
+{
+    const QString problem = ruleProblem(m_state.scene(), rule);
+    if (!problem.isEmpty()) {
+        return problem;
+    }
+    const std::vector<behavior::Problem>& problems = m_state.session().problems();
+    const auto found = std::ranges::find(problems, rule.id, &behavior::Problem::rule);
+    return found == problems.end() ? QString() : QString::fromStdString(found->text);
+}
+
+/// At the rules in the list, and below it for the one that is chosen.
+void RulesDock::showProblems()
+{
+    m_isFilling = true;
+    for (int i = 0; i < m_list->count(); ++i) {
+        QListWidgetItem* item = m_list->item(i);
+        const auto& rules = m_state.scene().rules;
+        const auto rule = std::ranges::find(rules, item->data(kIdRole).toUInt(), &Rule::id);
+        const QString problem = rule == rules.end() ? QString() : problemOf(*rule);
+        item->setData(Qt::ForegroundRole,
+                      problem.isEmpty() ? QVariant() : QVariant(QBrush(kProblemColor)));
+        item->setToolTip(problem);
+    }
+    m_isFilling = false;
+    const Rule* rule = current();
+    const QString problem = rule == nullptr ? QString() : problemOf(*rule);
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
 }
 
 void RulesDock::refreshCounts()
@@ -336,11 +366,6 @@ void RulesDock::refreshCounts()
     }
     if (!fired.empty()) {
         showLog();
-    }
-    const std::vector<std::string> problems = m_state.session().problems();
-    if (!problems.empty()) {
-        m_problem->setText(QString::fromStdString(problems.front()));
-        m_problem->show();
     }
 }
 
@@ -377,7 +402,7 @@ void RulesDock::rebuildEditor()
     delete m_editor;
     m_editor = nullptr;
     const Rule* rule = current();
-    m_problem->setVisible(false);
+    showProblems();
     if (rule == nullptr) {
         return;
     }
@@ -390,9 +415,6 @@ void RulesDock::rebuildEditor()
     if (focused >= 0 && focused < fields.size()) {
         fields[focused]->setFocus(Qt::TabFocusReason); // where the artist has gone on to
     }
-    const QString problem = ruleProblem(m_state.scene(), shown);
-    m_problem->setText(problem);
-    m_problem->setVisible(!problem.isEmpty());
     m_isFilling = false;
 }
 

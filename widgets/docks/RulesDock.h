@@ -35,6 +35,8 @@ private:
     void rebuildEditor();
     [[nodiscard]] qsizetype focusedField() const;
     void refreshCounts();
+    [[nodiscard]] QString problemOf(const model::Rule& rule) const;
+    void showProblems();
     void takeOrder();
     void setRules(std::vector<model::Rule> rules, const QString& undoText);
     void change(const Change& apply);

@@ -90,7 +90,12 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
     : QObject(parent), m_document(document), m_transport(transport),
       m_player(std::make_unique<behavior::SessionPlayer>([this] {
           QMetaObject::invokeMethod(
-              this, [this] { Q_EMIT stepped(); }, Qt::QueuedConnection);
+              this,
+              [this] {
+                  followProblems();
+                  Q_EMIT stepped();
+              },
+              Qt::QueuedConnection);
       })),
       m_surface(std::make_unique<Surface>())
 {
@@ -243,6 +248,7 @@ void SessionControl::start()
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
     m_frame.reset();
+    followProblems();
     Q_EMIT stateChanged();
 }
 
@@ -251,6 +257,7 @@ void SessionControl::drop()
     if (isRunning()) {
         m_player->stop();
         m_frame.reset();
+        followProblems();
         Q_EMIT stateChanged();
     }
 }
@@ -338,9 +345,16 @@ std::vector<model::IndividualId> SessionControl::lit() const
     return m_player->lit();
 }
 
-std::vector<std::string> SessionControl::problems() const
+void SessionControl::followProblems()
 {
-    return m_player->report().problems;
+    std::vector<behavior::Problem> now;
+    if (isRunning()) {
+        now = m_player->report().problems;
+    }
+    if (now != m_problems) {
+        m_problems = std::move(now);
+        Q_EMIT problemsChanged();
+    }
 }
 
 std::uint64_t SessionControl::firedCount(model::RuleId rule) const

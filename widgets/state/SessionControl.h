@@ -9,6 +9,7 @@
 #include <QtCore/QString>
 #include <QtCore/QTimer>
 
+#include "behavior/session/Problem.h"
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
@@ -52,8 +53,8 @@ public:
     void pose(model::CrowdFrame& frame) const;
     /// For whom a rule has just fired; ascending.
     [[nodiscard]] std::vector<model::IndividualId> lit() const;
-    /// What the session has to say: sentences for the artist.
-    [[nodiscard]] std::vector<std::string> problems() const;
+    /// What the session has to say to the artist, as of its last step.
+    [[nodiscard]] const std::vector<behavior::Problem>& problems() const { return m_problems; }
     [[nodiscard]] std::uint64_t firedCount(model::RuleId rule) const;
     [[nodiscard]] std::vector<behavior::RuleFired> takeLog();
     /// Milliseconds that the last step took.
@@ -73,6 +74,8 @@ Q_SIGNALS:
     /// The surface is being built, or is done.
     void surfaceChanged();
     void posesKept(int people);
+    /// The session has something else to say than before.
+    void problemsChanged();
 
 private:
     struct Surface;
@@ -85,12 +88,14 @@ private:
     void buildSurface();
     void takeSurface();
     void followWays();
+    void followProblems();
 
     model::SceneDocument& m_document;
     Transport& m_transport;
     std::unique_ptr<behavior::SessionPlayer> m_player;
     std::unique_ptr<Surface> m_surface;
     QString m_surfaceProblem;
+    std::vector<behavior::Problem> m_problems;
     QTimer m_hand;                       ///< the edits of one stroke's moment go together
     QTimer m_progress;                   ///< while the surface is built
     QTimer m_ways;                       ///< until areas that are being changed come to rest

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "model/scene/Path.h"
+#include "model/scene/Rule.h"
+
+namespace crowd::behavior {
+
+/// What the artist should know about a session: a sentence, and what of the scene it is about.
+struct Problem
+{
+    std::string text;
+    model::RuleId rule = 0; ///< 0: no rule; so for the others
+    model::PlaceId place = 0;
+    model::PathId path = 0;
+    friend bool operator==(const Problem&, const Problem&) = default;
+};
+
+} // namespace crowd::behavior

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "behavior/rules/PlaceRooms.h"
+#include "behavior/session/Session.h"
+#include "behavior/surface/WalkSurface.h"
+
+/// What the artist should know about places, paths and people while a session runs.
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kSearchMetres = 30.0F;    ///< for ground near a place
+constexpr float kLeastReach = 0.5F;       ///< metres around a place
+constexpr float kDetourShare = 1.1F;      ///< of the straight way, from which it is one
+constexpr float kDetourMetres = 1.0F;     ///< longer than the straight way
+constexpr float kCrowdedPerMetre2 = 5.0F; ///< people; more do not fit
+constexpr std::uint32_t kAFew = 10;
+
+float lengthOf(const std::vector<glm::vec2>& way, glm::vec2 at)
+{
+    float length = 0.0F;
+    for (const glm::vec2& corner : way) {
+        length += glm::distance(at, corner);
+        at = corner;
+    }
+    return length;
+}
+
+} // namespace
+
+void Session::warn(Problem problem)
+{
+    if (std::ranges::find(m_warnings, problem) == m_warnings.end()) {
+        m_warnings.push_back(std::move(problem));
+    }
+}
+
+/// Places that nobody can get to.
+void Session::warnOfPlaces()
+{
+    for (const model::Place& place : m_places) {
+        const bool isOn = !m_surface || place.role != model::PlaceRole::Spot ||
+                          m_surface->reaches(place.position, std::max(place.radius, kLeastReach));
+        const glm::vec3 below(place.position.x, 0.0F, place.position.z);
+        if (!isOn && (m_surface->reaches(place.position, kSearchMetres) ||
+                      m_surface->reaches(below, kSearchMetres))) {
+            warn({"Place \"" + place.name +
+                      "\" is not on ground that people can walk on; they go as near as they can. "
+                      "Move it.",
+                  0, place.id});
+        }
+    }
+}
+
+/// Paths whose places have walls between them.
+void Session::warnOfPaths()
+{
+    const auto placeOf = [this](model::PlaceId id) {
+        const auto found = std::ranges::find(m_places, id, &model::Place::id);
+        return found == m_places.end() ? nullptr : &*found;
+    };
+    for (const model::Path& path : m_paths) {
+        const bool isRound = path.kind == model::PathKind::Cyclic;
+        for (std::size_t i = 0; m_surface && i + (isRound ? 0 : 1) < path.places.size(); ++i) {
+            const model::Place* from = placeOf(path.places[i]);
+            const model::Place* to = placeOf(path.places[(i + 1) % path.places.size()]);
+            if (from != nullptr && to != nullptr && from != to) {
+                warnOfLeg(path, *from, *to);
+            }
+        }
+    }
+}
+
+void Session::warnOfLeg(const model::Path& path, const model::Place& from, const model::Place& to)
+{
+    const std::vector<glm::vec2> way = m_surface->way(from.position, to.position);
+    if (way.empty()) {
+        return; // it is the place that is somewhere else
+    }
+    const glm::vec2 start(from.position.x, from.position.z);
+    const glm::vec2 end(to.position.x, to.position.z);
+    const std::string between =
+        "Path \"" + path.name + "\": between \"" + from.name + "\" and \"" + to.name + "\" ";
+    const float straight = glm::distance(start, end);
+    const float length = lengthOf(way, start);
+    if (glm::distance(way.back(), end) > std::max(to.radius, kLeastReach)) {
+        warn({between + "no way leads; people go as near as they can. Move one of them, or lead "
+                        "the path around what is between.",
+              0, 0, path.id});
+    } else if (way.size() > 1 && length > straight * kDetourShare &&
+               length > straight + kDetourMetres) {
+        warn({between + "there is a wall; people go around it. Add places where they should go.", 0,
+              0, path.id});
+    }
+}
+
+/// More people than can stand in a place are sent to it, or have come to the end of a path there.
+void Session::warnOfCrowding()
+{
+    std::map<model::PlaceId, std::uint32_t> guests;
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        const model::PlaceId held = m_rules.heldPlace(agent);
+        const model::PlaceId place = held != 0 ? held : m_follower.endPlace(agent);
+        if (place != 0 && !m_shown[agent].isGone) {
+            ++guests[place];
+        }
+    }
+    for (const auto& [id, count] : guests) {
+        const auto place = std::ranges::find(m_places, id, &model::Place::id);
+        if (place == m_places.end() || place->role == model::PlaceRole::Exit) {
+            continue;
+        }
+        const float area = 3.14159265F * place->radius * place->radius;
+        const bool isKnown = std::ranges::any_of(m_warnings, [id = id](const Problem& problem) {
+            return problem.place == id && problem.text.find("people want") != std::string::npos;
+        });
+        if (!isKnown && static_cast<float>(count) > area * kCrowdedPerMetre2 + kAFew) {
+            warn({"Place \"" + place->name + "\": " + std::to_string(count) +
+                      " people want to stand there, " + std::to_string(model::roomOf(*place)) +
+                      " have room. Make it larger, or send them to several places.",
+                  0, id});
+        }
+    }
+}
+
+/// Whoever has no position stays out of it: one that is not a number would spread to all others.
+void Session::leaveOutWhoIsNowhere()
+{
+    std::size_t lost = 0;
+    for (Shown& shown : m_shown) {
+        if (!model::Bounds::isPlace(shown.position) || !std::isfinite(shown.heading)) {
+            shown.position = {0.0F, kGoneHeight, 0.0F};
+            shown.heading = 0.0F;
+            shown.isGone = true;
+            shown.isLive = true;
+            ++lost;
+        }
+    }
+    if (lost > 0) {
+        warn({"People without a position, left out: " + std::to_string(lost) +
+              ". Delete them, or give them one."});
+    }
+}
+
+} // namespace crowd::behavior
