@@ -9,6 +9,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Rules
     tst_Session
     tst_SessionPlayer
+    tst_SessionSteps
     tst_Validation
     tst_WalkSurface
 )

@@ -107,6 +107,8 @@ private Q_SLOTS:
     void whoLeftComesBackWhereARuleSays();
     void leavingAtAPlaceGoesThereFirst();
     void aFullPlaceIsFull();
+    void roomThatIsNotStatedIsThatOfTheArea_data();
+    void roomThatIsNotStatedIsThatOfTheArea();
     void freePlacesAreTakenByOneEach();
     void aQueueMovesUpAndIsServed();
     void peopleSitOnTheNearestFreeSeats();
@@ -415,6 +417,43 @@ void TestRuleActions::aFullPlaceIsFull()
     QVERIFY(hasTag(session, 0, 3) && !hasTag(session, 0, 4)); // three are in the hall too
 }
 
+/// Two on a square metre, but one where people line up.
+void TestRuleActions::roomThatIsNotStatedIsThatOfTheArea_data()
+{
+    QTest::addColumn<int>("choice");
+    QTest::addColumn<std::uint32_t>("capacity");
+    QTest::addColumn<std::size_t>("inside");
+    const auto row = [](const char* name, model::PlaceChoice choice, std::uint32_t capacity,
+                        std::size_t inside) {
+        QTest::newRow(name) << static_cast<int>(choice) << capacity << inside;
+    };
+    row("a circle of 1 m", model::PlaceChoice::NearestFree, 0, 6);
+    row("one that says two", model::PlaceChoice::NearestFree, 2, 2);
+    row("in a line", model::PlaceChoice::FirstFree, 0, 1);
+    row("in a line of pairs", model::PlaceChoice::FirstFree, 2, 2);
+}
+
+void TestRuleActions::roomThatIsNotStatedIsThatOfTheArea()
+{
+    QFETCH(const int, choice);
+    QFETCH(const std::uint32_t, capacity);
+    QFETCH(const std::size_t, inside);
+    model::Scene scene = rowOf(9);
+    scene.places = {{1, "hall", {8.0F, 0.0F, 6.0F}, 1.0F}};
+    scene.places[0].capacity = capacity;
+    Action go = action(ActionKind::GoToPlace);
+    go.choice = static_cast<model::PlaceChoice>(choice);
+    scene.rules = {onEvent("in", {go})};
+    Session session(scene);
+    session.send("in", 0.0F, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+    run(session, 600);
+    std::size_t there = 0;
+    for (std::size_t row = 0; row < 9; ++row) {
+        there += placeOf(session, row).z > 4.0F ? 1 : 0;
+    }
+    QCOMPARE(there, inside);
+}
+
 void TestRuleActions::freePlacesAreTakenByOneEach()
 {
     model::Scene scene = rowOf(6);
@@ -483,6 +522,9 @@ void TestRuleActions::aQueueMovesUpAndIsServed()
     QCOMPARE(order.size(), std::size_t{5});
     QVERIFY2(nearest > 0.35F, QByteArray::number(nearest));
     QVERIFY(session.rules().problems().empty());
+    // Each time that one has been served all behind him move up by one, and nothing else is logged.
+    QCOMPARE(session.rules().count(3), std::uint64_t{4 + 3 + 2 + 1});
+    QCOMPARE(session.rules().takeLog().size(), std::size_t{5 + 5 + 10});
 }
 
 void TestRuleActions::peopleSitOnTheNearestFreeSeats()

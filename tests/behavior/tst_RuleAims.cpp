@@ -188,7 +188,10 @@ void TestRuleAims::goingToSomebodyEndsBesideHim()
     QVERIFY(!isMarked(session, 0, 1));
     QVERIFY(isMarked(session, 4, 1)); // there is no other one
     run(session, 300);
-    for (int i = 0; i < 30; ++i) { qWarning("%g %g", (double)placeOf(session,0).x, (double)placeOf(session,0).z); run(session, 30);}
+    for (int i = 0; i < 30; ++i) {
+        qWarning("%g %g", (double)placeOf(session, 0).x, (double)placeOf(session, 0).z);
+        run(session, 30);
+    }
     QVERIFY(isMarked(session, 0, 1));
     QVERIFY(between(session, 0, 4) < 1.8F);
     QVERIFY(pastBy(session, 0, placeOf(session, 4)) < 0.3F);

@@ -4,6 +4,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_DockControls
     tst_Docks
     tst_IndividualDock
+    tst_KeepPose
     tst_PickDrag
     tst_RulePanel
     tst_ToolController

@@ -369,6 +369,11 @@ std::vector<behavior::RuleFired> SessionControl::takeLog()
     return m_player->takeLog();
 }
 
+double SessionControl::availableSeconds() const
+{
+    return m_player->available();
+}
+
 double SessionControl::stepMs() const
 {
     return m_player->report().stepMs;

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] const std::vector<behavior::Problem>& problems() const { return m_problems; }
     [[nodiscard]] std::uint64_t firedCount(model::RuleId rule) const;
     [[nodiscard]] std::vector<behavior::RuleFired> takeLog();
+    /// Time of the last step that is done, of the transport.
+    [[nodiscard]] double availableSeconds() const;
     /// Milliseconds that the last step took.
     [[nodiscard]] double stepMs() const;
 
