@@ -32,6 +32,10 @@ public:
     EnvironmentDock(EditorState& state, QWidget* parent);
 
 private:
+    /// Of items in the tree, and where the place of a path is in it.
+    enum ItemType { KindItem = 1001, PathItem, PlaceItem };
+    static constexpr int kIndexRole = Qt::UserRole + 1;
+
     void buildForm(QFormLayout* form);
     void rebuild();
     void addPaths();

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "behavior/session/Session.h"
+
+/// Edits of the scene while a session runs.
+namespace crowd::behavior {
+
+namespace {
+
+bool isSameList(const std::vector<model::TemplateEntry>& a,
+                const std::vector<model::TemplateEntry>& b)
+{
+    return std::ranges::equal(a, b, [](const auto& left, const auto& right) {
+        return left.id == right.id && left.asset == right.asset &&
+               left.clipNames == right.clipNames &&
+               std::ranges::equal(left.clipSpeeds, right.clipSpeeds, [](float x, float y) {
+                   return x == y || (std::isnan(x) && std::isnan(y));
+               });
+    });
+}
+
+} // namespace
+
+void Session::adopt(const model::Scene& scene, bool arePosesKept)
+{
+    if (!isSameList(*m_templates, scene.templates)) {
+        readTemplates(scene);
+    }
+    adoptPaths(scene);
+    countGroups(scene.population);
+    if (!std::ranges::equal(m_population.ids(), scene.population.ids())) {
+        adoptRows(scene);
+    }
+    adoptValues(scene, arePosesKept);
+    m_population = scene.population;
+    m_follower.setGroups(m_population.column(model::columns::group));
+    m_stages = scene.stages;
+    m_seats.clear(); // read anew when somebody wants one
+    publishLooks();
+    m_rules.setRules(scene);
+    m_ownNumbers = m_rules.ownNumbers();
+}
+
+void Session::adoptPaths(const model::Scene& scene)
+{
+    if (m_places == scene.places && m_paths == scene.paths) {
+        return;
+    }
+    m_places = scene.places;
+    m_paths = scene.paths;
+    m_warnings = m_follower.setPaths(m_places, m_paths);
+    setWalls(m_places);
+    warnOfPlaces();
+    warnOfPaths();
+}
+
+/// People came or went.
+void Session::adoptRows(const model::Scene& scene)
+{
+    const model::Population& people = scene.population;
+    std::vector<std::uint32_t> keep(people.size(), PathFollower::kNobody);
+    std::vector<Shown> shown(people.size());
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        const std::size_t former = m_population.rowOf(people.ids()[row]);
+        if (former != model::Population::npos) {
+            keep[row] = static_cast<std::uint32_t>(former);
+            shown[row] = m_shown[former];
+        } else {
+            shown[row] = shownFrom(people, row);
+        }
+    }
+    m_shown = std::move(shown);
+    m_sitters.clear();
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        if (m_shown[agent].sitting == Sitting::Goes || m_shown[agent].sitting == Sitting::Settles) {
+            m_sitters.push_back(agent);
+        }
+    }
+    m_follower.rearrange(keep);
+    m_rules.setPeople(people, keep);
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (keep[row] == PathFollower::kNobody) {
+            const PathFollower::Assignment walk = walkOf(people, row);
+            if (walk.path != 0) {
+                m_follower.follow(walk);
+            }
+        }
+    }
+    // From here on the former values of the rows are those of the same people.
+    std::vector<model::IndividualId> gone;
+    std::ranges::set_difference(m_population.ids(), people.ids(), std::back_inserter(gone));
+    std::vector<model::IndividualId> come;
+    std::ranges::set_difference(people.ids(), m_population.ids(), std::back_inserter(come));
+    (void)m_population.remove(gone);
+    m_population.add(people.rows(come));
+    leaveOutWhoIsNowhere();
+    addBodies();
+}
+
+/// Values that an edit changed since the last look at the scene.
+void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+{
+    namespace keys = model::columns;
+    const model::Population& now = scene.population;
+    const auto isOther = [&](const auto& key) {
+        return now.columnBytes(key.id).data() != m_population.columnBytes(key.id).data();
+    };
+    bool hasMoved = false;
+    const auto each = [&](const auto& key, const auto& act) {
+        if (!isOther(key)) {
+            return; // shared: nobody wrote
+        }
+        const auto before = m_population.column(key);
+        const auto after = now.column(key);
+        for (std::size_t row = 0; row < after.size(); ++row) {
+            if (!(before[row] == after[row])) {
+                act(row);
+            }
+        }
+    };
+    if (!arePosesKept) {
+        each(keys::position, [&](std::size_t row) {
+            m_shown[row].position = now.column(keys::position)[row];
+            m_shown[row].speed = 0.0F;
+            hasMoved = true;
+        });
+        each(keys::heading,
+             [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
+    }
+    each(keys::path, [&](std::size_t row) {
+        const glm::vec2 at(m_shown[row].position.x, m_shown[row].position.z);
+        m_follower.follow(walkOf(now, row), &at);
+    });
+    each(keys::walkSpeed, [&](std::size_t row) {
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+    });
+    each(keys::tags, [&](std::size_t row) {
+        // Only those that the edit is about: rules may have changed others.
+        const std::uint64_t after = now.column(keys::tags)[row];
+        const std::uint64_t edited = after ^ m_population.column(keys::tags)[row];
+        const auto agent = static_cast<std::uint32_t>(row);
+        const std::uint64_t tags = (m_rules.tags(agent) & ~edited) | (after & edited);
+        m_rules.setTags(agent, tags);
+        noteTags(agent, tags);
+    });
+    each(keys::height, [&](std::size_t row) {
+        m_shown[row].height = now.column(keys::height)[row];
+        forgetLook(static_cast<std::uint32_t>(row), keys::height.id);
+    });
+    for (int slot = 0; slot < 8; ++slot) {
+        each(keys::tint(slot), [&](std::size_t row) {
+            forgetLook(static_cast<std::uint32_t>(row), keys::tint(slot).id);
+        });
+    }
+    each(keys::clip,
+         [&](std::size_t row) { forgetLook(static_cast<std::uint32_t>(row), keys::clip.id); });
+    each(keys::phase,
+         [&](std::size_t row) { forgetLook(static_cast<std::uint32_t>(row), keys::phase.id); });
+    each(keys::playbackSpeed, [&](std::size_t row) {
+        forgetLook(static_cast<std::uint32_t>(row), keys::playbackSpeed.id);
+    });
+    each(keys::templateId, [&](std::size_t row) {
+        m_shown[row].table = shownFrom(now, row).table;
+        m_shown[row].style = styleOf(now, row, m_shown[row].table);
+        m_shown[row].gait = 0;
+        m_shown[row].order = -1;
+        m_shown[row].base = -1;
+    });
+    each(keys::walkStyle,
+         [&](std::size_t row) { m_shown[row].style = styleOf(now, row, m_shown[row].table); });
+    each(keys::seat, [&](std::size_t row) {
+        if (!arePosesKept) {
+            m_shown[row].base = -1;
+            m_shown[row].sitting = Sitting::No;
+        }
+        m_shown[row].seat = now.column(keys::seat)[row];
+    });
+    if (hasMoved) {
+        leaveOutWhoIsNowhere();
+        addBodies();
+    }
+}
+
+} // namespace crowd::behavior

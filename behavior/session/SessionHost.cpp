@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "behavior/session/Session.h"
+#include "behavior/surface/WalkSurface.h"
+
+/// What rules ask of people in a session and let them do.
+namespace crowd::behavior {
+
+glm::vec3 Session::position(std::uint32_t agent) const
+{
+    return m_shown[agent].position;
+}
+
+model::IndividualId Session::id(std::uint32_t agent) const
+{
+    return m_population.ids()[agent];
+}
+
+model::TemplateId Session::templateOf(std::uint32_t agent) const
+{
+    return m_population.column(model::columns::templateId)[agent];
+}
+
+std::uint32_t Session::group(std::uint32_t agent) const
+{
+    return m_population.column(model::columns::group)[agent];
+}
+
+bool Session::isSeated(std::uint32_t agent) const
+{
+    const Shown& shown = m_shown[agent];
+    return shown.seat != model::kNoSeat &&
+           (shown.sitting == Sitting::No || shown.sitting == Sitting::Sits);
+}
+
+bool Session::isGone(std::uint32_t agent) const
+{
+    return m_shown[agent].isGone;
+}
+
+model::PathId Session::pathOf(std::uint32_t agent) const
+{
+    return m_follower.pathOf(agent);
+}
+
+std::uint8_t Session::happenings(std::uint32_t agent) const
+{
+    return m_follower.happenings(agent);
+}
+
+model::PlaceId Session::reachedPlace(std::uint32_t agent) const
+{
+    return m_follower.reachedPlace(agent);
+}
+
+float Session::play(std::uint32_t agent, const std::string& clip, bool isLooped)
+{
+    Shown& shown = m_shown[agent];
+    if (shown.table >= m_templates->size()) {
+        return -1.0F;
+    }
+    const std::vector<std::string>& names = (*m_templates)[shown.table].clipNames;
+    const auto found = std::ranges::find(names, clip);
+    if (found == names.end()) {
+        return -1.0F;
+    }
+    shown.order = static_cast<int>(found - names.begin());
+    shown.isOrderLooped = isLooped;
+    shown.isOrderOwn = false;
+    shown.orderPlace = 0.0;
+    shown.isLive = true;
+    return std::max(0.1F, clipFacts(shown, shown.order)->seconds);
+}
+
+void Session::endClip(std::uint32_t agent)
+{
+    m_shown[agent].order = -1;
+}
+
+bool Session::follow(std::uint32_t agent, model::PathId path)
+{
+    leaveSeat(agent);
+    const glm::vec2 at(m_shown[agent].position.x, m_shown[agent].position.z);
+    PathFollower::Assignment walk = walkOf(m_population, agent);
+    walk.path = path;
+    walk.metresPerSecond = m_follower.pace(agent);
+    return m_follower.follow(walk, &at);
+}
+
+void Session::sendTo(std::uint32_t agent, const glm::vec3& point)
+{
+    leaveSeat(agent);
+    m_follower.sendTo(agent, point);
+}
+
+void Session::stop(std::uint32_t agent)
+{
+    m_follower.stop(agent);
+}
+
+void Session::goOn(std::uint32_t agent)
+{
+    if (m_follower.pathOf(agent) != 0) {
+        leaveSeat(agent);
+    }
+    m_follower.goOn(agent);
+}
+
+void Session::setPace(std::uint32_t agent, float metresPerSecond)
+{
+    if (std::isfinite(metresPerSecond)) {
+        m_follower.setPace(agent, std::clamp(metresPerSecond, 0.0F, model::kMaxWalkingSpeed));
+    }
+}
+
+void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
+{
+    Shown& shown = m_shown[agent];
+    const glm::vec3 way = point - shown.position;
+    if (way.x * way.x + way.z * way.z > 1e-4F) {
+        shown.facing = std::atan2(way.x, way.z);
+        shown.isTurning = true;
+    }
+}
+
+void Session::leave(std::uint32_t agent)
+{
+    leaveSeat(agent);
+    m_shown[agent].isGone = true;
+    m_shown[agent].isLive = true;
+    m_shown[agent].position.y = kGoneHeight;
+    m_follower.stop(agent);
+    m_crowd.setLevels(true);
+}
+
+float Session::speed(std::uint32_t agent) const
+{
+    return m_shown[agent].speed;
+}
+
+void Session::appear(std::uint32_t agent, const glm::vec3& point)
+{
+    leaveSeat(agent);
+    Shown& shown = m_shown[agent];
+    shown.isGone = false;
+    shown.isLive = true;
+    shown.isPut = true;
+    shown.hasLast = false;
+    shown.fadeBegin = -1.0;
+    shown.speed = 0.0F;
+    shown.gait = 0;
+    shown.position = point;
+    if (m_surface) {
+        shown.position.y = m_surface->height(point.x, point.z, point.y);
+    }
+    m_follower.stop(agent);
+    m_follower.forgetWay(agent);
+}
+
+} // namespace crowd::behavior
