@@ -5,6 +5,7 @@
 
 #include "behavior/rules/RuleEngine.h"
 #include "behavior/session/PathFollower.h"
+#include "model/base/Random.h"
 
 /// What people do about somebody or something: run from it, turn to it, go there, follow, look.
 namespace crowd::behavior {
@@ -16,6 +17,9 @@ constexpr double kSecondsBetweenLooks = 0.2; ///< at where the other one is now
 constexpr float kLeastDistance = 0.6F;       ///< metres between two who stand together
 constexpr float kAimsAnew = 0.3F;            ///< metres that the other one has gone on
 constexpr float kSetsOutAgain = 0.5F;        ///< metres beyond the distance that is kept
+constexpr float kBeside = 0.35F;             ///< metres: not all to the same point
+constexpr double kPatienceSeconds = 5.0;     ///< without getting on
+constexpr float kGetsOnAbove = 0.15F;        ///< m/s
 
 } // namespace
 
@@ -121,6 +125,7 @@ bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Acti
         mind.partner = 0;
         mind.isNear = true; // stands, until he sets out
         mind.aimedAt = glm::vec3(std::numeric_limits<float>::max());
+        mind.movedAt = m_now;
         mind.goal = 0;
         hold(agent, 0);
     } else if (m_now >= mind.until) {
@@ -161,8 +166,17 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
         host.turnTo(agent, aim->point); // once he stands: who moves looks ahead
         return !isFollowing && host.speed(agent) < kGetsOnAbove;
     }
+    if (host.speed(agent) > kGetsOnAbove) {
+        mind.movedAt = m_now;
+    } else if (!isFollowing && m_now > mind.movedAt + kPatienceSeconds) {
+        host.stop(agent);
+        return true; // nobody gets through
+    }
     if (mind.isNear || flatDistance(mind.aimedAt, aim->point) > kAimsAnew) {
-        host.sendTo(agent, aim->point);
+        const float angle =
+            kAllRound * model::unitFloat(model::hashKeys(m_seed, host.id(agent), 84));
+        host.sendTo(agent,
+                    aim->point + kBeside * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
         mind.aimedAt = aim->point;
         mind.isNear = false;
     }

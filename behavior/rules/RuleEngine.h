@@ -164,6 +164,7 @@ private:
         glm::vec3 aimedAt{0.0F};
         double nextLook = 0.0; ///< seconds
         bool isNear = false;
+        double movedAt = 0.0; ///< seconds
     };
     /// What a rule knows of each individual.
     struct Memory
