@@ -28,6 +28,8 @@ model::Scene changeable()
     auto asset = std::make_shared<model::Template>(*scene.templates.front().asset);
     asset->slots.emplace_back().name = "top";
     scene.templates.front().asset = asset;
+    scene.templates.front().path = "builtin:templates/actor.glb"; // to be written
+    scene.nextId = 4;
     scene.numbers = {{kHunger, "hunger", 1.0F, 1.0F}, {3, "thirst", 0.0F, 5.0F}};
     Action tint = action(ActionKind::SetProperty);
     tint.tint = {10, 20, 30, 200};
@@ -51,7 +53,8 @@ model::Scene changeable()
 
 std::string bytesOf(const model::SceneDocument& document)
 {
-    return model::projectToText(document.scene()).value();
+    const auto text = model::projectToText(document.scene());
+    return text ? text.value() : "refused: " + text.error().message;
 }
 
 struct Stage

@@ -25,6 +25,7 @@ template<class Widget>
 Widget* shown(RulesDesk& desk, const char* name)
 {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::processEvents(); // what is new is shown
     for (Widget* widget : desk.all<Widget>()) {
         if (widget->objectName() == QLatin1String(name)) {
             return widget;
@@ -41,6 +42,7 @@ void activate(QComboBox& box, int index)
 
 void press(RulesDesk& desk, const char* name, int which = 0)
 {
+    (void)shown<QWidget>(desk, "");
     QList<QToolButton*> buttons;
     for (QToolButton* button : desk.all<QToolButton>()) {
         if (button->objectName() == QLatin1String(name)) {

@@ -70,7 +70,10 @@ void CueBar::rebuild()
     add->setToolTip(tr("A button, with a key if you like, that lets an event happen to people"));
     add->setAutoRaise(true);
     connect(add, &QToolButton::clicked, this, &CueBar::addCue);
-    m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow);
+    m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow, Qt::AlignLeft);
+    for (int column = 0; column < kCuesInARow; ++column) {
+        m_grid->setColumnStretch(column, 1); // one alone is no wider than one of several
+    }
     showForm();
 }
 

@@ -46,6 +46,29 @@ void setKind(Action& action, ActionKind kind)
     }
 }
 
+/// What they do with their bodies, where they go, in which order and when, what becomes of them.
+std::vector<std::vector<int>> actionGroups()
+{
+    const std::vector<std::vector<ActionKind>> kinds{
+        {ActionKind::PlayClip, ActionKind::TurnTo, ActionKind::LookAt, ActionKind::SitDown,
+         ActionKind::StandUp},
+        {ActionKind::FollowPath, ActionKind::GoToPlace, ActionKind::GoToPerson, ActionKind::Follow,
+         ActionKind::Flee, ActionKind::Stop, ActionKind::GoOn, ActionKind::SetSpeed},
+        {ActionKind::Wait, ActionKind::WaitForEvent, ActionKind::Repeat, ActionKind::OneOf,
+         ActionKind::Again},
+        {ActionKind::SendEvent, ActionKind::AddTag, ActionKind::RemoveTag, ActionKind::SetProperty,
+         ActionKind::SetNumber, ActionKind::AddToNumber},
+        {ActionKind::Appear, ActionKind::LeaveScene}};
+    std::vector<std::vector<int>> groups;
+    for (const std::vector<ActionKind>& group : kinds) {
+        std::vector<int>& indices = groups.emplace_back();
+        for (const ActionKind kind : group) {
+            indices.push_back(static_cast<int>(kind));
+        }
+    }
+    return groups;
+}
+
 } // namespace
 
 QString RuleEditor::wordBefore(std::size_t index) const
@@ -63,12 +86,13 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
     m_depth = action.depth;
     QHBoxLayout* row = rowIn(layout);
     row->addWidget(new QLabel(wordBefore(index)));
-    addChoiceField(row, actionNames(), static_cast<int>(action.kind), [this, index](int kind) {
-        m_apply([&](Rule& each) {
-            setKind(each.actions[index], static_cast<ActionKind>(kind));
-            model::settleDepths(each.actions); // nothing belongs to it any more
-        });
-    });
+    addGroupedField(row, actionNames(), actionGroups(), static_cast<int>(action.kind),
+                    [this, index](int kind) {
+                        m_apply([&](Rule& each) {
+                            setKind(each.actions[index], static_cast<ActionKind>(kind));
+                            model::settleDepths(each.actions); // nothing may belong to it now
+                        });
+                    });
     const auto addMove = [&](Qt::ArrowType arrow, const QString& tip,
                              void (*shift)(model::Actions&, std::size_t)) {
         model::Actions moved = m_rule.actions;
@@ -300,6 +324,7 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         QHBoxLayout* row = indentedRowIn(layout);
         row->addWidget(new QLabel(tr("up to")));
         addNumber(row, index, &Action::metres, 0.0, 100.0, tr(" m"));
+        row->itemAt(row->count() - 1)->widget()->setToolTip(tr("How near they come"));
         addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"),
                   action.kind == ActionKind::Follow ? tr("until something else comes")
                                                     : tr("however long"));

@@ -63,7 +63,29 @@ void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
     box->setMinimumContentsLength(2);
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(box, 1);
-    QObject::connect(box, &QComboBox::activated, box, changed);
+    if (changed) {
+        QObject::connect(box, &QComboBox::activated, box, changed);
+    }
+}
+
+void addGroupedField(QHBoxLayout* row, const QStringList& names,
+                     const std::vector<std::vector<int>>& groups, int index,
+                     const std::function<void(int)>& changed)
+{
+    addChoiceField(row, {}, -1, {});
+    auto* box = qobject_cast<QComboBox*>(row->itemAt(row->count() - 1)->widget());
+    for (const std::vector<int>& group : groups) {
+        if (box->count() > 0) {
+            box->insertSeparator(box->count());
+        }
+        for (const int each : group) {
+            box->addItem(names[each], each);
+        }
+    }
+    box->setCurrentIndex(box->findData(index));
+    box->setMaxVisibleItems(box->count());
+    QObject::connect(box, &QComboBox::activated, box,
+                     [box, changed](int at) { changed(box->itemData(at).toInt()); });
 }
 
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,

@@ -15,6 +15,10 @@ namespace crowd::widgets {
 
 void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
                     const std::function<void(int)>& changed);
+/// The same in groups of indices with lines between them.
+void addGroupedField(QHBoxLayout* row, const QStringList& names,
+                     const std::vector<std::vector<int>>& groups, int index,
+                     const std::function<void(int)>& changed);
 /// `zero`: what it says at the lowest value, where that means something else.
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
                     const std::function<void(double)>& changed, const QString& zero = {});
