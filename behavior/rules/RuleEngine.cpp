@@ -28,7 +28,7 @@ bool bringsBack(const model::Rule& rule)
 
 } // namespace
 
-void RuleEngine::setRules(const model::Scene& scene)
+void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
 {
     std::vector<model::Rule> rules;
     for (const model::Rule& rule : scene.rules) {
@@ -60,12 +60,12 @@ void RuleEngine::setRules(const model::Scene& scene)
     }
     m_places.setPlaces(scene.places, scene.paths);
     m_seed = scene.seed;
-    giveNumbers(scene);
+    giveNumbers(scene, areNumbersKept);
     m_problems.clear();
 }
 
 /// Who begins with the same as before keeps what he has.
-void RuleEngine::giveNumbers(const model::Scene& scene)
+void RuleEngine::giveNumbers(const model::Scene& scene, bool areKept)
 {
     if (m_numbers == scene.numbers) {
         return;
@@ -77,7 +77,8 @@ void RuleEngine::giveNumbers(const model::Scene& scene)
         for (const model::NumberName& named : m_numbers) {
             const auto known = std::ranges::find(former, named.id, &model::NumberName::id);
             const float first = firstNumber(named, id);
-            const bool keeps = known != former.end() && firstNumber(*known, id) == first;
+            const bool keeps =
+                known != former.end() && (areKept || firstNumber(*known, id) == first);
             numbers.push_back(
                 keeps ? m_minds[agent].numbers[static_cast<std::size_t>(known - former.begin())]
                       : first);

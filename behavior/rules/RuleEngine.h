@@ -85,8 +85,9 @@ struct RuleFired
 class RuleEngine
 {
 public:
-    /// Takes over rules and places; sequences that run go on where their rule is unchanged.
-    void setRules(const model::Scene& scene);
+    /// Takes over rules and places; sequences that run go on where their rule is unchanged. When
+    /// numbers were kept, those that everybody has here stay.
+    void setRules(const model::Scene& scene, bool areNumbersKept = false);
     /// Agents are other ones now; see PathFollower::rearrange. Tags come from the scene.
     void setPeople(const model::Population& people, std::span<const std::uint32_t> keep);
     void setTags(std::uint32_t agent, std::uint64_t tags);
@@ -260,7 +261,7 @@ private:
     [[nodiscard]] glm::vec3 pointIn(RuleHost& host, std::uint32_t agent,
                                     const model::Place& place) const;
     void changeNumber(std::uint32_t agent, const model::Action& action);
-    void giveNumbers(const model::Scene& scene);
+    void giveNumbers(const model::Scene& scene, bool areKept);
     [[nodiscard]] float firstNumber(const model::NumberName& named, model::IndividualId id) const;
     [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;
     [[nodiscard]] float draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpose) const;

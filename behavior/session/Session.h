@@ -202,6 +202,7 @@ private:
     void leaveOutWhoIsNowhere();
     void adoptRows(const model::Scene& scene);
     void adoptValues(const model::Scene& scene, bool arePosesKept);
+    void adoptLooks(const model::Population& now);
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
     void brake();

@@ -22,6 +22,23 @@ bool isSameList(const std::vector<model::TemplateEntry>& a,
     });
 }
 
+/// Rows in which two versions of the same people differ.
+template<class T, class Act>
+void forEdited(const model::Population& before, const model::Population& now,
+               model::ColumnKey<T> key, const Act& act)
+{
+    if (now.columnBytes(key.id).data() == before.columnBytes(key.id).data()) {
+        return; // shared: nobody wrote
+    }
+    const auto former = before.column(key);
+    const auto after = now.column(key);
+    for (std::size_t row = 0; row < after.size(); ++row) {
+        if (!(former[row] == after[row])) {
+            act(row);
+        }
+    }
+}
+
 } // namespace
 
 void Session::adopt(const model::Scene& scene, bool arePosesKept)
@@ -40,7 +57,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     m_stages = scene.stages;
     m_seats.clear(); // read anew when somebody wants one
     publishLooks();
-    m_rules.setRules(scene);
+    m_rules.setRules(scene, arePosesKept);
     m_ownNumbers = m_rules.ownNumbers();
 }
 
@@ -100,43 +117,13 @@ void Session::adoptRows(const model::Scene& scene)
     addBodies();
 }
 
-/// Values that an edit changed since the last look at the scene.
-void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+/// What rules have set, where an edit has set it anew.
+void Session::adoptLooks(const model::Population& now)
 {
     namespace keys = model::columns;
-    const model::Population& now = scene.population;
-    const auto isOther = [&](const auto& key) {
-        return now.columnBytes(key.id).data() != m_population.columnBytes(key.id).data();
-    };
-    bool hasMoved = false;
     const auto each = [&](const auto& key, const auto& act) {
-        if (!isOther(key)) {
-            return; // shared: nobody wrote
-        }
-        const auto before = m_population.column(key);
-        const auto after = now.column(key);
-        for (std::size_t row = 0; row < after.size(); ++row) {
-            if (!(before[row] == after[row])) {
-                act(row);
-            }
-        }
+        forEdited(m_population, now, key, act);
     };
-    if (!arePosesKept) {
-        each(keys::position, [&](std::size_t row) {
-            m_shown[row].position = now.column(keys::position)[row];
-            m_shown[row].speed = 0.0F;
-            hasMoved = true;
-        });
-        each(keys::heading,
-             [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
-    }
-    each(keys::path, [&](std::size_t row) {
-        const glm::vec2 at(m_shown[row].position.x, m_shown[row].position.z);
-        m_follower.follow(walkOf(now, row), &at);
-    });
-    each(keys::walkSpeed, [&](std::size_t row) {
-        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
-    });
     each(keys::tags, [&](std::size_t row) {
         // Only those that the edit is about: rules may have changed others.
         const std::uint64_t after = now.column(keys::tags)[row];
@@ -162,6 +149,36 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
     each(keys::playbackSpeed, [&](std::size_t row) {
         forgetLook(static_cast<std::uint32_t>(row), keys::playbackSpeed.id);
     });
+}
+
+/// Values that an edit changed since the last look at the scene.
+void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+{
+    namespace keys = model::columns;
+    const model::Population& now = scene.population;
+    bool hasMoved = false;
+    const auto each = [&](const auto& key, const auto& act) {
+        forEdited(m_population, now, key, act);
+    };
+    if (!arePosesKept) {
+        each(keys::position, [&](std::size_t row) {
+            m_shown[row].position = now.column(keys::position)[row];
+            m_shown[row].speed = 0.0F;
+            hasMoved = true;
+        });
+        each(keys::heading,
+             [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
+    }
+    each(keys::path, [&](std::size_t row) {
+        const glm::vec2 at(m_shown[row].position.x, m_shown[row].position.z);
+        m_follower.follow(walkOf(now, row), &at);
+    });
+    each(keys::walkSpeed, [&](std::size_t row) {
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+    });
+    if (!arePosesKept) {
+        adoptLooks(now);
+    }
     each(keys::templateId, [&](std::size_t row) {
         m_shown[row].table = shownFrom(now, row).table;
         m_shown[row].style = styleOf(now, row, m_shown[row].table);
