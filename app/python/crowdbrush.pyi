@@ -678,7 +678,7 @@ class Scene:
     @property
     def environment(self) -> Any:
         """A dict of lists as the project file has them: places, paths, tags, rules, numbers,
-        cues, and the surface to walk on."""
+        cues, the surface to walk on, and stepsPerSecond."""
     def set_environment(self, environment: Union[str, Dict[str, Any]]) -> None:
         """Lists of places, paths, tags, rules and so on as in environment, or the same as JSON
         text; what is not in it stays. Raises Error where a member is wrong."""
