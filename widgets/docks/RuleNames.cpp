@@ -126,7 +126,7 @@ QStringList settableNames()
 
 QStringList aimNames()
 {
-    return {RuleNamesText::tr("whoever it came from"), RuleNamesText::tr("the nearest one tagged"),
+    return {RuleNamesText::tr("whoever it came from"), RuleNamesText::tr("the nearest with"),
             RuleNamesText::tr("a place")};
 }
 
