@@ -77,7 +77,9 @@ QString RuleEditor::wordBefore(std::size_t index) const
         return model::alternativesOf(m_rule.actions, index).front() == index ? tr("either")
                                                                              : tr("or");
     }
-    return index == 0 ? tr("do") : tr("then");
+    const bool isFirst =
+        index == 0 || model::parentOf(m_rule.actions, index) == index - 1; // of all, or in it
+    return isFirst ? tr("do") : tr("then");
 }
 
 void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
