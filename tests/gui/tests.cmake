@@ -3,6 +3,7 @@ crowd_add_tests(ROOM gui LINK crowd_app TESTS
     tst_EditorAudience
     tst_PaintAudience
     tst_Recording
+    tst_Scenarios
     tst_ScriptBrush
     tst_ViewportWindow
     tst_WalkingCrowd
