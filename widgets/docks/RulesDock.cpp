@@ -32,6 +32,8 @@ namespace {
 
 constexpr int kCountMs = 250;
 constexpr std::size_t kMaxLines = 400;
+constexpr int kLeastListHeight = 34; ///< logical pixels
+constexpr int kMostListHeight = 240;
 constexpr QColor kProblemColor(208, 80, 64);
 
 QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
@@ -57,8 +59,8 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_list->setWordWrap(true);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setMinimumHeight(150);
-    layout->addWidget(m_list, 2);
+    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    layout->addWidget(m_list);
     m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
                            "brush (E) sets them off while it plays."),
                         content);
@@ -85,6 +87,9 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     layout->addWidget(new NamesForm(state, content));
     setScrolledContent(content);
 
+    m_fit.setSingleShot(true);
+    m_fit.setInterval(0);
+    connect(&m_fit, &QTimer::timeout, this, &RulesDock::fitList);
     m_rebuild.setSingleShot(true);
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, [this] {
@@ -130,6 +135,23 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &RulesDock::takeOrder);
     rebuildList();
     rebuildEditor();
+}
+
+/// As high as its rules, so that the chosen one is built right below.
+void RulesDock::fitList()
+{
+    if (m_list->count() == 0) {
+        return;
+    }
+    const int top = m_list->visualItemRect(m_list->item(0)).top();
+    const int bottom = m_list->visualItemRect(m_list->item(m_list->count() - 1)).bottom();
+    m_list->setFixedHeight(std::clamp(bottom - top + 4, kLeastListHeight, kMostListHeight));
+}
+
+void RulesDock::resizeEvent(QResizeEvent* event)
+{
+    DockBase::resizeEvent(event);
+    m_fit.start(); // sentences break elsewhere
 }
 
 QWidget* RulesDock::makeButtons(QWidget* parent)
@@ -295,6 +317,7 @@ void RulesDock::rebuildList()
             m_list->setCurrentItem(item);
         }
     }
+    m_fit.start();
     m_note->setVisible(scene.rules.empty());
     m_list->setVisible(!scene.rules.empty()); // else the note would stand below an empty list
     m_isFilling = false;
@@ -354,6 +377,7 @@ void RulesDock::refreshCounts()
                 : sentence;
         if (item->text() != text) {
             item->setText(text);
+            m_fit.start();
         }
     }
     m_isFilling = false;

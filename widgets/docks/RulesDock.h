@@ -27,11 +27,15 @@ class RulesDock : public DockBase
 public:
     RulesDock(EditorState& state, QWidget* parent);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     using Change = std::function<void(model::Rule&)>;
 
     QWidget* makeButtons(QWidget* parent);
     void rebuildList();
+    void fitList();
     void rebuildEditor();
     [[nodiscard]] qsizetype focusedField() const;
     void refreshCounts();
@@ -50,6 +54,7 @@ private:
 
     EditorState& m_state;
     QTimer m_rebuild;
+    QTimer m_fit;
     QTimer m_counting;
     model::RuleId m_current = 0;
     bool m_isFilling = false;
