@@ -307,7 +307,7 @@ constexpr Submenu kSubmenus[] = {
     {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
     {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
     {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View &as Camera")},
-    {"@step-length", QT_TRANSLATE_NOOP("Menus", "&Length of a Step")},
+    {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 
 constexpr const char* kToolBar[] = {"new-theatre",
