@@ -2,6 +2,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_CommandLine
     tst_MainWindow
     tst_SceneFiles
+    tst_StepMenu
     tst_Welcome
 )
 # Of one file alone, so that the programs can share their compiled headers.
