@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +29,11 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_gaits.size() < 2; }
     /// Whether a clip (as the clip column counts) moves over the ground.
     [[nodiscard]] bool isMover(std::size_t clip) const;
-    [[nodiscard]] const Gait& gait(std::size_t index) const { return m_gaits[index]; }
+    /// The last one beyond the end: the table may be another than when the index was chosen.
+    [[nodiscard]] const Gait& gait(std::size_t index) const
+    {
+        return m_gaits[std::min(index, m_gaits.size() - 1)];
+    }
     /// The gait for a ground speed, given the present one: a border must be crossed by some way
     /// before the gait changes, so that nobody flickers between two.
     /// `style`: the only one to move with, 0 for any.

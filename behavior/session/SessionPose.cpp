@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace crowd::behavior {
 
@@ -88,14 +87,13 @@ void put(const PersonPose& from, const PersonPose& to, double share, double pose
     if (from.isGone) {
         position = {0.0F, kFarBelow, 0.0F};
     }
-    const float turn = std::remainder(to.heading - from.heading, 2.0F * std::numbers::pi_v<float>);
+    const float turn = wrappedRadians(to.heading - from.heading);
     const PersonPose& next = from.clip == to.clip && from.isLooped ? to : from;
     const double place = placeBetween(from.place, next.place, from.rate, next.rate,
                                       from.clipSeconds, share, seconds - poseSeconds);
     columns.ids.push_back(from.id);
     columns.positions.push_back(position);
-    columns.headings.push_back(
-        std::remainder(from.heading + turn * part, 2.0F * std::numbers::pi_v<float>));
+    columns.headings.push_back(wrappedRadians(from.heading + turn * part));
     columns.clips.push_back(from.clip);
     columns.phases.push_back(phaseFor(from, place, seconds));
     columns.rates.push_back(from.rate);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -39,6 +41,13 @@ struct PersonPose
     ClipPlace from;           ///< what it did before, where it would be by now
     double fadeBegin = -1.0;  ///< seconds, when it changed over; below 0: it did not
 };
+
+/// An angle within half a turn of 0. (The library's remainder takes as long as a whole step.)
+[[nodiscard]] inline float wrappedRadians(float angle)
+{
+    constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+    return angle - kTurn * std::floor(angle / kTurn + 0.5F);
+}
 
 /// Seconds from one clip to the next.
 inline constexpr double kFadeSeconds = 0.25;

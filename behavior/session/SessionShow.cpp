@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "behavior/crowd/Chunks.h"
 #include "behavior/session/Session.h"
@@ -23,10 +22,10 @@ constexpr float kFastestStride = 12.0F; ///< m/s: faster is no walk but a jump
 /// Angle after turning towards another one as far as a body can in one step.
 float Session::turnedTo(float heading, float target) const
 {
-    float turn = std::remainder(target - heading, 2.0F * std::numbers::pi_v<float>);
+    float turn = wrappedRadians(target - heading);
     const float most = kTurnRadiansPerSecond * m_stepSeconds;
     turn = std::clamp(turn, -most, most);
-    return std::remainder(heading + turn, 2.0F * std::numbers::pi_v<float>);
+    return wrappedRadians(heading + turn);
 }
 
 const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
@@ -44,10 +43,14 @@ void Session::brake()
     AgentColumns& agents = m_crowd.columns();
     overRows(agents.size(), [this, &agents](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
-            const float speed = std::hypot(agents.velocityX[row], agents.velocityZ[row]);
+            if (agents.preferredSpeed[row] != 0.0F) {
+                continue;
+            }
+            const float speed = std::sqrt(agents.velocityX[row] * agents.velocityX[row] +
+                                          agents.velocityZ[row] * agents.velocityZ[row]);
             const Shown& shown = m_shown[agents.agent[row]];
-            if (agents.preferredSpeed[row] != 0.0F || speed < kMovesAbove || shown.isGone ||
-                shown.isPut || shown.sitting != Sitting::No || shown.table >= m_gaits.size() ||
+            if (speed < kMovesAbove || shown.isGone || shown.isPut ||
+                shown.sitting != Sitting::No || shown.table >= m_gaits.size() ||
                 m_gaits[shown.table].isEmpty()) {
                 continue;
             }
@@ -180,7 +183,7 @@ void Session::goOnFading(Shown& shown) const
     if (shown.fadeBegin < 0.0 || seconds() - shown.fadeBegin >= kFadeSeconds) {
         return;
     }
-    if (shown.fromGait != 0) {
+    if (shown.fromGait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty()) {
         const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.fromGait);
         shown.from.rate = GaitTable::playback(gait, shown.stride, shown.height);
     }
