@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "behavior/crowd/Chunks.h"
 #include "behavior/surface/WalkSurface.h"
@@ -17,6 +18,7 @@ constexpr float kArrivalMetres = 0.4F;
 /// Who was pushed off his point has arrived when he is past it and not further away than this.
 constexpr float kPassedMetres = 1.5F;
 constexpr float kWidestPlace = 1e4F;
+constexpr float kLeastLegMetres = 1e-3F;
 constexpr float kCornerMetres = 0.5F;
 constexpr float kPartyEase = 0.6F;      ///< metres from the middle that nobody minds
 constexpr float kPartyFarthest = 25.0F; ///< who is further away is on his own
@@ -151,7 +153,32 @@ std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignment
              ". Give them another path."}};
 }
 
-bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)
+std::uint32_t PathFollower::nextStop(const Route& route, const glm::vec3& from)
+{
+    const auto count = static_cast<std::uint32_t>(route.stops.size());
+    const std::uint32_t legs =
+        route.kind == model::PathKind::Cyclic && count > 2 ? count : count - 1;
+    const auto point = [&](std::uint32_t stop) {
+        const Stop& at = route.stops[stop % count];
+        return glm::vec3(at.position.x, at.height, at.position.y);
+    };
+    std::uint32_t next = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::uint32_t leg = 0; leg < legs; ++leg) {
+        const glm::vec3 begin = point(leg);
+        const glm::vec3 along = point(leg + 1) - begin;
+        const float length2 = std::max(glm::dot(along, along), kLeastLegMetres * kLeastLegMetres);
+        const float share = std::clamp(glm::dot(from - begin, along) / length2, 0.0F, 1.0F);
+        const glm::vec3 aside = from - (begin + along * share);
+        if (const float distance2 = glm::dot(aside, aside); distance2 < least) {
+            least = distance2;
+            next = share > 0.0F ? (leg + 1) % count : leg;
+        }
+    }
+    return next;
+}
+
+bool PathFollower::follow(const Assignment& assignment)
 {
     Walk& walk = m_walks[assignment.agent];
     const std::uint32_t turns = walk.turns;
@@ -167,12 +194,7 @@ bool PathFollower::follow(const Assignment& assignment, const glm::vec2* from)
     if (walk.route == kNoRoute) {
         return false;
     }
-    if (from != nullptr) {
-        const std::vector<Stop>& stops = m_routes[walk.route].stops;
-        const auto nearest = std::ranges::min_element(
-            stops, {}, [&](const Stop& stop) { return squareOf(stop.position - *from); });
-        walk.next = static_cast<std::uint32_t>(nearest - stops.begin());
-    }
+    walk.next = nextStop(m_routes[walk.route], assignment.from);
     return true;
 }
 

@@ -34,6 +34,7 @@ public:
         float metresPerSecond = model::kUsualWalkingSpeed;
         std::uint64_t ownSeed = 0; ///< chooses where beside the point, for those who share one
         float spread = 0.0F;       ///< so far beside it at most, metres
+        glm::vec3 from{0.0F};      ///< where the agent stands, world frame
     };
     /// What happened to an agent in the last steer().
     enum Happening : std::uint8_t { ReachedPlace = 1, EndedPath = 2, EndedErrand = 4 };
@@ -51,9 +52,9 @@ public:
     /// is behind hurries, and all walk at the mean of their paces.
     void setGroups(std::span<const std::uint32_t> groupOfAgent);
 
-    /// From the beginning, or from the stop nearest to `from` where that is given. False: there is
-    /// no such path, and the agent stands.
-    bool follow(const Assignment& assignment, const glm::vec2* from = nullptr);
+    /// Joins the path where it is nearest, and goes on along it. False: there is no such path, and
+    /// the agent stands.
+    bool follow(const Assignment& assignment);
     /// To a point, before anything else; stays there until told to go on.
     void sendTo(std::uint32_t agent, const glm::vec3& point);
     void stop(std::uint32_t agent) { m_walks[agent].isHeld = true; }
@@ -153,6 +154,8 @@ private:
         return stop.position + walk.share * stop.radius + walk.beside;
     }
     [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
+    /// Where somebody at `from` goes first: the end of the leg that passes nearest to him.
+    [[nodiscard]] static std::uint32_t nextStop(const Route& route, const glm::vec3& from);
     void passStop(AgentColumns& agents, std::size_t row, Walk& walk) const;
     void branchOff(Walk& walk) const;
     void steerRow(AgentColumns& agents, std::size_t row) const;

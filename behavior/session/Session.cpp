@@ -105,10 +105,13 @@ float Session::paceOf(const model::Population& people, std::size_t row) const
 PathFollower::Assignment Session::walkOf(const model::Population& people, std::size_t row) const
 {
     const model::IndividualId who = people.ids()[row];
-    PathFollower::Assignment walk{
-        static_cast<std::uint32_t>(row),  people.column(model::columns::path)[row],
-        model::hashKeys(m_seed, who, 31), paceOf(people, row),
-        model::hashKeys(m_seed, who, 32), 0.0F};
+    PathFollower::Assignment walk{static_cast<std::uint32_t>(row),
+                                  people.column(model::columns::path)[row],
+                                  model::hashKeys(m_seed, who, 31),
+                                  paceOf(people, row),
+                                  model::hashKeys(m_seed, who, 32),
+                                  0.0F,
+                                  people.column(model::columns::position)[row]};
     const std::uint32_t group = people.column(model::columns::group)[row];
     const auto size = m_groupSizes.find(group);
     if (group != 0 && size != m_groupSizes.end() && size->second > 1) {
@@ -174,8 +177,10 @@ void Session::addPeople(const SessionPlan& plan)
         const float pace = std::isfinite(walker.metresPerSecond)
                                ? std::clamp(walker.metresPerSecond, 0.0F, model::kMaxWalkingSpeed)
                                : model::kUsualWalkingSpeed;
-        assignments.push_back({static_cast<std::uint32_t>(row), walker.path,
-                               model::hashKeys(m_seed, walker.id, 31), pace});
+        PathFollower::Assignment walk{static_cast<std::uint32_t>(row), walker.path,
+                                      model::hashKeys(m_seed, walker.id, 31), pace};
+        walk.from = m_shown[row].position;
+        assignments.push_back(walk);
     }
     if (missing > 0) {
         warn({"Walkers that are not in the scene, or named twice. Left out: " +

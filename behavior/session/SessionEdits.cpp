@@ -170,8 +170,9 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
              [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
     }
     each(keys::path, [&](std::size_t row) {
-        const glm::vec2 at(m_shown[row].position.x, m_shown[row].position.z);
-        m_follower.follow(walkOf(now, row), &at);
+        PathFollower::Assignment walk = walkOf(now, row);
+        walk.from = m_shown[row].position;
+        m_follower.follow(walk);
     });
     each(keys::walkSpeed, [&](std::size_t row) {
         m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));

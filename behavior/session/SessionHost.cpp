@@ -82,11 +82,11 @@ void Session::endClip(std::uint32_t agent)
 bool Session::follow(std::uint32_t agent, model::PathId path)
 {
     leaveSeat(agent);
-    const glm::vec2 at(m_shown[agent].position.x, m_shown[agent].position.z);
     PathFollower::Assignment walk = walkOf(m_population, agent);
     walk.path = path;
+    walk.from = m_shown[agent].position;
     walk.metresPerSecond = m_follower.pace(agent);
-    return m_follower.follow(walk, &at);
+    return m_follower.follow(walk);
 }
 
 void Session::sendTo(std::uint32_t agent, const glm::vec3& point)

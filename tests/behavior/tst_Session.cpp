@@ -27,6 +27,8 @@ private Q_SLOTS:
     void groupsKeepTogether();
     void pathsEndAsTheyShould_data();
     void pathsEndAsTheyShould();
+    void pathsAreJoinedWhereTheyAreNearest_data();
+    void pathsAreJoinedWhereTheyAreNearest();
     void neverTouchesTheScene();
     void sameBitsForAnyNumberOfThreads();
     void flowIsAsWideAsThePlaces_data();
@@ -214,6 +216,41 @@ void SessionTest::pathsEndAsTheyShould()
         QCOMPARE(jumps, 3); // 14 m a round
         QVERIFY(walked > 40.0 && walked < 1.3 * 40.0);
     }
+}
+
+void SessionTest::pathsAreJoinedWhereTheyAreNearest_data()
+{
+    QTest::addColumn<PathKind>("kind");
+    QTest::addColumn<glm::vec3>("from");
+    QTest::addColumn<glm::vec3>("first"); // where he goes
+    const glm::vec3 second(6.0F, 0.0F, 0.0F);
+    const glm::vec3 third(6.0F, 0.0F, 8.0F);
+    QTest::newRow("before the beginning")
+        << PathKind::Simple << glm::vec3(-4.0F, 0.0F, 1.0F) << glm::vec3(0.0F);
+    QTest::newRow("beside the first leg")
+        << PathKind::Simple << glm::vec3(2.0F, 0.0F, -1.0F) << second;
+    QTest::newRow("beside the second") << PathKind::Simple << glm::vec3(8.0F, 0.0F, 4.0F) << third;
+    QTest::newRow("behind the end") << PathKind::Simple << glm::vec3(6.0F, 0.0F, 12.0F) << third;
+    QTest::newRow("on the way back")
+        << PathKind::Cyclic << glm::vec3(2.5F, 0.0F, 4.0F) << glm::vec3(0.0F);
+    QTest::newRow("there is no way back")
+        << PathKind::Simple << glm::vec3(2.0F, 0.0F, 3.0F) << second;
+}
+
+void SessionTest::pathsAreJoinedWhereTheyAreNearest()
+{
+    QFETCH(PathKind, kind);
+    QFETCH(glm::vec3, from);
+    QFETCH(glm::vec3, first);
+    Session session(sceneOf({from}), trianglePlan(kind, 1));
+    for (int step = 0; step < 45; ++step) {
+        session.step();
+    }
+    const glm::vec3 went = positionOf(*session.frame(), 0) - from;
+    QVERIFY(glm::length(went) > 0.8F);
+    QVERIFY2(
+        glm::dot(glm::normalize(went), glm::normalize(first - from)) > 0.95F,
+        qPrintable(QString::number(glm::dot(glm::normalize(went), glm::normalize(first - from)))));
 }
 
 void SessionTest::neverTouchesTheScene()
