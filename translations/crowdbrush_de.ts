@@ -484,10 +484,6 @@
         <translation>&amp;Schritt</translation>
     </message>
     <message>
-        <source>One step of a thirtieth of a second, then pause</source>
-        <translation>Ein Schritt von einer Dreißigstelsekunde, dann Pause</translation>
-    </message>
-    <message>
         <source>S&amp;top</source>
         <translation>S&amp;topp</translation>
     </message>
@@ -598,6 +594,10 @@
     <message>
         <source>Walking St&amp;yle</source>
         <translation>&amp;Gangart</translation>
+    </message>
+    <message>
+        <source>One step, then pause</source>
+        <translation>Einen Schritt, dann Pause</translation>
     </message>
 </context>
 <context>
@@ -1187,6 +1187,10 @@
         <source>Keep View &amp;as Camera</source>
         <translation>Ansicht &amp;als Kamera merken</translation>
     </message>
+    <message>
+        <source>Len&amp;gth of a Step</source>
+        <translation>&amp;Länge eines Schritts</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -1523,10 +1527,6 @@
     <message>
         <source>turn to %1</source>
         <translation>zu %1 drehen</translation>
-    </message>
-    <message>
-        <source>turn to where it came from</source>
-        <translation>dorthin drehen, woher es kam</translation>
     </message>
     <message>
         <source>untag %1</source>
@@ -1932,6 +1932,210 @@
         <source>Queue</source>
         <translation>Warteschlange</translation>
     </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>How often it comes, against the others</source>
+        <translation>Wie oft dies kommt, im Vergleich zu den anderen</translation>
+    </message>
+    <message>
+        <source>all that can be</source>
+        <translation>alle, die es gibt</translation>
+    </message>
+    <message>
+        <source>The colour; how much of it beside</source>
+        <translation>Die Farbe; daneben, wie viel davon</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>the place ahead gets free</source>
+        <translation>der Ort davor frei wird</translation>
+    </message>
+    <message>
+        <source>property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>go to someone</source>
+        <translation>zu jemandem gehen</translation>
+    </message>
+    <message>
+        <source>follow someone</source>
+        <translation>jemandem folgen</translation>
+    </message>
+    <message>
+        <source>look at</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>change a property</source>
+        <translation>Eigenschaft ändern</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>one of these</source>
+        <translation>eines davon</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>girth</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>playback speed</source>
+        <translation>Abspieltempo</translation>
+    </message>
+    <message>
+        <source>walking speed</source>
+        <translation>Gehtempo</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>clip while at rest</source>
+        <translation>Clip in Ruhe</translation>
+    </message>
+    <message>
+        <source>place in that clip</source>
+        <translation>Stelle in diesem Clip</translation>
+    </message>
+    <message>
+        <source>whoever it came from</source>
+        <translation>den, von dem es kam</translation>
+    </message>
+    <message>
+        <source>the nearest with</source>
+        <translation>den Nächsten mit</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>einen Ort</translation>
+    </message>
+    <message>
+        <source>There is nothing to repeat: press “+ in it”.</source>
+        <translation>Es gibt nichts zu wiederholen: Drücken Sie „+ darin“.</translation>
+    </message>
+    <message>
+        <source>There is only one to choose: press “+ or…” for another.</source>
+        <translation>Es gibt nur eines zur Wahl: Drücken Sie „+ oder …“ für ein weiteres.</translation>
+    </message>
+    <message>
+        <source>None of them ever comes: let one come more often.</source>
+        <translation>Keines davon kommt je: Lassen Sie eines öfter kommen.</translation>
+    </message>
+    <message>
+        <source>A place is nobody to go after: choose whom.</source>
+        <translation>Einem Ort kann man nicht nachgehen: Wählen Sie, wem.</translation>
+    </message>
+    <message>
+        <source>Nobody has a slot of that name: choose one.</source>
+        <translation>Niemand hat eine Farbfläche dieses Namens: Wählen Sie eine.</translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone gets free</source>
+        <translation>Wenn der Ort vor jemandem frei wird</translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone in %1 gets free</source>
+        <translation>Wenn der Ort vor jemandem in %1 frei wird</translation>
+    </message>
+    <message>
+        <source>showing %1</source>
+        <translation>mit Clip %1</translation>
+    </message>
+    <message>
+        <source>the nearest one tagged %1</source>
+        <translation>den Nächsten mit der Marke %1</translation>
+    </message>
+    <message>
+        <source>follow %1 for %2 s</source>
+        <translation>%2 s lang folgen: %1</translation>
+    </message>
+    <message>
+        <source>follow %1</source>
+        <translation>folgen: %1</translation>
+    </message>
+    <message>
+        <source>look at %1 for %2 s</source>
+        <translation>%2 s lang ansehen: %1</translation>
+    </message>
+    <message>
+        <source>keep looking at %1</source>
+        <translation>weiter ansehen: %1</translation>
+    </message>
+    <message>
+        <source>turn %1</source>
+        <translation>%1 färben</translation>
+    </message>
+    <message>
+        <source>turn %1 at %2</source>
+        <translation>bei %2 %1 färben</translation>
+    </message>
+    <message>
+        <source>become %1 × as tall</source>
+        <translation>%1 × so groß werden</translation>
+    </message>
+    <message>
+        <source>move %1 × as fast</source>
+        <translation>sich %1 × so schnell bewegen</translation>
+    </message>
+    <message>
+        <source>from now on %1</source>
+        <translation>von nun an %1</translation>
+    </message>
+    <message>
+        <source>go to %1 of their clip</source>
+        <translation>zu %1 des Clips springen</translation>
+    </message>
+    <message>
+        <source>run %1 m away from %2</source>
+        <translation>%1 m weit weglaufen: %2</translation>
+    </message>
+    <message>
+        <source>repeat for ever</source>
+        <translation>für immer wiederholen</translation>
+    </message>
+    <message>
+        <source>repeat %1 ×</source>
+        <translation>%1 × wiederholen</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>(%1)</source>
+        <translation>(%1)</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>either %1</source>
+        <translation>entweder %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -2025,6 +2229,25 @@
             <numerusform>Einen Ort löschen</numerusform>
             <numerusform>%n Orte löschen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>StepMenu</name>
+    <message>
+        <source>Change the length of a step</source>
+        <translation>Länge eines Schritts ändern</translation>
+    </message>
+    <message>
+        <source>Steps of 1/%1 s from the next Play on.</source>
+        <translation>Schritte von 1/%1 s ab dem nächsten Abspielen.</translation>
+    </message>
+    <message>
+        <source>1/%1 s, as Usual</source>
+        <translation>1/%1 s, wie üblich</translation>
+    </message>
+    <message>
+        <source>1/%1 s, Finer</source>
+        <translation>1/%1 s, feiner</translation>
     </message>
 </context>
 <context>
@@ -3467,6 +3690,10 @@ Verworfen ist sie fort.</translation>
         <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
         <translation>Mit welchem Clip Personen gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
     </message>
+    <message>
+        <source>The nearest</source>
+        <translation>Dem nächsten</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -3593,24 +3820,12 @@ Verworfen ist sie fort.</translation>
         <translation>Personen mit der Marke %1</translation>
     </message>
     <message>
-        <source>Sends “%1” to %2. Right click: change or delete.</source>
-        <translation>Sendet „%1“ an %2. Rechtsklick: ändern oder löschen.</translation>
-    </message>
-    <message>
-        <source>+ Cue…</source>
-        <translation>+ Stichwort…</translation>
-    </message>
-    <message>
         <source>A button, with a key if you like, that lets an event happen to people</source>
         <translation>Eine Schaltfläche, auf Wunsch mit Taste, die Personen ein Ereignis schickt</translation>
     </message>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>Change…</source>
-        <translation>Ändern…</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -3632,40 +3847,52 @@ Verworfen ist sie fort.</translation>
         <source>Delete a cue</source>
         <translation>Stichwort löschen</translation>
     </message>
+    <message>
+        <source>Sends “%1” to %2. The arrow changes or deletes it.</source>
+        <translation>Sendet „%1“ an %2. Der Pfeil ändert oder löscht es.</translation>
+    </message>
+    <message>
+        <source>+ Cue</source>
+        <translation>+ Stichwort</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
 </context>
 <context>
-    <name>crowd::widgets::CueDialog</name>
+    <name>crowd::widgets::CueForm</name>
     <message>
         <source>Cue</source>
         <translation>Stichwort</translation>
     </message>
     <message>
-        <source>as the event</source>
-        <translation>wie das Ereignis</translation>
+        <source>named as its event</source>
+        <translation>heißt wie sein Ereignis</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Name</translation>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
     <message>
-        <source>Sends the event</source>
-        <translation>Sendet das Ereignis</translation>
-    </message>
-    <message>
-        <source>With the number</source>
-        <translation>Mit der Zahl</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>An</translation>
-    </message>
-    <message>
-        <source>Tag</source>
-        <translation>Marke</translation>
-    </message>
-    <message>
-        <source>Key</source>
+        <source>key</source>
         <translation>Taste</translation>
+    </message>
+    <message>
+        <source>sends</source>
+        <translation>sendet</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>The event’s number, a walking speed for example</source>
+        <translation>Die Zahl des Ereignisses, zum Beispiel ein Gehtempo</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>an</translation>
     </message>
     <message>
         <source>none</source>
@@ -3876,10 +4103,6 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>So many have room, for rules that ask whether it is full or free; 0: as many as come</source>
-        <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie kommen</translation>
-    </message>
-    <message>
         <source>Room for</source>
         <translation>Platz für</translation>
     </message>
@@ -3902,6 +4125,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change the speed on slow ground</source>
         <translation>Tempo auf langsamem Boden ändern</translation>
+    </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
+        <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie darin stehen können, zwei auf einem Quadratmeter, aber nur einer, wo Personen anstehen</translation>
     </message>
 </context>
 <context>
@@ -4309,6 +4536,17 @@ Verworfen ist sie fort.</translation>
         <source>Add a number</source>
         <translation>Zahl hinzufügen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n kept</source>
+        <translation>
+            <numerusform>%n behalten</numerusform>
+            <numerusform>%n behalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>So many people begin with what Keep Pose has kept; press to let all begin between the two again</source>
+        <translation>So viele Personen beginnen mit dem, was Haltung behalten bewahrt hat; drücken, damit alle wieder zwischen den beiden beginnen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::NumberField</name>
@@ -4404,14 +4642,6 @@ Verworfen ist sie fort.</translation>
         <translation>dann</translation>
     </message>
     <message>
-        <source>Earlier</source>
-        <translation>Früher</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Später</translation>
-    </message>
-    <message>
         <source>Remove this</source>
         <translation>Dies entfernen</translation>
     </message>
@@ -4438,10 +4668,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>for</source>
         <translation>lang</translation>
-    </message>
-    <message>
-        <source>where it came from</source>
-        <translation>woher es kam</translation>
     </message>
     <message>
         <source>where they are</source>
@@ -4474,6 +4700,66 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>as often as it comes</source>
         <translation>so oft es kommt</translation>
+    </message>
+    <message>
+        <source>Adds a condition</source>
+        <translation>Fügt eine Bedingung hinzu</translation>
+    </message>
+    <message>
+        <source>Adds something to do</source>
+        <translation>Fügt etwas hinzu, das zu tun ist</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>entweder</translation>
+    </message>
+    <message>
+        <source>Earlier, or into or out of what repeats</source>
+        <translation>Früher, oder in das Wiederholte hinein oder heraus</translation>
+    </message>
+    <message>
+        <source>Later, or into or out of what repeats</source>
+        <translation>Später, oder in das Wiederholte hinein oder heraus</translation>
+    </message>
+    <message>
+        <source>Remove this and what is in it</source>
+        <translation>Dies und was darin ist entfernen</translation>
+    </message>
+    <message>
+        <source>How often it comes, against the others</source>
+        <translation>Wie oft dies kommt, im Vergleich zu den anderen</translation>
+    </message>
+    <message>
+        <source>+ in it</source>
+        <translation>+ darin</translation>
+    </message>
+    <message>
+        <source>Adds something to do in it</source>
+        <translation>Fügt darin etwas hinzu</translation>
+    </message>
+    <message>
+        <source>+ or…</source>
+        <translation>+ oder …</translation>
+    </message>
+    <message>
+        <source>Adds another one to choose among</source>
+        <translation>Fügt ein weiteres zur Wahl hinzu</translation>
+    </message>
+    <message>
+        <source>until something else comes</source>
+        <translation>bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation>bis auf</translation>
+    </message>
+    <message>
+        <source>How near they come</source>
+        <translation>Wie nahe sie kommen</translation>
+    </message>
+    <message>
+        <source>however long</source>
+        <translation>wie lange auch immer</translation>
     </message>
 </context>
 <context>

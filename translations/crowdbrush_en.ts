@@ -484,10 +484,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step of a thirtieth of a second, then pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>S&amp;top</source>
         <translation type="unfinished"></translation>
     </message>
@@ -597,6 +593,10 @@
     </message>
     <message>
         <source>Walking St&amp;yle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step, then pause</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1187,6 +1187,10 @@
         <source>Keep View &amp;as Camera</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Len&amp;gth of a Step</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -1522,10 +1526,6 @@
     </message>
     <message>
         <source>turn to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>turn to where it came from</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1932,6 +1932,210 @@
         <source>Queue</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source> ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often it comes, against the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all that can be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour; how much of it beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place ahead gets free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to someone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow someone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change a property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>girth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>playback speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walking speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clip while at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place in that clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whoever it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to repeat: press “+ in it”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is only one to choose: press “+ or…” for another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them ever comes: let one come more often.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A place is nobody to go after: choose whom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has a slot of that name: choose one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone gets free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone in %1 gets free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>showing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest one tagged %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow %1 for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at %1 for %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep looking at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>become %1 × as tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move %1 × as fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from now on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to %1 of their clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 m away from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat for ever</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat %1 ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -2025,6 +2229,25 @@
             <numerusform>Delete %n place</numerusform>
             <numerusform>Delete %n places</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>StepMenu</name>
+    <message>
+        <source>Change the length of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of 1/%1 s from the next Play on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/%1 s, as Usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/%1 s, Finer</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3460,6 +3683,10 @@ Thrown away, it is gone.</source>
         <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushPaletteDock</name>
@@ -3586,23 +3813,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sends “%1” to %2. Right click: change or delete.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>+ Cue…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A button, with a key if you like, that lets an event happen to people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3625,39 +3840,51 @@ Thrown away, it is gone.</source>
         <source>Delete a cue</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sends “%1” to %2. The arrow changes or deletes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ Cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
-    <name>crowd::widgets::CueDialog</name>
+    <name>crowd::widgets::CueForm</name>
     <message>
         <source>Cue</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as the event</source>
+        <source>named as its event</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name</source>
+        <source>Done</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sends the event</source>
+        <source>key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With the number</source>
+        <source>sends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>To</source>
+        <source>event</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tag</source>
+        <source>The event’s number, a walking speed for example</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key</source>
+        <source>to</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3869,10 +4096,6 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>So many have room, for rules that ask whether it is full or free; 0: as many as come</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Room for</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3894,6 +4117,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change the speed on slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4302,6 +4529,17 @@ Thrown away, it is gone.</source>
         <source>Add a number</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n kept</source>
+        <translation>
+            <numerusform>%n kept</numerusform>
+            <numerusform>%n kept</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>So many people begin with what Keep Pose has kept; press to let all begin between the two again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::NumberField</name>
@@ -4397,14 +4635,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Earlier</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove this</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4430,10 +4660,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>where it came from</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4466,6 +4692,66 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>as often as it comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds something to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier, or into or out of what repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later, or into or out of what repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this and what is in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often it comes, against the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds something to do in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ or…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds another one to choose among</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How near they come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>however long</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
