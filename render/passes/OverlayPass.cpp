@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
-constexpr float kHiddenAreaOpacity = 0.45F;
+constexpr float kHiddenAreaOpacity = 0.2F;
 
 struct MarkerVertex
 {
