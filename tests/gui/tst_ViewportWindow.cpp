@@ -8,6 +8,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QVBoxLayout>
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void paintsAndTakesBack();
     void quickClicksAllPaint();
     void paintsAtOnceAfterTypingElsewhere();
+    void keysAreTheBrushsOverThePicture();
     void penPressureReachesTheBrush();
     void survivesANewContext();
     void rightButtonOpensThePaletteAndItChoosesTools();
@@ -150,6 +152,25 @@ void TestViewportWindow::paintsAtOnceAfterTypingElsewhere()
     QTest::keyClick(studio.view, Qt::Key_X);
     QCOMPARE(studio.state.tool(), ToolId::BrushDelete);
     QCOMPARE(studio.edit->text(), QStringLiteral("vxb ["));
+}
+
+/// A list that something was chosen from keeps no keys; a text that is being typed does.
+void TestViewportWindow::keysAreTheBrushsOverThePicture()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    auto* list = new QComboBox(&studio.window);
+    list->addItems({QStringLiteral("One"), QStringLiteral("Two")});
+    studio.layout->addWidget(list);
+    list->show();
+    list->setFocus();
+    QVERIFY(list->hasFocus());
+    QEnterEvent enter(kCenter, kCenter, studio.view->mapToGlobal(kCenter));
+    QApplication::sendEvent(studio.view, &enter);
+    QVERIFY(studio.view->hasFocus());
+    studio.edit->setFocus();
+    QApplication::sendEvent(studio.view, &enter);
+    QVERIFY(studio.edit->hasFocus());
 }
 
 void TestViewportWindow::penPressureReachesTheBrush()

@@ -8,6 +8,7 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QTabletEvent>
 #include <QtGui/QWheelEvent>
+#include <QtWidgets/QApplication>
 
 /// The translation of the window system's events into tool input, and nothing else.
 namespace crowd::widgets {
@@ -160,6 +161,18 @@ void ViewportWidget::keyReleaseEvent(QKeyEvent* event)
 {
     if (!m_tools.keyUp(keyOf(*event))) {
         QOpenGLWidget::keyReleaseEvent(event);
+    }
+}
+
+/// Over the picture keys are the brush's, also after a choice from a list, which would keep `+` and
+/// `-` to itself; only who types a text goes on typing.
+void ViewportWidget::enterEvent(QEnterEvent* event)
+{
+    QOpenGLWidget::enterEvent(event);
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused != nullptr && focused != this && focused->window() == window() &&
+        !focused->testAttribute(Qt::WA_InputMethodEnabled)) {
+        setFocus(Qt::MouseFocusReason);
     }
 }
 
