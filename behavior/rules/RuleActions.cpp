@@ -6,6 +6,7 @@
 #include "behavior/rules/RuleEngine.h"
 #include "behavior/session/PathFollower.h"
 #include "model/base/Random.h"
+#include "model/base/WeightedDraw.h"
 
 /// What rules let people do.
 namespace crowd::behavior {
@@ -21,18 +22,14 @@ constexpr double kSecondsToAskAgain = 1.0 / 3.0; ///< for a free place
 std::string RuleEngine::drawClip(RuleHost& host, std::uint32_t agent,
                                  const model::Action& action) const
 {
-    float total = 0.0F;
-    for (const model::ClipWeight& clip : action.clips) {
-        total += clip.weight;
+    if (action.clips.empty()) {
+        return {};
     }
-    float drawn = total * draw(host, agent, model::hashKeys(m_minds[agent].action, 71));
-    for (const model::ClipWeight& clip : action.clips) {
-        drawn -= clip.weight;
-        if (drawn < 0.0F || &clip == &action.clips.back()) {
-            return clip.clip;
-        }
-    }
-    return {};
+    const float share = draw(host, agent, model::hashKeys(m_minds[agent].action, 71));
+    return action
+        .clips[model::weightedIndex(action.clips, share,
+                                    [](const auto& clip) { return clip.weight; })]
+        .clip;
 }
 
 bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& action)

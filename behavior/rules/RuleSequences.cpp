@@ -3,6 +3,7 @@
 
 #include "behavior/rules/RuleEngine.h"
 #include "model/base/Random.h"
+#include "model/base/WeightedDraw.h"
 
 /// In which order rules do what they do: what repeats, and what is one of several.
 namespace crowd::behavior {
@@ -11,19 +12,10 @@ std::size_t RuleEngine::drawAlternative(RuleHost& host, std::uint32_t agent,
                                         const model::Actions& actions,
                                         const std::vector<std::size_t>& lines) const
 {
-    float total = 0.0F;
-    for (const std::size_t line : lines) {
-        total += actions[line].weight;
-    }
     const Mind& mind = m_minds[agent];
-    float drawn = total * draw(host, agent, model::hashKeys(mind.action, 72, mind.turns));
-    for (const std::size_t line : lines) {
-        drawn -= actions[line].weight;
-        if (drawn < 0.0F) {
-            return line;
-        }
-    }
-    return lines.back();
+    const float share = draw(host, agent, model::hashKeys(mind.action, 72, mind.turns));
+    return lines[model::weightedIndex(
+        lines, share, [&actions](std::size_t line) { return actions[line].weight; })];
 }
 
 bool RuleEngine::branch(RuleHost& host, std::uint32_t agent, const model::Actions& actions)
