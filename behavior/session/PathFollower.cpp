@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/gtx/norm.hpp>
+
 #include "behavior/crowd/Chunks.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/base/Bounds.h"
 #include "model/base/Random.h"
+#include "model/base/Segment.h"
 
 namespace crowd::behavior {
 
@@ -18,7 +21,6 @@ constexpr float kArrivalMetres = 0.4F;
 /// Who was pushed off his point has arrived when he is past it and not further away than this.
 constexpr float kPassedMetres = 1.5F;
 constexpr float kWidestPlace = 1e4F;
-constexpr float kLeastLegMetres = 1e-3F;
 constexpr float kCornerMetres = 0.5F;
 constexpr float kPartyEase = 0.6F;      ///< metres from the middle that nobody minds
 constexpr float kPartyFarthest = 25.0F; ///< who is further away is on his own
@@ -166,11 +168,10 @@ std::uint32_t PathFollower::nextStop(const Route& route, const glm::vec3& from)
     float least = std::numeric_limits<float>::infinity();
     for (std::uint32_t leg = 0; leg < legs; ++leg) {
         const glm::vec3 begin = point(leg);
-        const glm::vec3 along = point(leg + 1) - begin;
-        const float length2 = std::max(glm::dot(along, along), kLeastLegMetres * kLeastLegMetres);
-        const float share = std::clamp(glm::dot(from - begin, along) / length2, 0.0F, 1.0F);
-        const glm::vec3 aside = from - (begin + along * share);
-        if (const float distance2 = glm::dot(aside, aside); distance2 < least) {
+        const glm::vec3 end = point(leg + 1);
+        const float share = model::nearestShare(from, begin, end);
+        const float distance2 = glm::distance2(from, glm::mix(begin, end, share));
+        if (distance2 < least) {
             least = distance2;
             next = share > 0.0F ? (leg + 1) % count : leg;
         }

@@ -2,26 +2,16 @@
 #include "model/scene/NearestPath.h"
 
 #include <limits>
-#include <optional>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtx/norm.hpp>
 
+#include "model/base/Segment.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::model {
 
 namespace {
-
-float squaredDistance(const glm::vec3& point, const glm::vec3& from, const glm::vec3& to)
-{
-    const glm::vec3 along = to - from;
-    const float length2 = glm::length2(along);
-    const float share =
-        length2 > 0.0F ? glm::clamp(glm::dot(point - from, along) / length2, 0.0F, 1.0F) : 0.0F;
-    return glm::distance2(point, from + along * share);
-}
 
 std::vector<glm::vec3> pointsOf(const Scene& scene, const Path& path)
 {
@@ -57,9 +47,10 @@ PathId NearestPath::at(const glm::vec3& position) const
     PathId nearest = 0;
     float least = std::numeric_limits<float>::infinity();
     for (const Leg& leg : m_legs) {
-        const float distance = squaredDistance(position, leg.from, leg.to);
-        if (distance < least) {
-            least = distance;
+        const float share = nearestShare(position, leg.from, leg.to);
+        const float distance2 = glm::distance2(position, glm::mix(leg.from, leg.to, share));
+        if (distance2 < least) {
+            least = distance2;
             nearest = leg.path;
         }
     }
