@@ -13,7 +13,6 @@ namespace {
 constexpr float kLeastHeight = 0.05F;
 constexpr float kMostHeight = 20.0F;
 constexpr float kMostRate = 100.0F;
-constexpr int kSlots = 8;
 
 } // namespace
 
@@ -106,9 +105,10 @@ void Session::setOwnClip(std::uint32_t agent, const std::string& name)
 void Session::setTint(std::uint32_t agent, const model::Action& action)
 {
     const model::TemplateEntry* entry = entryOf(m_shown[agent]);
-    const std::size_t count = entry != nullptr && entry->asset
-                                  ? std::min<std::size_t>(entry->asset->slots.size(), kSlots)
-                                  : 0;
+    const std::size_t count =
+        entry != nullptr && entry->asset
+            ? std::min<std::size_t>(entry->asset->slots.size(), model::kMaxTintSlots)
+            : 0;
     for (std::size_t slot = 0; slot < count; ++slot) {
         const model::Slot& each = entry->asset->slots[slot];
         if (action.slot.empty() ? each.tintable : each.name == action.slot) {
@@ -171,7 +171,7 @@ void Session::forgetLook(std::uint32_t agent, model::ColumnId column)
     } else if (column == keys::playbackSpeed.id) {
         look.playbackSpeed.reset();
         m_shown[agent].rate.reset();
-    } else if (slot < static_cast<unsigned>(kSlots)) {
+    } else if (slot < static_cast<unsigned>(model::kMaxTintSlots)) {
         look.tinted = static_cast<std::uint8_t>(look.tinted & ~(1U << slot));
     }
 }

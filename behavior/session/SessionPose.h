@@ -57,7 +57,7 @@ struct SetLook
 {
     model::IndividualId id = 0;
     std::uint8_t tinted = 0; ///< bit i: slot i
-    std::array<model::Tint, 8> tints{};
+    std::array<model::Tint, model::kMaxTintSlots> tints{};
     std::optional<float> height;
     std::optional<std::uint64_t> tags;
     // Of the clip while he stands or sits; already part of what is shown of him.

@@ -82,7 +82,7 @@ int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
 
 void keepLooks(model::SceneEdit& edit, const std::vector<SetLook>& looks)
 {
-    for (int slot = 0; slot < 8; ++slot) {
+    for (int slot = 0; slot < model::kMaxTintSlots; ++slot) {
         keepSet(edit, looks, keys::tint(slot), [slot](const SetLook& look) {
             return (look.tinted >> slot & 1) != 0
                        ? std::optional(look.tints[static_cast<std::size_t>(slot)])
