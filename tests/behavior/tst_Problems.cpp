@@ -3,6 +3,7 @@
 
 #include "behavior/surface/WalkSurface.h"
 #include "tests/behavior/Actors.h"
+#include "tests/behavior/BoxStage.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -16,37 +17,15 @@ namespace {
 model::StageEntry walls(bool isClosed)
 {
     model::StageMesh mesh;
-    const auto addBox = [&mesh](glm::vec3 low, glm::vec3 high) {
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (int corner = 0; corner < 8; ++corner) {
-            mesh.positions.emplace_back((corner & 1) != 0 ? high.x : low.x,
-                                        (corner & 2) != 0 ? high.y : low.y,
-                                        (corner & 4) != 0 ? high.z : low.z);
-        }
-        for (const std::uint32_t index :
-             {0U, 4U, 6U, 0U, 6U, 2U, 1U, 3U, 7U, 1U, 7U, 5U, 0U, 1U, 5U, 0U, 5U, 4U,
-              2U, 6U, 7U, 2U, 7U, 3U, 0U, 2U, 3U, 0U, 3U, 1U, 4U, 5U, 7U, 4U, 7U, 6U}) {
-            mesh.indices.push_back(first + index);
-        }
-    };
     if (isClosed) {
-        addBox({-5.0F, 0.0F, 4.0F}, {5.0F, 3.0F, 5.0F});
-        addBox({-5.0F, 0.0F, -5.0F}, {5.0F, 3.0F, -4.0F});
-        addBox({4.0F, 0.0F, -4.0F}, {5.0F, 3.0F, 4.0F});
-        addBox({-5.0F, 0.0F, -4.0F}, {-4.0F, 3.0F, 4.0F});
+        addBox(mesh, {-5.0F, 0.0F, 4.0F}, {5.0F, 3.0F, 5.0F});
+        addBox(mesh, {-5.0F, 0.0F, -5.0F}, {5.0F, 3.0F, -4.0F});
+        addBox(mesh, {4.0F, 0.0F, -4.0F}, {5.0F, 3.0F, 4.0F});
+        addBox(mesh, {-5.0F, 0.0F, -4.0F}, {-4.0F, 3.0F, 4.0F});
     } else {
-        addBox({-10.0F, 0.0F, -0.5F}, {10.0F, 3.0F, 0.5F});
+        addBox(mesh, {-10.0F, 0.0F, -0.5F}, {10.0F, 3.0F, 0.5F});
     }
-    auto asset = std::make_shared<model::StageAsset>();
-    asset->meshes = {mesh};
-    asset->materials.emplace_back();
-    for (const glm::vec3& position : mesh.positions) {
-        asset->bounds.add(position);
-    }
-    model::StageEntry entry;
-    entry.id = 1;
-    entry.asset = asset;
-    return entry;
+    return stageOf(mesh);
 }
 
 /// People in a row at z = 6, a path "way" between two places.
