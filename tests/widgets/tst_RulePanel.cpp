@@ -90,6 +90,7 @@ private Q_SLOTS:
     void keysOfOtherCuesAreNotOffered();
     void blocksAreBuiltWithButtons();
     void weightsOfClipsAreEdited();
+    void countsAreWholeNumbers();
     void sentencesTellWhatRepeatsAndWhatIsDrawn();
     void blocksSayWhatIsMissing();
     void theFieldKeepsTheKeyboard();
@@ -194,6 +195,18 @@ void TestRulePanel::weightsOfClipsAreEdited()
     QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 5.0F);
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 2.0F);
+}
+
+void TestRulePanel::countsAreWholeNumbers()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    giveRule(desk, ruleOf({actionOf(ActionKind::Repeat), actionOf(ActionKind::Stop)}));
+    const auto shows = [&desk](const QString& text) {
+        return std::ranges::any_of(desk.all<QDoubleSpinBox>(),
+                                   [&](const QDoubleSpinBox* box) { return box->text() == text; });
+    };
+    QTRY_VERIFY(shows(QStringLiteral("2 ×")));
 }
 
 void TestRulePanel::sentencesTellWhatRepeatsAndWhatIsDrawn()

@@ -319,11 +319,9 @@ void RuleEditor::addMeeting(QVBoxLayout* layout)
                    });
     row = indentedRowIn(layout);
     row->addWidget(new QLabel(tr("at most")));
-    addNumberField(
-        row, static_cast<double>(m_rule.limit), 0.0, 1000.0, tr(" ×"),
-        [this](double value) {
-            m_apply([&](Rule& each) { each.limit = static_cast<std::uint32_t>(value); });
-        },
+    addCountField(
+        row, m_rule.limit, 1000, tr(" ×"),
+        [this](std::uint32_t limit) { m_apply([&](Rule& each) { each.limit = limit; }); },
         tr("as often as it comes"));
 }
 

@@ -125,12 +125,10 @@ void RuleEditor::addBlockFields(QVBoxLayout* layout, std::size_t index)
     const Action& action = m_rule.actions[index];
     QHBoxLayout* row = indentedRowIn(layout);
     if (action.kind == ActionKind::Repeat) {
-        addNumberField(
-            row, static_cast<double>(action.times), 0.0, static_cast<double>(model::kMaxTimes),
-            tr(" ×"),
-            [this, index](double times) {
-                setAction(index,
-                          [&](Action& each) { each.times = static_cast<std::uint32_t>(times); });
+        addCountField(
+            row, action.times, model::kMaxTimes, tr(" ×"),
+            [this, index](std::uint32_t times) {
+                setAction(index, [&](Action& each) { each.times = times; });
             },
             tr("for ever"));
     } else {

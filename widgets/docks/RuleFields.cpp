@@ -105,6 +105,17 @@ void addNumberField(QHBoxLayout* row, double value, double low, double high, con
     QObject::connect(box, &QDoubleSpinBox::valueChanged, box, changed);
 }
 
+void addCountField(QHBoxLayout* row, std::uint32_t value, std::uint32_t most, const QString& suffix,
+                   const std::function<void(std::uint32_t)>& changed, const QString& zero)
+{
+    addNumberField(
+        row, value, 0.0, most, suffix,
+        [changed](double count) { changed(static_cast<std::uint32_t>(count)); }, zero);
+    auto* box = qobject_cast<QDoubleSpinBox*>(row->itemAt(row->count() - 1)->widget());
+    box->setDecimals(0);
+    box->setSingleStep(1.0);
+}
+
 void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
                   const std::function<void(const QString&)>& changed)
 {

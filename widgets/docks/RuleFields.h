@@ -22,6 +22,9 @@ void addGroupedField(QHBoxLayout* row, const QStringList& names,
 /// `zero`: what it says at the lowest value, where that means something else.
 void addNumberField(QHBoxLayout* row, double value, double low, double high, const QString& suffix,
                     const std::function<void(double)>& changed, const QString& zero = {});
+/// A whole number from 0 on.
+void addCountField(QHBoxLayout* row, std::uint32_t value, std::uint32_t most, const QString& suffix,
+                   const std::function<void(std::uint32_t)>& changed, const QString& zero);
 void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
                   const std::function<void(const QString&)>& changed);
 /// Places of the scene, with "any" for 0 where that is allowed.
