@@ -18,14 +18,14 @@ struct Box
     float highZ = 0.0F;
 };
 
-Box boxOf(const AgentColumns& columns)
+Box boxOf(std::span<const Body> bodies)
 {
-    Box box{columns.x[0], columns.x[0], columns.z[0], columns.z[0]};
-    for (std::size_t row = 1; row < columns.size(); ++row) {
-        box.lowX = std::min(box.lowX, columns.x[row]);
-        box.highX = std::max(box.highX, columns.x[row]);
-        box.lowZ = std::min(box.lowZ, columns.z[row]);
-        box.highZ = std::max(box.highZ, columns.z[row]);
+    Box box{bodies[0].x, bodies[0].x, bodies[0].z, bodies[0].z};
+    for (const Body& body : bodies) {
+        box.lowX = std::min(box.lowX, body.x);
+        box.highX = std::max(box.highX, body.x);
+        box.lowZ = std::min(box.lowZ, body.z);
+        box.highZ = std::max(box.highZ, body.z);
     }
     return box;
 }
@@ -43,10 +43,10 @@ constexpr std::size_t kFewBins = 4096;
 
 } // namespace
 
-void BinLattice::place(const AgentColumns& columns, float binSize)
+void BinLattice::place(std::span<const Body> bodies, float binSize)
 {
-    const Box box = boxOf(columns);
-    const auto most = static_cast<double>(kBinsPerAgent * columns.size() + kFewBins);
+    const Box box = boxOf(bodies);
+    const auto most = static_cast<double>(kBinsPerAgent * bodies.size() + kFewBins);
     while (binsAlong(box.lowX, box.highX, binSize) * binsAlong(box.lowZ, box.highZ, binSize) >
            most) {
         binSize *= 2.0F;
@@ -58,19 +58,22 @@ void BinLattice::place(const AgentColumns& columns, float binSize)
     m_depth = static_cast<std::uint32_t>((box.highZ - box.lowZ) * m_perMetre) + 1;
 }
 
-/// Counting sort by bin, then by agent within a bin.
-void BinLattice::fill(const AgentColumns& columns)
+/// Counting sort by bin; agents of a bin stay in their order.
+void BinLattice::fill(std::span<const Body> bodies)
 {
-    const std::size_t rows = columns.size();
-    m_unsorted.resize(rows);
-    m_binOfRow.resize(rows);
-    m_order.resize(rows);
+    m_binOfAgent.resize(bodies.size());
+    m_binOfRow.resize(bodies.size());
+    m_agents.resize(bodies.size());
+    overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t agent = begin; agent < end; ++agent) {
+            const auto column = static_cast<std::uint32_t>((bodies[agent].x - m_lowX) * m_perMetre);
+            const auto line = static_cast<std::uint32_t>((bodies[agent].z - m_lowZ) * m_perMetre);
+            m_binOfAgent[agent] = line * m_width + column;
+        }
+    });
     m_start.assign(std::size_t{m_width} * m_depth + 1, 0);
-    for (std::size_t row = 0; row < rows; ++row) {
-        const auto column = static_cast<std::uint32_t>((columns.x[row] - m_lowX) * m_perMetre);
-        const auto line = static_cast<std::uint32_t>((columns.z[row] - m_lowZ) * m_perMetre);
-        m_unsorted[row] = line * m_width + column;
-        ++m_start[m_unsorted[row]];
+    for (const std::uint32_t bin : m_binOfAgent) {
+        ++m_start[bin];
     }
     std::uint32_t total = 0;
     for (std::uint32_t& start : m_start) {
@@ -78,53 +81,26 @@ void BinLattice::fill(const AgentColumns& columns)
         start = total;
     }
     // Each entry is the end of its bin now, and its first row when the bin is full.
-    for (std::size_t row = rows; row-- > 0;) {
-        m_order[--m_start[m_unsorted[row]]] = static_cast<std::uint32_t>(row);
-    }
-    for (std::size_t row = 0; row < rows; ++row) {
-        m_binOfRow[row] = m_unsorted[m_order[row]];
-    }
-    for (std::size_t row = 1; row < rows; ++row) {
-        // Insertion: rows keep nearly the same order from step to step.
-        const std::uint32_t bin = m_binOfRow[row];
-        const std::uint32_t item = m_order[row];
-        std::size_t hole = row;
-        while (hole > 0 && m_binOfRow[hole - 1] == bin &&
-               columns.agent[m_order[hole - 1]] > columns.agent[item]) {
-            m_order[hole] = m_order[hole - 1];
-            --hole;
-        }
-        m_order[hole] = item;
+    for (std::size_t agent = bodies.size(); agent-- > 0;) {
+        const std::uint32_t bin = m_binOfAgent[agent];
+        const std::uint32_t row = --m_start[bin];
+        m_agents[row] = static_cast<std::uint32_t>(agent);
+        m_binOfRow[row] = bin;
     }
 }
 
-void BinLattice::sort(AgentColumns& columns, AgentColumns& spare, float binSize)
+void BinLattice::sort(std::span<const Body> bodies, float binSize)
 {
-    if (columns.size() == 0) {
-        return;
+    if (!bodies.empty()) {
+        place(bodies, binSize);
+        fill(bodies);
     }
-    place(columns, binSize);
-    fill(columns);
-    spare.resize(columns.size());
-    overRows(columns.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            spare.agent[row] = columns.agent[m_order[row]];
-        }
-        for (std::vector<float> AgentColumns::*column : AgentColumns::kFloats) {
-            const float* from = (columns.*column).data();
-            float* to = (spare.*column).data();
-            for (std::size_t row = begin; row < end; ++row) {
-                to[row] = from[m_order[row]];
-            }
-        }
-    });
-    std::swap(columns, spare);
 }
 
 std::size_t BinLattice::bytes() const
 {
     return sizeof(std::uint32_t) *
-           (m_start.size() + m_unsorted.size() + m_binOfRow.size() + m_order.size());
+           (m_start.size() + m_binOfAgent.size() + m_binOfRow.size() + m_agents.size());
 }
 
 } // namespace crowd::behavior

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "behavior/crowd/AgentColumns.h"
+#include "behavior/crowd/Body.h"
 
 namespace crowd::behavior {
 
-/// Square bins over all agents, filled by a counting sort. After sort() the rows of a bin lie next
-/// to each other, ascending by agent: the order depends on where people stand, not on how they came
-/// there. Bins of one row of the lattice lie next to each other too, so the neighbourhood of a bin
+/// Square bins over all agents, filled by a counting sort into rows. The rows of a bin lie next to
+/// each other, ascending by agent: the order depends on where people stand, not on how they came
+/// there. Bins of one line of the lattice lie next to each other too, so the neighbourhood of a bin
 /// is three spans.
 class BinLattice
 {
@@ -25,28 +25,29 @@ public:
     };
 
     /// Bins at least `binSize` wide (wider where people are spread thin, so that there are never
-    /// many more bins than people). Reorders the rows of `columns`, using `spare` as the other
-    /// copy.
-    void sort(AgentColumns& columns, AgentColumns& spare, float binSize);
+    /// many more bins than people).
+    void sort(std::span<const Body> bodies, float binSize);
 
+    /// Agent of each row.
+    [[nodiscard]] std::span<const std::uint32_t> agents() const { return m_agents; }
     [[nodiscard]] std::uint32_t binOfRow(std::size_t row) const { return m_binOfRow[row]; }
-    /// Rows of the 3 × 3 bins around a bin: lattice rows below, same, above; empty ones outside.
+    /// Rows of the 3 × 3 bins around a bin: lattice lines below, same, above; empty ones outside.
     void neighbourhood(std::uint32_t bin, Span (&spans)[3]) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    void place(const AgentColumns& columns, float binSize);
-    void fill(const AgentColumns& columns);
+    void place(std::span<const Body> bodies, float binSize);
+    void fill(std::span<const Body> bodies);
 
     float m_lowX = 0.0F;
     float m_lowZ = 0.0F;
     float m_perMetre = 1.0F;
     std::uint32_t m_width = 1;
     std::uint32_t m_depth = 1;
-    std::vector<std::uint32_t> m_start;    ///< first row of each bin, and the end of the last
-    std::vector<std::uint32_t> m_unsorted; ///< bin of each row before the sort
-    std::vector<std::uint32_t> m_binOfRow; ///< and after it
-    std::vector<std::uint32_t> m_order;    ///< row after → row before
+    std::vector<std::uint32_t> m_start;      ///< first row of each bin, and the end of the last
+    std::vector<std::uint32_t> m_binOfAgent; ///< before the sort
+    std::vector<std::uint32_t> m_binOfRow;   ///< and after it
+    std::vector<std::uint32_t> m_agents;
 };
 
 [[gnu::always_inline]] inline void BinLattice::neighbourhood(std::uint32_t bin,

@@ -28,19 +28,17 @@ float tame(float value, float low, float high, float otherwise)
 
 void CrowdSimulation::setAgents(std::span<const AgentState> agents)
 {
-    m_agents.resize(agents.size());
+    m_bodies.resize(agents.size());
+    m_heights.resize(agents.size());
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const AgentState& state = agents[i];
-        m_agents.agent[i] = static_cast<std::uint32_t>(i);
-        m_agents.x[i] = tame(state.position.x, -kFarthest, kFarthest, 0.0F);
-        m_agents.z[i] = tame(state.position.y, -kFarthest, kFarthest, 0.0F);
-        m_agents.y[i] = tame(state.groundHeight, -kFarthest, kFarthest, 0.0F);
-        m_agents.velocityX[i] = tame(state.velocity.x, -kFastest, kFastest, 0.0F);
-        m_agents.velocityZ[i] = tame(state.velocity.y, -kFastest, kFastest, 0.0F);
-        m_agents.desiredX[i] = 0.0F;
-        m_agents.desiredZ[i] = 0.0F;
-        m_agents.preferredSpeed[i] = tame(state.preferredSpeed, 0.0F, kFastest, 0.0F);
-        m_agents.radius[i] = tame(state.radius, 0.01F, kWidest, 0.25F);
+        m_bodies[i] = {.x = tame(state.position.x, -kFarthest, kFarthest, 0.0F),
+                       .z = tame(state.position.y, -kFarthest, kFarthest, 0.0F),
+                       .velocityX = tame(state.velocity.x, -kFastest, kFastest, 0.0F),
+                       .velocityZ = tame(state.velocity.y, -kFastest, kFastest, 0.0F),
+                       .preferredSpeed = tame(state.preferredSpeed, 0.0F, kFastest, 0.0F),
+                       .radius = tame(state.radius, 0.01F, kWidest, 0.25F)};
+        m_heights[i] = tame(state.groundHeight, -kFarthest, kFarthest, 0.0F);
     }
 }
 
@@ -51,83 +49,97 @@ void CrowdSimulation::setWalls(std::span<const Wall> walls)
 
 void CrowdSimulation::step(float seconds)
 {
-    if (!(seconds > 0.0F) || m_agents.size() == 0) {
+    if (!(seconds > 0.0F) || m_bodies.empty()) {
         return;
     }
     seconds = std::min(seconds, kLongestStep);
-    m_lattice.sort(m_agents, m_spare, parameters.range);
-    m_isCrowded.resize(m_agents.size());
-    const ForceJob job{m_agents,
-                       m_lattice,
-                       m_walls,
-                       parameters,
-                       m_spare.desiredX.data(),
-                       m_spare.desiredZ.data(),
-                       seconds,
-                       m_hasLevels,
-                       m_spare.x.data(),
-                       m_spare.z.data(),
-                       m_spare.velocityX.data(),
-                       m_spare.velocityZ.data(),
-                       m_isCrowded.data()};
-    // The other copy's wishes are not needed any more.
-    overRows(m_agents.size(), [&](std::size_t begin, std::size_t end) {
-        faceRows(m_agents, begin, end, m_spare.desiredX.data(), m_spare.desiredZ.data());
-    });
-    overRows(m_agents.size(),
+    m_lattice.sort(m_bodies, parameters.range);
+    gather();
+    const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,        seconds,
+                       m_hasLevels, m_nextX.data(), m_nextZ.data(), m_isCrowded.data()};
+    overRows(m_rows.size(),
              [&](std::size_t begin, std::size_t end) { advanceRows(job, begin, end); });
-    std::swap(m_agents.x, m_spare.x);
-    std::swap(m_agents.z, m_spare.z);
-    std::swap(m_agents.velocityX, m_spare.velocityX);
-    std::swap(m_agents.velocityZ, m_spare.velocityZ);
+    std::swap(m_rows.x, m_nextX);
+    std::swap(m_rows.z, m_nextZ);
     separate(seconds);
+    scatter();
+}
+
+void CrowdSimulation::gather()
+{
+    const std::size_t rows = m_bodies.size();
+    m_rows.resize(rows);
+    m_nextX.resize(rows + kLanes);
+    m_nextZ.resize(rows + kLanes);
+    m_isCrowded.resize(rows);
+    const bool areHeightsNeeded = m_hasLevels || !m_walls.isEmpty();
+    const std::span<const std::uint32_t> agents = m_lattice.agents();
+    overRows(rows, [&](std::size_t begin, std::size_t end) {
+        gatherRows(m_bodies.data(), agents.data(), m_rows, begin, end,
+                   parameters.plainInstructions);
+        for (std::size_t row = begin; row < end && areHeightsNeeded; ++row) {
+            m_rows.y[row] = m_heights[agents[row]];
+        }
+    });
 }
 
 /// Bins are those of the step's beginning: nobody has moved further than the range leaves room for.
 void CrowdSimulation::separate(float seconds)
 {
     for (int i = 0; i < kSeparations; ++i) {
-        const ForceJob job{m_agents,          m_lattice,        m_walls, parameters,
-                           nullptr,           nullptr,          seconds, m_hasLevels,
-                           m_spare.x.data(),  m_spare.z.data(), nullptr, nullptr,
-                           m_isCrowded.data()};
+        const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,        seconds,
+                           m_hasLevels, m_nextX.data(), m_nextZ.data(), m_isCrowded.data()};
         std::atomic<std::size_t> moved{0};
-        overRows(m_agents.size(), [&](std::size_t begin, std::size_t end) {
+        overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
             moved += separateRows(job, begin, end);
         });
         if (moved == 0) {
             break;
         }
-        std::swap(m_agents.x, m_spare.x);
-        std::swap(m_agents.z, m_spare.z);
+        std::swap(m_rows.x, m_nextX);
+        std::swap(m_rows.z, m_nextZ);
     }
+}
+
+void CrowdSimulation::scatter()
+{
+    const std::span<const std::uint32_t> agents = m_lattice.agents();
+    overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            Body& body = m_bodies[agents[row]];
+            body.x = m_rows.x[row];
+            body.z = m_rows.z[row];
+            body.velocityX = m_rows.velocityX[row];
+            body.velocityZ = m_rows.velocityZ[row];
+        }
+    });
 }
 
 std::size_t CrowdSimulation::bytes() const
 {
-    const auto bytesOf = [](const AgentColumns& columns) {
-        return columns.agent.size() * sizeof(std::uint32_t) +
-               std::size(AgentColumns::kFloats) * (columns.size() + kLanes) * sizeof(float);
-    };
-    return bytesOf(m_agents) + bytesOf(m_spare) + m_lattice.bytes() + m_isCrowded.size();
+    return m_bodies.size() * (sizeof(Body) + sizeof(float)) + m_rows.bytes() +
+           (m_nextX.size() + m_nextZ.size()) * sizeof(float) + m_isCrowded.size() +
+           m_lattice.bytes();
 }
 
 std::size_t countPairsCloserThan(const CrowdSimulation& crowd, float metres)
 {
-    AgentColumns agents = crowd.columns();
-    AgentColumns spare;
+    const std::span<const Body> bodies = crowd.bodies();
     BinLattice lattice;
-    lattice.sort(agents, spare, crowd.parameters.range);
+    lattice.sort(bodies, crowd.parameters.range);
+    const std::span<const std::uint32_t> agents = lattice.agents();
     std::size_t pairs = 0;
     for (std::size_t row = 0; row < agents.size(); ++row) {
         BinLattice::Span spans[3];
         lattice.neighbourhood(lattice.binOfRow(row), spans);
+        const Body& self = bodies[agents[row]];
         for (const BinLattice::Span& span : spans) {
             for (std::size_t other = std::max<std::size_t>(span.begin, row + 1); other < span.end;
                  ++other) {
-                const float x = agents.x[row] - agents.x[other];
-                const float z = agents.z[row] - agents.z[other];
-                const bool isOnLevel = std::fabs(agents.y[row] - agents.y[other]) <= kLevelMetres;
+                const float x = self.x - bodies[agents[other]].x;
+                const float z = self.z - bodies[agents[other]].z;
+                const float above = crowd.heights()[agents[row]] - crowd.heights()[agents[other]];
+                const bool isOnLevel = std::fabs(above) <= kLevelMetres;
                 pairs += isOnLevel && x * x + z * z < metres * metres ? 1U : 0U;
             }
         }

@@ -8,8 +8,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "behavior/crowd/AgentColumns.h"
+#include "behavior/crowd/AgentRows.h"
 #include "behavior/crowd/BinLattice.h"
+#include "behavior/crowd/Body.h"
 #include "behavior/crowd/ForceParameters.h"
 #include "behavior/crowd/WallField.h"
 
@@ -36,28 +37,36 @@ public:
     /// Agent i is agents[i]. Values that are no numbers become harmless ones.
     void setAgents(std::span<const AgentState> agents);
     void setWalls(std::span<const Wall> walls);
-    [[nodiscard]] std::size_t size() const { return m_agents.size(); }
+    [[nodiscard]] std::size_t size() const { return m_bodies.size(); }
 
-    /// Rows in an order of their own; between steps write desiredX and desiredZ; y where the ground
-    /// is not flat; x and z to let somebody jump; preferredSpeed to let somebody stop.
-    [[nodiscard]] AgentColumns& columns() { return m_agents; }
-    [[nodiscard]] const AgentColumns& columns() const { return m_agents; }
+    /// By agent. Between steps write what they desire; positions to let somebody jump; preferred
+    /// speeds to let somebody stop.
+    [[nodiscard]] std::span<Body> bodies() { return m_bodies; }
+    [[nodiscard]] std::span<const Body> bodies() const { return m_bodies; }
+    /// Of the ground underfoot, by agent, metres; write them where it is not flat.
+    [[nodiscard]] std::span<float> heights() { return m_heights; }
+    [[nodiscard]] std::span<const float> heights() const { return m_heights; }
     void setLevels(bool hasLevels) { m_hasLevels = hasLevels; }
 
     /// Moves everybody on by `seconds` (at most 0.1; nothing happens at 0 or less).
     void step(float seconds);
 
-    /// Memory held, all columns and the lattice, without walls.
+    /// Memory held, without walls.
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    void gather();
     void separate(float seconds);
+    void scatter();
 
-    AgentColumns m_agents;
-    AgentColumns m_spare;
+    std::vector<Body> m_bodies;
+    std::vector<float> m_heights;
+    AgentRows m_rows;           ///< the same people while they step
+    std::vector<float> m_nextX; ///< of the rows
+    std::vector<float> m_nextZ;
+    std::vector<std::uint8_t> m_isCrowded;
     BinLattice m_lattice;
     WallField m_walls;
-    std::vector<std::uint8_t> m_isCrowded;
     bool m_hasLevels = false;
 };
 

@@ -24,21 +24,30 @@ namespace {
 constexpr std::size_t kMostNeighbours = 256;
 constexpr std::size_t kBatch = 256; ///< rows whose sums lie in the fastest cache
 
-constexpr std::size_t kGathered = 3 * kMostNeighbours + kLanes;
+constexpr std::size_t kGathered = 2 * kMostNeighbours; ///< so that all fit the fastest cache
 
-/// Those within range of each of some successive rows, as seen from there; padded to whole blocks
-/// of lanes. Several rows at once: what has just been written in pieces cannot be read as a whole
-/// without waiting.
+/// A column of it. The spare lanes are for what is written beyond the end; with them columns do not
+/// lie a power of two apart, which the cache would not like.
+using NeighbourColumn = float[kGathered + kLanes];
+
+/// Those within range of each of some successive rows, padded to whole blocks of lanes.
 struct Neighbours
 {
-    float x[kGathered]; ///< own position minus theirs
-    float z[kGathered];
-    float velocityX[kGathered]; ///< own velocity minus theirs
-    float velocityZ[kGathered];
-    float radius[kGathered];  ///< sum of both
-    float facingX[kGathered]; ///< theirs
-    float facingZ[kGathered];
     std::size_t start[kBatch + 1]; ///< of each row of the batch
+    std::uint32_t row[kGathered + kLanes];
+    // As seen from the row; soon: when both have gone on for a while.
+    NeighbourColumn x; ///< then its force on the row
+    NeighbourColumn z;
+    NeighbourColumn soonX;
+    NeighbourColumn soonZ;
+    NeighbourColumn squaredStep;
+    NeighbourColumn radius;    ///< sum of both; then the room before both must be separated
+    NeighbourColumn ahead;     ///< metres against the way that the row faces
+    NeighbourColumn soonAhead; ///< then the repulsion against that way
+    NeighbourColumn counted;   ///< less: comes towards it; then how much it adds to the density
+    NeighbourColumn distance;
+    NeighbourColumn soon;
+    NeighbourColumn axis; ///< twice the short half-axis of the ellipse
 };
 
 /// What neighbours and walls do to each of a batch of rows.
@@ -75,7 +84,7 @@ struct PackOrders
 [[maybe_unused]] constexpr PackOrders kPackOrders;
 
 /// Half the way out of somebody too close, all of it when the other does not move.
-void leave(const AgentColumns& agents, std::size_t row, std::size_t other, float least, float& wayX,
+void leave(const AgentRows& agents, std::size_t row, std::size_t other, float least, float& wayX,
            float& wayZ)
 {
     const float x = agents.x[row] - agents.x[other];
@@ -87,7 +96,7 @@ void leave(const AgentColumns& agents, std::size_t row, std::size_t other, float
         wayZ += share * z * (least - distance) / distance;
     } else {
         // On the same spot: apart along a line that both agree on.
-        wayX += agents.agent[row] < agents.agent[other] ? share * least : -share * least;
+        wayX += row < other ? share * least : -share * least;
     }
 }
 
@@ -116,10 +125,16 @@ using Separate = std::size_t (*)(const ForceJob&, std::size_t, std::size_t);
 
 } // namespace
 
-void faceRows(const AgentColumns& agents, std::size_t begin, std::size_t end, float* facingX,
-              float* facingZ)
+void gatherRows(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentRows& rows,
+                std::size_t begin, std::size_t end, [[maybe_unused]] bool hasPlainInstructions)
 {
-    any_processor::face(agents, begin, end, facingX, facingZ);
+#ifdef CROWD_HAS_AVX2
+    if (hasAvx2() && !hasPlainInstructions) {
+        with_avx2::gather(bodyOfAgent, agentOfRow, rows, begin, end);
+        return;
+    }
+#endif
+    any_processor::gather(bodyOfAgent, agentOfRow, rows, begin, end);
 }
 
 void advanceRows(const ForceJob& job, std::size_t begin, std::size_t end)

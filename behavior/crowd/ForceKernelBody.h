@@ -18,20 +18,17 @@ CROWD_INLINE F8 squaredDistances(const F8& x, const F8& z)
     return x * x + z * z;
 }
 
-/// Everybody within range of a row, relative to it, in order of rows, from `at` on; returns where
-/// the next row's begin.
-template<bool kHasLevels, bool kSlows>
+/// Rows of everybody within range of a row, ascending, from near.row[at] on; returns where the next
+/// row's begin. The last block is filled up with somebody too far away to matter.
+template<bool kHasLevels>
 CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
                                  const BinLattice::Span (&spans)[3], Neighbours& near,
                                  std::size_t at)
 {
     const std::size_t most = at + kMostNeighbours - kLanes;
-    const AgentColumns& agents = job.agents;
+    const AgentRows& agents = job.agents;
     const F8 selfX = all(agents.x[row]);
     const F8 selfZ = all(agents.z[row]);
-    const F8 selfVelocityX = all(agents.velocityX[row]);
-    const F8 selfVelocityZ = all(agents.velocityZ[row]);
-    const F8 selfRadius = all(agents.radius[row]);
     const F8 squaredRange = all(job.parameters.range * job.parameters.range);
     std::size_t count = at;
     for (const BinLattice::Span& span : spans) {
@@ -45,100 +42,135 @@ CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
             }
             const unsigned bits =
                 bitsWhereLess(squared, squaredRange) & bitsOfOthers(first, span.end, row);
-            const F8 velocityX = selfVelocityX - load(agents.velocityX.data() + first);
-            const F8 velocityZ = selfVelocityZ - load(agents.velocityZ.data() + first);
-            const F8 radius = selfRadius + load(agents.radius.data() + first);
-            if constexpr (kSlows) {
-                count = pack({x, z, velocityX, velocityZ, radius, load(job.facingX + first),
-                              load(job.facingZ + first)},
-                             bits,
-                             {near.x, near.z, near.velocityX, near.velocityZ, near.radius,
-                              near.facingX, near.facingZ},
-                             count);
-            } else {
-                count = pack({x, z, velocityX, velocityZ, radius}, bits,
-                             {near.x, near.z, near.velocityX, near.velocityZ, near.radius}, count);
-            }
-            count = std::min(count, most);
+            listBits(bits, static_cast<std::uint32_t>(first), near.row + count);
+            count = std::min(count + static_cast<std::size_t>(std::popcount(bits)), most);
         }
     }
-    // The last block is filled up with somebody too far away to matter.
-    store(near.x + count, all(1e3F));
-    store(near.z + count, all(1e3F));
-    store(near.velocityX + count, all(0.0F));
-    store(near.velocityZ + count, all(0.0F));
-    store(near.radius + count, all(0.0F));
-    if constexpr (kSlows) {
-        store(near.facingX + count, all(0.0F));
-        store(near.facingZ + count, all(0.0F));
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        near.row[count + i] = static_cast<std::uint32_t>(agents.size());
     }
     return at + (count - at + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Repulsion and contact of all neighbours of a row.
+// What neighbours do is reckoned in several short loops over the neighbours of many rows, since in
+// a short loop the processor works on many of them at once; in one long loop the roots, divisions
+// and exponentials of each would wait for each other.
+
+/// Neighbours of a row as seen from there.
 template<bool kSlows>
-CROWD_INLINE void addNeighbours(const ForceJob& job, std::size_t row, const Neighbours& near,
-                                Sums& sums, std::size_t at)
+CROWD_INLINE void meet(const ForceJob& job, std::size_t row, Neighbours& near, std::size_t at)
 {
     const ForceParameters& p = job.parameters;
+    const Seen& self = job.agents.seen[row];
+    const std::size_t end = near.start[at + 1];
+    for (std::size_t first = near.start[at]; first < end; first += kLanes) {
+        const float* records[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            records[i] = &job.agents.seen[near.row[first + i]].x;
+        }
+        F8 other[kLanes]; // in the order of Seen
+        transpose(records, other);
+        const F8 x = self.x - other[0];
+        const F8 z = self.z - other[1];
+        const F8 stepX = (self.velocityX - other[2]) * p.anticipationSeconds;
+        const F8 stepZ = (self.velocityZ - other[3]) * p.anticipationSeconds;
+        const F8 soonX = x + stepX;
+        const F8 soonZ = z + stepZ;
+        store(near.x + first, x);
+        store(near.z + first, z);
+        store(near.soonX + first, soonX);
+        store(near.soonZ + first, soonZ);
+        store(near.squaredStep + first, squaredDistances(stepX, stepZ));
+        store(near.radius + first, self.radius + other[4]);
+        store(near.ahead + first, -(x * self.facingX + z * self.facingZ));
+        if constexpr (kSlows) {
+            const F8 against = -(other[5] * self.facingX + other[6] * self.facingZ);
+            store(near.counted + first, 1.0F - p.oncoming * greater(against, all(0.0F)));
+            store(near.soonAhead + first, -(soonX * self.facingX + soonZ * self.facingZ));
+        }
+    }
+}
+
+/// How far away they are now and soon, and the ellipse around both.
+CROWD_INLINE void measure(const ForceParameters& p, Neighbours& near, std::size_t end)
+{
+    for (std::size_t i = 0; i < end; i += kLanes) {
+        const F8 distance = squareRoot(
+            greater(squaredDistances(load(near.x + i), load(near.z + i)), all(kSmallest)));
+        const F8 soon = squareRoot(
+            greater(squaredDistances(load(near.soonX + i), load(near.soonZ + i)), all(kSmallest)));
+        const F8 sum = distance + soon;
+        const F8 squaredAxis =
+            greater(sum * sum - load(near.squaredStep + i), all(p.leastAxis * p.leastAxis));
+        store(near.distance + i, distance);
+        store(near.soon + i, soon);
+        store(near.axis + i, squareRoot(squaredAxis));
+    }
+}
+
+/// Repulsion and contact of each, in place of what they are made of.
+template<bool kSlows>
+CROWD_INLINE void press(const ForceParameters& p, Neighbours& near, std::size_t end)
+{
     const float perReach = -0.5F / p.reach;
     const float perSquare = 1.0F / (p.range * p.range);
     const float blind = 0.5F * (1.0F - p.fromBehind);
-    const float facingX = job.facingX[row];
-    const float facingZ = job.facingZ[row];
-    F8 sumX{};
-    F8 sumZ{};
+    for (std::size_t i = 0; i < end; i += kLanes) {
+        const F8 distance = load(near.distance + i);
+        const F8 soon = load(near.soon + i);
+        const F8 axis = load(near.axis + i); // twice the short half-axis of the ellipse
+        // One division for all three: they are what takes longest.
+        const F8 both = distance * soon;
+        const F8 perAll = 1.0F / (both * axis);
+        const F8 perDistance = perAll * (soon * axis);
+        const F8 perSoon = perAll * (distance * axis);
+        const F8 perAxis = perAll * both;
+        const F8 unitX = load(near.x + i) * perDistance;
+        const F8 unitZ = load(near.z + i) * perDistance;
+        const F8 ahead = load(near.ahead + i) * perDistance;
+        const F8 seen = p.fromBehind + blind * (1.0F + ahead);
+        const F8 nearness = greater(1.0F - distance * distance * perSquare, all(0.0F));
+        const F8 push = nearness * seen * ((distance + soon) * perAxis) * (0.5F * p.strength) *
+                        exponential(axis * perReach);
+        const F8 radius = load(near.radius + i);
+        const F8 touch = p.contact * greater(radius - distance, all(0.0F));
+        F8 presence = nearness * nearness * (1.0F + ahead);
+        if constexpr (kSlows) {
+            const F8 counted = load(near.counted + i);
+            const F8 forward = -(load(near.soonAhead + i) * perSoon + ahead);
+            store(near.soonAhead + i, push * lesser(forward, all(0.0F)) * counted);
+            presence *= counted;
+        }
+        store(near.x + i, push * (unitX + load(near.soonX + i) * perSoon) + touch * unitX);
+        store(near.z + i, push * (unitZ + load(near.soonZ + i) * perSoon) + touch * unitZ);
+        store(near.counted + i, presence);
+        store(near.radius + i, distance - p.closest * radius);
+    }
+}
+
+template<bool kSlows>
+CROWD_INLINE void total(const Neighbours& near, Sums& sums, std::size_t at)
+{
+    F8 x{};
+    F8 z{};
     F8 backward{};
-    F8 density{};
+    F8 presence{};
     F8 closest = all(1e3F);
     const std::size_t end = near.start[at + 1];
     for (std::size_t first = near.start[at]; first < end; first += kLanes) {
-        const F8 x = load(near.x + first);
-        const F8 z = load(near.z + first);
-        const F8 stepX = load(near.velocityX + first) * p.anticipationSeconds;
-        const F8 stepZ = load(near.velocityZ + first) * p.anticipationSeconds;
-        const F8 squared = greater(squaredDistances(x, z), all(kSmallest));
-        const F8 distance = squareRoot(squared);
-        const F8 soonX = x + stepX;
-        const F8 soonZ = z + stepZ;
-        const F8 soon = squareRoot(greater(squaredDistances(soonX, soonZ), all(kSmallest)));
-        const F8 sum = distance + soon;
-        // Twice the short half-axis of the ellipse.
-        const F8 axis = squareRoot(
-            greater(sum * sum - squaredDistances(stepX, stepZ), all(p.leastAxis * p.leastAxis)));
-        // One division for all three: they are what takes longest.
-        const F8 perAll = 1.0F / (distance * soon * axis);
-        const F8 perDistance = perAll * (soon * axis);
-        const F8 perSoon = perAll * (distance * axis);
-        const F8 perAxis = perAll * (distance * soon);
-        const F8 unitX = x * perDistance;
-        const F8 unitZ = z * perDistance;
-        const F8 ahead = -(unitX * facingX + unitZ * facingZ);
-        const F8 seen = p.fromBehind + blind * (1.0F + ahead);
-        const F8 nearness = greater(1.0F - squared * perSquare, all(0.0F));
-        const F8 push =
-            nearness * seen * exponential(axis * perReach) * (sum * perAxis) * (0.5F * p.strength);
-        const F8 radius = load(near.radius + first);
-        const F8 touch = p.contact * greater(radius - distance, all(0.0F));
-        sumX += push * (unitX + soonX * perSoon) + touch * unitX;
-        sumZ += push * (unitZ + soonZ * perSoon) + touch * unitZ;
-        F8 presence = nearness * nearness * (1.0F + ahead);
+        x += load(near.x + first);
+        z += load(near.z + first);
+        presence += load(near.counted + first);
+        closest = lesser(closest, load(near.radius + first));
         if constexpr (kSlows) {
-            const F8 against =
-                -(load(near.facingX + first) * facingX + load(near.facingZ + first) * facingZ);
-            const F8 counted = 1.0F - p.oncoming * greater(against, all(0.0F));
-            const F8 forward = push * ((soonX * facingX + soonZ * facingZ) * perSoon - ahead);
-            backward += lesser(forward, all(0.0F)) * counted;
-            presence *= counted;
+            backward += load(near.soonAhead + first);
         }
-        density += presence;
-        closest = lesser(closest, distance - p.closest * radius);
     }
-    const F4 total = sumsOf(sumX, sumZ, backward, density);
-    sums.x[at] = total[0];
-    sums.z[at] = total[1];
-    sums.backward[at] = total[2];
-    sums.density[at] = total[3];
+    const F4 all = sumsOf(x, z, backward, presence);
+    sums.x[at] = all[0];
+    sums.z[at] = all[1];
+    sums.backward[at] = all[2];
+    sums.density[at] = all[3];
     sums.closest[at] = leastOf(closest);
 }
 
@@ -162,17 +194,30 @@ CROWD_INLINE void storeSome(float* to, F8 value, std::size_t lanes)
     }
 }
 
+struct Facing
+{
+    F8 x;
+    F8 z;
+};
+
+/// Unit vectors of where people want to go; zero: nowhere.
+CROWD_INLINE Facing facingOf(F8 desiredX, F8 desiredZ)
+{
+    const F8 squared = squaredDistances(desiredX, desiredZ);
+    const F8 perWish =
+        squared > kSmallest ? 1.0F / squareRoot(greater(squared, all(kSmallest))) : F8{};
+    return {desiredX * perWish, desiredZ * perWish};
+}
+
 /// Velocity and place of a block of rows after the step, walls apart.
 template<bool kSlows>
 CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t lanes,
                             const Sums& sums, std::size_t at)
 {
     const ForceParameters& p = job.parameters;
-    const AgentColumns& agents = job.agents;
+    AgentRows& agents = job.agents;
     // The mean over a disk of the nearness is a third of it.
     const float perDisk = 1.0F / (3.14159265F / 3.0F * p.range * p.range);
-    const F8 facingX = load(job.facingX + row);
-    const F8 facingZ = load(job.facingZ + row);
     const F8 wallX = load(sums.wallX + at);
     const F8 wallZ = load(sums.wallZ + at);
     const F8 visible = greater(1.0F - load(sums.hidden + at), all(0.3F));
@@ -183,6 +228,8 @@ CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t la
     F8 forceZ = load(sums.z + at) + wallZ;
     if constexpr (kSlows) {
         pace *= 1.0F + p.slowing * (weidmann(around) - 1.0F);
+        const auto [facingX, facingZ] =
+            facingOf(load(agents.desiredX.data() + row), load(agents.desiredZ.data() + row));
         // What density does to the pace is known; repulsion must not do it once more.
         const F8 wallsAhead = lesser(wallX * facingX + wallZ * facingZ, all(0.0F));
         const F8 eased =
@@ -217,8 +264,8 @@ CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t la
     const I8 isMoving = (preferred != 0.0F) & (x == x) & (z == z) & (furthest < 1e9F);
     storeSome(job.x + row, isMoving ? x : atX, lanes);
     storeSome(job.z + row, isMoving ? z : atZ, lanes);
-    storeSome(job.velocityX + row, isMoving ? velocityX : all(0.0F), lanes);
-    storeSome(job.velocityZ + row, isMoving ? velocityZ : all(0.0F), lanes);
+    storeSome(agents.velocityX.data() + row, isMoving ? velocityX : all(0.0F), lanes);
+    storeSome(agents.velocityZ.data() + row, isMoving ? velocityZ : all(0.0F), lanes);
     // Two may come closer by what both walk at most.
     const F8 least = 2.0F * job.seconds * greater(top, all(2.0F));
     const unsigned bits = bitsWhereLess(load(sums.closest + at), least) &
@@ -238,16 +285,21 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
     while (done < count) {
         near.start[done] = 0;
         std::size_t i = done;
-        for (; i < count && near.start[i] + kMostNeighbours <= kGathered - kLanes; ++i) {
+        for (; i < count && near.start[i] + kMostNeighbours <= kGathered; ++i) {
             const std::size_t row = begin + i;
             if (job.lattice.binOfRow(row) != bin) {
                 bin = job.lattice.binOfRow(row);
                 job.lattice.neighbourhood(bin, spans);
             }
-            near.start[i + 1] = collect<kHasLevels, kSlows>(job, row, spans, near, near.start[i]);
+            near.start[i + 1] = collect<kHasLevels>(job, row, spans, near, near.start[i]);
         }
+        for (std::size_t met = done; met < i; ++met) {
+            meet<kSlows>(job, begin + met, near, met);
+        }
+        measure(job.parameters, near, near.start[i]);
+        press<kSlows>(job.parameters, near, near.start[i]);
         for (; done < i; ++done) {
-            addNeighbours<kSlows>(job, begin + done, near, sums, done);
+            total<kSlows>(near, sums, done);
         }
     }
 }
@@ -292,7 +344,7 @@ void advance(const ForceJob& job, std::size_t begin, std::size_t end)
 template<bool kHasLevels>
 CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, float& wayZ)
 {
-    const AgentColumns& agents = job.agents;
+    const AgentRows& agents = job.agents;
     const float share = job.parameters.closest;
     BinLattice::Span spans[3];
     job.lattice.neighbourhood(job.lattice.binOfRow(row), spans);
@@ -339,19 +391,40 @@ std::size_t separate(const ForceJob& job, std::size_t begin, std::size_t end)
     return moved;
 }
 
-/// Unit vectors of where everybody wants to go; zero: nowhere.
-CROWD_INLINE void face(const AgentColumns& agents, std::size_t begin, std::size_t end,
-                       float* facingX, float* facingZ)
+inline void gather(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentRows& rows,
+                   std::size_t begin, std::size_t end)
 {
-    const float* __restrict__ wishX = agents.desiredX.data();
-    const float* __restrict__ wishZ = agents.desiredZ.data();
-    float* __restrict__ toX = facingX;
-    float* __restrict__ toZ = facingZ;
-    for (std::size_t row = begin; row < end; ++row) {
-        const float squared = wishX[row] * wishX[row] + wishZ[row] * wishZ[row];
-        const float perWish = squared > kSmallest ? 1.0F / std::sqrt(squared) : 0.0F;
-        toX[row] = wishX[row] * perWish;
-        toZ[row] = wishZ[row] * perWish;
+    for (std::size_t row = begin; row < end; row += kLanes) {
+        const std::size_t lanes = std::min(kLanes, end - row);
+        const float* records[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            records[i] = &bodyOfAgent[agentOfRow[row + std::min(i, lanes - 1)]].x;
+        }
+        F8 body[kLanes]; // in the order of Body
+        transpose(records, body);
+        float* const columns[kLanes] = {rows.x.data(),
+                                        rows.z.data(),
+                                        rows.velocityX.data(),
+                                        rows.velocityZ.data(),
+                                        rows.desiredX.data(),
+                                        rows.desiredZ.data(),
+                                        rows.preferredSpeed.data(),
+                                        rows.radius.data()};
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            storeSome(columns[i] + row, body[i], lanes);
+        }
+        const auto [facingX, facingZ] = facingOf(body[4], body[5]);
+        const F8 seen[kLanes] = {body[0], body[1], body[2], body[3],
+                                 body[7], facingX, facingZ, F8{}};
+        F8 seenBy[kLanes];
+        const float* parts[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            parts[i] = reinterpret_cast<const float*>(&seen[i]);
+        }
+        transpose(parts, seenBy);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            store(&rows.seen[row + i].x, seenBy[i]);
+        }
     }
 }
 

@@ -6,7 +6,9 @@ using F8 = float __attribute__((vector_size(32)));
 using I8 = std::int32_t __attribute__((vector_size(32)));
 using F4 = float __attribute__((vector_size(16)));
 /// Vectors in memory lie anywhere.
+using I8InMemory = std::int32_t __attribute__((vector_size(32), aligned(4), may_alias));
 using F8InMemory = float __attribute__((vector_size(32), aligned(4), may_alias));
+using F4InMemory = float __attribute__((vector_size(16), aligned(4), may_alias));
 
 #define CROWD_INLINE [[gnu::always_inline]] inline
 
@@ -18,6 +20,16 @@ CROWD_INLINE F8 load(const float* from)
 CROWD_INLINE void store(float* to, F8 value)
 {
     *reinterpret_cast<F8InMemory*>(to) = value;
+}
+
+CROWD_INLINE F4 loadFour(const float* from)
+{
+    return *reinterpret_cast<const F4InMemory*>(from);
+}
+
+CROWD_INLINE F8 join(F4 low, F4 high)
+{
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
 CROWD_INLINE F8 all(float value)
@@ -48,17 +60,13 @@ CROWD_INLINE unsigned bitsWhereLess(F8 a, F8 b)
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
 }
 
-/// Writes the lanes whose bits are set next to each other; what follows them is spoilt.
-template<std::size_t kColumns>
-CROWD_INLINE std::size_t pack(const F8 (&lanes)[kColumns], unsigned bits,
-                              float* const (&to)[kColumns], std::size_t at)
+/// Writes `first` plus the numbers of the bits that are set, ascending; what follows is spoilt.
+CROWD_INLINE void listBits(unsigned bits, std::uint32_t first, std::uint32_t* to)
 {
     const __m256i order = _mm256_cvtepu8_epi32(
         _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kPackOrders.lanes[bits])));
-    for (std::size_t column = 0; column < kColumns; ++column) {
-        store(to[column] + at, _mm256_permutevar8x32_ps(lanes[column], order));
-    }
-    return at + static_cast<std::size_t>(std::popcount(bits));
+    *reinterpret_cast<I8InMemory*>(to) =
+        reinterpret_cast<I8>(order) + static_cast<std::int32_t>(first);
 }
 
 #else
@@ -91,21 +99,36 @@ CROWD_INLINE unsigned bitsWhereLess(F8 a, F8 b)
     return bits;
 }
 
-template<std::size_t kColumns>
-CROWD_INLINE std::size_t pack(const F8 (&lanes)[kColumns], unsigned bits,
-                              float* const (&to)[kColumns], std::size_t at)
+CROWD_INLINE void listBits(unsigned bits, std::uint32_t first, std::uint32_t* to)
 {
     for (; bits != 0; bits &= bits - 1) {
-        const auto l = static_cast<std::size_t>(std::countr_zero(bits));
-        for (std::size_t column = 0; column < kColumns; ++column) {
-            to[column][at] = lanes[column][l];
-        }
-        ++at;
+        *to++ = first + static_cast<std::uint32_t>(std::countr_zero(bits));
     }
-    return at;
 }
 
 #endif
+
+/// Eight records of eight floats each become eight columns, or the other way round.
+CROWD_INLINE void transpose(const float* const (&records)[kLanes], F8 (&columns)[kLanes])
+{
+    F8 half[kLanes]; // the first four floats of two records each, then the last four
+    for (std::size_t i = 0; i < 4; ++i) {
+        half[i] = join(loadFour(records[i]), loadFour(records[i + 4]));
+        half[i + 4] = join(loadFour(records[i] + 4), loadFour(records[i + 4] + 4));
+    }
+    for (std::size_t i = 0; i < kLanes; i += 4) {
+        const F8 low01 = __builtin_shufflevector(half[i], half[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+        const F8 high01 = __builtin_shufflevector(half[i], half[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+        const F8 low23 =
+            __builtin_shufflevector(half[i + 2], half[i + 3], 0, 8, 1, 9, 4, 12, 5, 13);
+        const F8 high23 =
+            __builtin_shufflevector(half[i + 2], half[i + 3], 2, 10, 3, 11, 6, 14, 7, 15);
+        columns[i] = __builtin_shufflevector(low01, low23, 0, 1, 8, 9, 4, 5, 12, 13);
+        columns[i + 1] = __builtin_shufflevector(low01, low23, 2, 3, 10, 11, 6, 7, 14, 15);
+        columns[i + 2] = __builtin_shufflevector(high01, high23, 0, 1, 8, 9, 4, 5, 12, 13);
+        columns[i + 3] = __builtin_shufflevector(high01, high23, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+}
 
 /// As fastExp().
 CROWD_INLINE F8 exponential(F8 x)

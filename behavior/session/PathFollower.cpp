@@ -214,21 +214,21 @@ void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
     }
 }
 
-/// Where the groups are. Sums in the order of the rows, which is the same for any number of
+/// Where the groups are. Sums in the order of agents, which is the same for any number of
 /// threads.
-void PathFollower::gatherParties(const AgentColumns& agents)
+void PathFollower::gatherParties(std::span<const Body> bodies)
 {
     std::ranges::fill(m_parties, Party());
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const Walk& walk = m_walks[agents.agent[row]];
-        if (walk.party == kNoParty || walk.hasErrand || !isWalking(agents.agent[row])) {
+    for (std::uint32_t agent = 0; agent < bodies.size(); ++agent) {
+        const Walk& walk = m_walks[agent];
+        if (walk.party == kNoParty || walk.hasErrand || !isWalking(agent)) {
             continue;
         }
         Party& party = m_parties[walk.party];
         party.route = party.members == 0 ? walk.route : party.route;
         if (party.route == walk.route) {
             ++party.members;
-            party.middle += glm::vec2(agents.x[row], agents.z[row]);
+            party.middle += glm::vec2(bodies[agent].x, bodies[agent].z);
             party.pace += walk.pace;
         }
     }
@@ -344,7 +344,7 @@ void PathFollower::branchOff(Walk& walk) const
 }
 
 /// From the place reached to the next one, by the path's kind.
-void PathFollower::passStop(AgentColumns& agents, std::size_t row, Walk& walk) const
+void PathFollower::passStop(Body& body, float& height, Walk& walk) const
 {
     walk.happened |= ReachedPlace;
     walk.reached = m_routes[walk.route].stops[walk.next].place;
@@ -366,24 +366,23 @@ void PathFollower::passStop(AgentColumns& agents, std::size_t row, Walk& walk) c
         walk.next = 0;
     } else {
         const glm::vec2 start = aim(walk, route.stops[0]);
-        agents.x[row] = start.x;
-        agents.z[row] = start.y;
-        agents.y[row] = route.stops[0].height;
+        body.x = start.x;
+        body.z = start.y;
+        height = route.stops[0].height;
         walk.next = 1;
     }
 }
 
 /// Vector to walk along now: to the next corner of the way around what stands between.
-glm::vec2 PathFollower::wayTo(const AgentColumns& agents, std::size_t row, Walk& walk,
-                              const glm::vec3& to) const
+glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const glm::vec3& to) const
 {
-    const glm::vec2 at(agents.x[row], agents.z[row]);
+    const glm::vec2 at(body.x, body.z);
     const glm::vec2 aimed(to.x, to.z);
     if (!m_surface) {
         return aimed - at;
     }
     if (walk.cornersFor != aimed || walk.stepsAstray > kAstraySteps) {
-        walk.corners = m_surface->way({at.x, agents.y[row], at.y}, to);
+        walk.corners = m_surface->way({at.x, height, at.y}, to);
         std::ranges::reverse(walk.corners); // the next one is the last
         walk.cornersFor = aimed;
         walk.stepsAstray = 0;
@@ -394,7 +393,7 @@ glm::vec2 PathFollower::wayTo(const AgentColumns& agents, std::size_t row, Walk&
         walk.stepsAstray = 0;
     }
     const glm::vec2 way = (walk.corners.empty() ? aimed : walk.corners.back()) - at;
-    const float towards = way.x * agents.velocityX[row] + way.y * agents.velocityZ[row];
+    const float towards = way.x * body.velocityX + way.y * body.velocityZ;
     walk.stepsAstray = towards > 0.0F ? 0 : walk.stepsAstray + 1;
     return way;
 }
@@ -409,18 +408,17 @@ float PathFollower::slowness(float x, float z) const
     return 1.0F;
 }
 
-void PathFollower::steerRow(AgentColumns& agents, std::size_t row) const
+void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height) const
 {
-    const std::uint32_t agent = agents.agent[row];
     Walk& walk = m_walks[agent];
     walk.happened = 0;
-    agents.desiredX[row] = 0.0F;
-    agents.desiredZ[row] = 0.0F;
-    agents.preferredSpeed[row] = 0.0F; // stands unless there is somewhere to go
+    body.desiredX = 0.0F;
+    body.desiredZ = 0.0F;
+    body.preferredSpeed = 0.0F; // stands unless there is somewhere to go
     if (!isWalking(agent)) {
         return;
     }
-    const glm::vec2 at(agents.x[row], agents.z[row]);
+    const glm::vec2 at(body.x, body.z);
     const auto target = [&] {
         if (walk.hasErrand) {
             return walk.errand;
@@ -431,10 +429,10 @@ void PathFollower::steerRow(AgentColumns& agents, std::size_t row) const
     };
     const auto rest = [&] {
         const glm::vec3 to = target();
-        return glm::vec2(to.x - agents.x[row], to.z - agents.z[row]);
+        return glm::vec2(to.x - body.x, to.z - body.z);
     };
     const glm::vec2 left = rest();
-    const bool isPast = left.x * agents.velocityX[row] + left.y * agents.velocityZ[row] < 0.0F;
+    const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
     const float near = isPast ? kPassedMetres : kArrivalMetres;
     // A way that ends where nothing leads on ends there.
     const bool isStuck = m_surface && walk.corners.size() == 1 &&
@@ -445,38 +443,39 @@ void PathFollower::steerRow(AgentColumns& agents, std::size_t row) const
             walk.isErrandDone = true;
             walk.happened |= EndedErrand;
         } else {
-            passStop(agents, row, walk);
+            passStop(body, height, walk);
         }
         if (!isWalking(agent)) {
             return;
         }
     }
-    const glm::vec2 way = wayTo(agents, row, walk, target());
+    const glm::vec2 way = wayTo(body, height, walk, target());
     const float squared = squareOf(way);
     const Party* party = partyOf(walk);
-    const float slow = slowness(agents.x[row], agents.z[row]);
+    const float slow = slowness(body.x, body.z);
     float speed = (party != nullptr ? party->pace : walk.pace) * slow;
     if (squared > 1e-8F) {
         const glm::vec2 ahead = way / std::sqrt(squared);
         glm::vec2 sideways(0.0F);
         if (party != nullptr) {
-            keepTogether(*party, {agents.x[row], agents.z[row]}, ahead, speed, sideways);
+            keepTogether(*party, {body.x, body.z}, ahead, speed, sideways);
         }
-        agents.desiredX[row] = ahead.x * speed + sideways.x;
-        agents.desiredZ[row] = ahead.y * speed + sideways.y;
+        body.desiredX = ahead.x * speed + sideways.x;
+        body.desiredZ = ahead.y * speed + sideways.y;
     }
-    agents.preferredSpeed[row] = speed;
+    body.preferredSpeed = speed;
 }
 
 void PathFollower::steer(CrowdSimulation& crowd)
 {
-    AgentColumns& agents = crowd.columns();
+    const std::span<Body> bodies = crowd.bodies();
+    const std::span<float> heights = crowd.heights();
     if (!m_parties.empty()) {
-        gatherParties(agents);
+        gatherParties(bodies);
     }
-    overRows(agents.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            steerRow(agents, row);
+    overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t agent = begin; agent < end; ++agent) {
+            steerOne(static_cast<std::uint32_t>(agent), bodies[agent], heights[agent]);
         }
     });
 }

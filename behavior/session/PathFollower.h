@@ -156,13 +156,13 @@ private:
     [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
     /// Where somebody at `from` goes first: the end of the leg that passes nearest to him.
     [[nodiscard]] static std::uint32_t nextStop(const Route& route, const glm::vec3& from);
-    void passStop(AgentColumns& agents, std::size_t row, Walk& walk) const;
+    void passStop(Body& body, float& height, Walk& walk) const;
     void branchOff(Walk& walk) const;
-    void steerRow(AgentColumns& agents, std::size_t row) const;
-    [[nodiscard]] glm::vec2 wayTo(const AgentColumns& agents, std::size_t row, Walk& walk,
+    void steerOne(std::uint32_t agent, Body& body, float& height) const;
+    [[nodiscard]] glm::vec2 wayTo(const Body& body, float height, Walk& walk,
                                   const glm::vec3& to) const;
     [[nodiscard]] float slowness(float x, float z) const;
-    void gatherParties(const AgentColumns& agents);
+    void gatherParties(std::span<const Body> bodies);
     [[nodiscard]] const Party* partyOf(const Walk& walk) const;
     static void keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
                              float& speed, glm::vec2& sideways);

@@ -293,8 +293,8 @@ void Session::step()
         settle(agent);
     }
     overRows(m_crowd.size(), [this](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            show(row);
+        for (std::size_t agent = begin; agent < end; ++agent) {
+            show(static_cast<std::uint32_t>(agent));
         }
     });
     publishLooks();
@@ -307,7 +307,7 @@ void Session::step()
 /// Attractors, repellers and exits.
 void Session::actPlaces()
 {
-    AgentColumns& agents = m_crowd.columns();
+    const std::span<Body> bodies = m_crowd.bodies();
     for (const model::Place& place : m_places) {
         const bool isField =
             place.role == model::PlaceRole::Attractor || place.role == model::PlaceRole::Repeller;
@@ -316,11 +316,11 @@ void Session::actPlaces()
         }
         const float reach = isField ? place.radius * kFieldReach : place.radius + kExitMetres;
         const float sign = place.role == model::PlaceRole::Attractor ? 1.0F : -1.0F;
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            const std::uint32_t agent = agents.agent[row];
-            const glm::vec2 way(place.position.x - agents.x[row], place.position.z - agents.z[row]);
+        for (std::uint32_t agent = 0; agent < bodies.size(); ++agent) {
+            Body& body = bodies[agent];
+            const glm::vec2 way(place.position.x - body.x, place.position.z - body.z);
             const float away = std::sqrt(way.x * way.x + way.y * way.y);
-            if (away > reach || agents.preferredSpeed[row] <= 0.0F || m_shown[agent].isGone) {
+            if (away > reach || body.preferredSpeed <= 0.0F || m_shown[agent].isGone) {
                 continue;
             }
             if (!isField) {
@@ -328,9 +328,9 @@ void Session::actPlaces()
                 continue;
             }
             const float pull =
-                sign * agents.preferredSpeed[row] * (1.0F - away / reach) / std::max(away, 0.1F);
-            agents.desiredX[row] += way.x * pull;
-            agents.desiredZ[row] += way.y * pull;
+                sign * body.preferredSpeed * (1.0F - away / reach) / std::max(away, 0.1F);
+            body.desiredX += way.x * pull;
+            body.desiredZ += way.y * pull;
         }
     }
 }

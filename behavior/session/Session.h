@@ -206,7 +206,7 @@ private:
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
     void brake();
-    void show(std::size_t row);
+    void show(std::uint32_t agent);
     void goOnFading(Shown& shown) const;
     void followGait(Shown& shown, float speed, bool wantsOn) const;
     void noteClip(std::uint32_t agent);

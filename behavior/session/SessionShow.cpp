@@ -40,63 +40,64 @@ const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
 /// Whoever does not want to go further comes to rest in a step or two rather than at once.
 void Session::brake()
 {
-    AgentColumns& agents = m_crowd.columns();
-    overRows(agents.size(), [this, &agents](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            if (agents.preferredSpeed[row] != 0.0F) {
+    const std::span<Body> bodies = m_crowd.bodies();
+    overRows(bodies.size(), [this, bodies](std::size_t begin, std::size_t end) {
+        for (std::size_t agent = begin; agent < end; ++agent) {
+            Body& body = bodies[agent];
+            if (body.preferredSpeed != 0.0F) {
                 continue;
             }
-            const float speed = std::sqrt(agents.velocityX[row] * agents.velocityX[row] +
-                                          agents.velocityZ[row] * agents.velocityZ[row]);
-            const Shown& shown = m_shown[agents.agent[row]];
+            const float speed =
+                std::sqrt(body.velocityX * body.velocityX + body.velocityZ * body.velocityZ);
+            const Shown& shown = m_shown[agent];
             if (speed < kMovesAbove || shown.isGone || shown.isPut ||
                 shown.sitting != Sitting::No || shown.table >= m_gaits.size() ||
                 m_gaits[shown.table].isEmpty()) {
                 continue;
             }
             const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.gait);
-            agents.preferredSpeed[row] =
-                -GaitTable::braking(gait, shown.place, speed, shown.height);
+            body.preferredSpeed = -GaitTable::braking(gait, shown.place, speed, shown.height);
         }
     });
 }
 
-/// Body, heading and gait of the agent in a row of the crowd.
-void Session::show(std::size_t row)
+/// Body, heading and gait of somebody.
+void Session::show(std::uint32_t agent)
 {
-    AgentColumns& agents = m_crowd.columns();
-    Shown& shown = m_shown[agents.agent[row]];
+    Body& body = m_crowd.bodies()[agent];
+    float& height = m_crowd.heights()[agent];
+    Shown& shown = m_shown[agent];
     if (shown.isGone) {
         // Out of everybody's way, spread as they were at the beginning.
-        const glm::vec3 start = m_population.column(model::columns::position)[agents.agent[row]];
+        const glm::vec3 start = m_population.column(model::columns::position)[agent];
         const bool isSomewhere = model::Bounds::isPlace(start);
-        agents.x[row] = isSomewhere ? start.x : 0.0F;
-        agents.z[row] = isSomewhere ? start.z : 0.0F;
-        agents.y[row] = kGoneHeight;
+        body.x = isSomewhere ? start.x : 0.0F;
+        body.z = isSomewhere ? start.z : 0.0F;
+        height = kGoneHeight;
         return;
     }
     if (shown.isPut || shown.sitting == Sitting::Settles || shown.sitting == Sitting::Sits) {
-        agents.x[row] = shown.position.x;
-        agents.z[row] = shown.position.z;
-        agents.y[row] = shown.position.y;
-        agents.velocityX[row] = 0.0F;
-        agents.velocityZ[row] = 0.0F;
+        body.x = shown.position.x;
+        body.z = shown.position.z;
+        height = shown.position.y;
+        body.velocityX = 0.0F;
+        body.velocityZ = 0.0F;
         shown.isPut = false;
     }
-    const float velocityX = agents.velocityX[row];
-    const float velocityZ = agents.velocityZ[row];
+    const float velocityX = body.velocityX;
+    const float velocityZ = body.velocityZ;
     const float speed = std::sqrt(velocityX * velocityX + velocityZ * velocityZ);
     shown.isLive = shown.isLive || speed > kMovesAbove || shown.order >= 0 || shown.isTurning ||
-                   agents.preferredSpeed[row] > 0.0F;
+                   body.preferredSpeed > 0.0F;
     if (!shown.isLive) {
         return;
     }
-    if (m_surface && agents.preferredSpeed[row] != 0.0F) {
-        const float ground = m_surface->height(agents.x[row], agents.z[row], agents.y[row]);
-        agents.y[row] += (ground - agents.y[row]) * m_rampShare;
+    if (m_surface && body.preferredSpeed != 0.0F) {
+        const float ground = m_surface->height(body.x, body.z, height);
+        height += (ground - height) * m_rampShare;
     }
-    const glm::vec2 way(agents.x[row] - shown.position.x, agents.z[row] - shown.position.z);
-    shown.position = {agents.x[row], agents.y[row], agents.z[row]};
+    const glm::vec2 way(body.x - shown.position.x, body.z - shown.position.z);
+    shown.position = {body.x, height, body.z};
     if (shown.sitting != Sitting::Settles) {
         shown.speed += (speed - shown.speed) * m_smoothing;
     }
@@ -119,8 +120,8 @@ void Session::show(std::size_t row)
             shown.order = -1;
         }
     }
-    followGait(shown, speed, agents.preferredSpeed[row] > 0.0F);
-    noteClip(agents.agent[row]);
+    followGait(shown, speed, body.preferredSpeed > 0.0F);
+    noteClip(agent);
 }
 
 /// Feet set off and come to rest with the body; in between nobody changes his gait for a moment.

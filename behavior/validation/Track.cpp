@@ -111,34 +111,34 @@ TrackCrowd::TrackCrowd(const Track& track, float perSquareMetre, bool isTwoWay, 
     m_crowd.setAgents(states);
 }
 
-float TrackCrowd::signOf(std::uint32_t agent) const
+float TrackCrowd::signOf(std::size_t agent) const
 {
     return m_isTwoWay && agent % 2 == 1 ? -1.0F : 1.0F;
 }
 
 void TrackCrowd::step()
 {
-    AgentColumns& agents = m_crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const glm::vec2 wish = m_track.along({agents.x[row], agents.z[row]}) *
-                               (signOf(agents.agent[row]) * agents.preferredSpeed[row]);
-        agents.desiredX[row] = wish.x;
-        agents.desiredZ[row] = wish.y;
+    const std::span<Body> bodies = m_crowd.bodies();
+    for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+        Body& body = bodies[agent];
+        const glm::vec2 wish =
+            m_track.along({body.x, body.z}) * (signOf(agent) * body.preferredSpeed);
+        body.desiredX = wish.x;
+        body.desiredZ = wish.y;
     }
     m_crowd.step(kWorkloadStep);
 }
 
 glm::dvec2 TrackCrowd::speedAndDensity() const
 {
-    const AgentColumns& agents = m_crowd.columns();
+    const std::span<const Body> bodies = m_crowd.bodies();
     double speed = 0.0;
     int people = 0;
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const glm::vec2 at(agents.x[row], agents.z[row]);
+    for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+        const glm::vec2 at(bodies[agent].x, bodies[agent].z);
         if (m_track.isMeasured(at)) {
-            const glm::vec2 velocity(agents.velocityX[row], agents.velocityZ[row]);
-            speed += static_cast<double>(glm::dot(velocity, m_track.along(at)) *
-                                         signOf(agents.agent[row]));
+            const glm::vec2 velocity(bodies[agent].velocityX, bodies[agent].velocityZ);
+            speed += static_cast<double>(glm::dot(velocity, m_track.along(at)) * signOf(agent));
             ++people;
         }
     }
@@ -152,14 +152,14 @@ double TrackCrowd::laneIndex() const
     const auto strips = static_cast<std::size_t>(std::ceil(m_track.width / kStrip));
     std::vector<double> with(2 * strips);
     std::vector<double> against(2 * strips);
-    const AgentColumns& agents = m_crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const glm::vec2 at(agents.x[row], agents.z[row]);
+    const std::span<const Body> bodies = m_crowd.bodies();
+    for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+        const glm::vec2 at(bodies[agent].x, bodies[agent].z);
         if (m_track.isMeasured(at)) {
             const float across = (m_track.aside(at) + 0.5F * m_track.width) / kStrip;
             const auto strip =
                 static_cast<std::size_t>(std::clamp(across, 0.0F, static_cast<float>(strips - 1)));
-            auto& column = signOf(agents.agent[row]) > 0.0F ? with : against;
+            auto& column = signOf(agent) > 0.0F ? with : against;
             column[strip + (at.y > 0.0F ? strips : 0)] += 1.0;
         }
     }

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] double laneIndex() const;
 
 private:
-    [[nodiscard]] float signOf(std::uint32_t agent) const;
+    [[nodiscard]] float signOf(std::size_t agent) const;
 
     Track m_track;
     bool m_isTwoWay;

@@ -41,13 +41,12 @@ CrowdSimulation crowdOf(const std::vector<glm::vec2>& places, const std::vector<
 /// One step towards where `target` sends each from where it is.
 void stepTowards(CrowdSimulation& crowd, const std::function<glm::vec2(const glm::vec2&)>& target)
 {
-    AgentColumns& agents = crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const glm::vec2 at(agents.x[row], agents.z[row]);
+    for (Body& body : crowd.bodies()) {
+        const glm::vec2 at(body.x, body.z);
         const glm::vec2 way = target(at) - at;
         const float length = std::max(glm::length(way), 1e-4F);
-        agents.desiredX[row] = way.x / length * agents.preferredSpeed[row];
-        agents.desiredZ[row] = way.y / length * agents.preferredSpeed[row];
+        body.desiredX = way.x / length * body.preferredSpeed;
+        body.desiredZ = way.y / length * body.preferredSpeed;
     }
     crowd.step(kWorkloadStep);
 }
@@ -58,8 +57,8 @@ ValidationRow corridorSpeed()
     CrowdSimulation crowd = crowdOf({{1.0F, 1.0F}}, rectangleWalls({0.0F, 0.0F}, {60.0F, 2.0F}));
     const auto ahead = [](const glm::vec2& at) { return at + glm::vec2(1.0F, 0.0F); };
     int steps = 0;
-    while (crowd.columns().x[0] < 45.0F && steps < 3000) {
-        const bool isTimed = crowd.columns().x[0] >= 5.0F;
+    while (crowd.bodies()[0].x < 45.0F && steps < 3000) {
+        const bool isTimed = crowd.bodies()[0].x >= 5.0F;
         stepTowards(crowd, ahead);
         steps += isTimed ? 1 : 0;
     }
@@ -117,9 +116,8 @@ RoomRun leaveRoom(float width)
     constexpr int kMostSteps = 5400;
     for (int i = 0; i < kMostSteps && run.emptyAt == 0.0; ++i) {
         stepTowards(crowd, target);
-        const AgentColumns& agents = crowd.columns();
-        const auto end = agents.x.begin() + static_cast<std::ptrdiff_t>(agents.size());
-        const auto out = std::count_if(agents.x.begin(), end, [](float x) { return x > kRoom; });
+        const auto out =
+            std::ranges::count_if(crowd.bodies(), [](const Body& body) { return body.x > kRoom; });
         const double seconds = (i + 1) * kStep;
         if (out >= 20 && from == 0.0) {
             from = seconds;
@@ -151,11 +149,10 @@ ValidationRow corner()
                                                : at + glm::vec2(0.0F, 1.0F);
         });
     }
-    const AgentColumns& agents = crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const bool isInside = agents.x[row] >= 12.0F && agents.x[row] <= 14.0F;
-        around += isInside && agents.z[row] > 4.0F && agents.z[row] < 14.0F ? 1U : 0U;
-        around += agents.z[row] >= 14.0F ? 1U : 0U; // out of the open end
+    for (const Body& body : crowd.bodies()) {
+        const bool isInside = body.x >= 12.0F && body.x <= 14.0F;
+        around += isInside && body.z > 4.0F && body.z < 14.0F ? 1U : 0U;
+        around += body.z >= 14.0F ? 1U : 0U; // out of the open end
     }
     return {"people out of 30 around a corner, none through its walls", "", //
             static_cast<double>(around), 30.0, 30.0};

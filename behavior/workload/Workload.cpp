@@ -16,18 +16,18 @@ namespace {
 
 constexpr float kApart = 0.5F;
 
-/// Asks `goalDirection(agent, position)` (unit) for every row.
+/// Asks `goalDirection(agent, position)` (unit) for everybody.
 template<class Direction>
 void steerAll(CrowdSimulation& crowd, const Direction& goalDirection)
 {
-    AgentColumns& agents = crowd.columns();
-    overRows(agents.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
+    const std::span<Body> bodies = crowd.bodies();
+    overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t agent = begin; agent < end; ++agent) {
+            Body& body = bodies[agent];
             const glm::vec2 wish =
-                goalDirection(agents.agent[row], glm::vec2(agents.x[row], agents.z[row])) *
-                agents.preferredSpeed[row];
-            agents.desiredX[row] = wish.x;
-            agents.desiredZ[row] = wish.y;
+                goalDirection(agent, glm::vec2(body.x, body.z)) * body.preferredSpeed;
+            body.desiredX = wish.x;
+            body.desiredZ = wish.y;
         }
     });
 }
@@ -65,7 +65,7 @@ public:
 
     void steer() override
     {
-        steerAll(m_crowd, [this](std::uint32_t agent, const glm::vec2& at) {
+        steerAll(m_crowd, [this](std::size_t agent, const glm::vec2& at) {
             const glm::vec2 way = m_goals[agent] - at;
             if (way.x * way.x + way.y * way.y < 1.0F) {
                 ++m_arrivals[agent];
@@ -106,7 +106,7 @@ public:
 
     void steer() override
     {
-        steerAll(m_crowd, [this](std::uint32_t agent, const glm::vec2& at) {
+        steerAll(m_crowd, [this](std::size_t agent, const glm::vec2& at) {
             if (at.x < kTurn) {
                 m_isForward[agent] = 1;
             } else if (at.x > m_length - kTurn) {
@@ -117,14 +117,10 @@ public:
     }
     [[nodiscard]] std::size_t outsideWalls() const override
     {
-        const AgentColumns& agents = m_crowd.columns();
-        std::size_t outside = 0;
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            const bool isInside = agents.x[row] >= 0.0F && agents.x[row] <= m_length &&
-                                  agents.z[row] >= 0.0F && agents.z[row] <= kWidth;
-            outside += isInside ? 0U : 1U;
-        }
-        return outside;
+        const auto isOutside = [this](const Body& body) {
+            return !(body.x >= 0.0F && body.x <= m_length && body.z >= 0.0F && body.z <= kWidth);
+        };
+        return static_cast<std::size_t>(std::ranges::count_if(m_crowd.bodies(), isOutside));
     }
 
 private:
@@ -143,7 +139,7 @@ public:
 
     void steer() override
     {
-        steerAll(m_crowd, [this](std::uint32_t agent, const glm::vec2& at) {
+        steerAll(m_crowd, [this](std::size_t agent, const glm::vec2& at) {
             const glm::vec2 way = spotOf(agent) - at;
             if (way.x * way.x + way.y * way.y < 1.0F) {
                 goOn(agent);
@@ -229,12 +225,11 @@ void CityWorkload::goOn(std::size_t agent)
 
 std::size_t CityWorkload::outsideWalls() const
 {
-    const AgentColumns& agents = m_crowd.columns();
     const float side = static_cast<float>(m_blocks) * kPeriod + kStreet;
     std::size_t outside = 0;
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const float x = agents.x[row];
-        const float z = agents.z[row];
+    for (const Body& body : m_crowd.bodies()) {
+        const float x = body.x;
+        const float z = body.z;
         const bool isInside = x >= 0.0F && z >= 0.0F && x <= side && z <= side;
         const bool isInHouse = std::fmod(x, kPeriod) > kStreet && std::fmod(z, kPeriod) > kStreet;
         outside += isInside && !isInHouse ? 0U : 1U;

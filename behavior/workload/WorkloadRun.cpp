@@ -45,42 +45,40 @@ public:
 private:
     void remember()
     {
-        const AgentColumns& agents = m_workload.crowd().columns();
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            const glm::dvec2 place(agents.x[row], agents.z[row]);
-            m_velocity[agents.agent[row]] =
-                (place - m_place[agents.agent[row]]) / static_cast<double>(kWorkloadStep);
-            m_place[agents.agent[row]] = place;
+        const std::span<const Body> bodies = m_workload.crowd().bodies();
+        for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+            const glm::dvec2 place(bodies[agent].x, bodies[agent].z);
+            m_velocity[agent] = (place - m_place[agent]) / static_cast<double>(kWorkloadStep);
+            m_place[agent] = place;
         }
     }
     void measureMotion()
     {
-        const AgentColumns& agents = m_workload.crowd().columns();
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            const glm::dvec2 place(agents.x[row], agents.z[row]);
+        const std::span<const Body> bodies = m_workload.crowd().bodies();
+        for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+            const Body& body = bodies[agent];
+            const glm::dvec2 place(body.x, body.z);
             const glm::dvec2 velocity =
-                (place - m_place[agents.agent[row]]) / static_cast<double>(kWorkloadStep);
-            const glm::dvec2 wish(agents.desiredX[row], agents.desiredZ[row]);
-            const glm::dvec2 change = velocity - m_velocity[agents.agent[row]];
-            const auto speed = static_cast<double>(agents.preferredSpeed[row]);
+                (place - m_place[agent]) / static_cast<double>(kWorkloadStep);
+            const glm::dvec2 wish(body.desiredX, body.desiredZ);
+            const glm::dvec2 change = velocity - m_velocity[agent];
+            const auto speed = static_cast<double>(body.preferredSpeed);
             m_progress += (velocity.x * wish.x + velocity.y * wish.y) / (speed * speed);
             m_squares += (change.x * change.x + change.y * change.y) /
                          (static_cast<double>(kWorkloadStep) * static_cast<double>(kWorkloadStep));
         }
-        m_motions += agents.size();
+        m_motions += bodies.size();
     }
     void sample()
     {
-        const AgentColumns& agents = m_workload.crowd().columns();
-        const auto people = static_cast<double>(agents.size());
+        const auto people = static_cast<double>(m_workload.crowd().size());
         const auto pairs =
             static_cast<double>(countPairsCloserThan(m_workload.crowd(), kOverlapMetres));
         m_figures.overlapsPer1000 = std::max(m_figures.overlapsPer1000, 1000.0 * pairs / people);
         m_figures.outsideWalls = std::max(m_figures.outsideWalls,
                                           static_cast<double>(m_workload.outsideWalls()) / people);
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            const float sum =
-                agents.x[row] + agents.z[row] + agents.velocityX[row] + agents.velocityZ[row];
+        for (const Body& body : m_workload.crowd().bodies()) {
+            const float sum = body.x + body.z + body.velocityX + body.velocityZ;
             m_figures.brokenNumbers += std::isfinite(sum) ? 0U : 1U;
         }
     }

@@ -44,43 +44,36 @@ namespace {
 
 constexpr float kStep = behavior::kWorkloadStep;
 
-/// All there is to know of a crowd, by agent.
+/// All there is to know of a crowd.
 std::vector<std::uint32_t> bitsOf(const CrowdSimulation& crowd)
 {
-    const behavior::AgentColumns& agents = crowd.columns();
-    std::vector<std::uint32_t> bits(agents.size() * 4);
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        const float values[] = {agents.x[row], agents.z[row], agents.velocityX[row],
-                                agents.velocityZ[row]};
-        for (std::size_t i = 0; i < 4; ++i) {
-            bits[agents.agent[row] * 4 + i] = std::bit_cast<std::uint32_t>(values[i]);
+    std::vector<std::uint32_t> bits;
+    for (const behavior::Body& body : crowd.bodies()) {
+        for (const float value : {body.x, body.z, body.velocityX, body.velocityZ}) {
+            bits.push_back(std::bit_cast<std::uint32_t>(value));
         }
     }
     return bits;
 }
 
-std::size_t rowOf(const CrowdSimulation& crowd, std::uint32_t agent)
-{
-    const auto& agents = crowd.columns().agent;
-    return static_cast<std::size_t>(std::ranges::find(agents, agent) - agents.begin());
-}
-
 void steerAll(CrowdSimulation& crowd, const glm::vec2& velocity)
 {
-    std::ranges::fill(crowd.columns().desiredX, velocity.x);
-    std::ranges::fill(crowd.columns().desiredZ, velocity.y);
+    for (behavior::Body& body : crowd.bodies()) {
+        body.desiredX = velocity.x;
+        body.desiredZ = velocity.y;
+    }
 }
 
 std::vector<AgentState> statesOf(const CrowdSimulation& crowd)
 {
-    const behavior::AgentColumns& agents = crowd.columns();
-    std::vector<AgentState> states(agents.size());
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        states[agents.agent[row]] = {{agents.x[row], agents.z[row]},
-                                     {agents.velocityX[row], agents.velocityZ[row]},
-                                     agents.y[row],
-                                     agents.radius[row],
-                                     agents.preferredSpeed[row]};
+    std::vector<AgentState> states;
+    for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+        const behavior::Body& body = crowd.bodies()[agent];
+        states.push_back({{body.x, body.z},
+                          {body.velocityX, body.velocityZ},
+                          crowd.heights()[agent],
+                          body.radius,
+                          body.preferredSpeed});
     }
     return states;
 }
@@ -125,10 +118,10 @@ void CrowdSimulationTest::sameBitsOnAnyProcessor()
         CrowdSimulation& crowd = made.value()->crowd();
         crowd.parameters.plainInstructions = isPlain;
         crowd.setLevels(true);
-        for (std::size_t row = 0; row < crowd.size(); ++row) {
-            crowd.columns().y[row] = crowd.columns().agent[row] % 10 == 0 ? 3.0F : 0.0F;
-            crowd.columns().preferredSpeed[row] =
-                crowd.columns().agent[row] % 50 == 1 ? 0.0F : behavior::kWorkloadSpeed;
+        for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+            crowd.heights()[agent] = agent % 10 == 0 ? 3.0F : 0.0F;
+            crowd.bodies()[agent].preferredSpeed =
+                agent % 50 == 1 ? 0.0F : behavior::kWorkloadSpeed;
         }
         (void)behavior::runWorkload(*made.value(), 200, nullptr);
         const std::vector<std::uint32_t> bits = bitsOf(crowd);
@@ -210,13 +203,12 @@ void CrowdSimulationTest::standingPeopleAreNotMoved()
     for (int i = 0; i < 600; ++i) {
         steerAll(crowd, {1.3F, 0.0F});
         crowd.step(kStep);
-        QCOMPARE(crowd.columns().x[rowOf(crowd, 40)], 0.0F);
-        QCOMPARE(crowd.columns().z[rowOf(crowd, 40)], 0.0F);
+        QCOMPARE(crowd.bodies()[40].x, 0.0F);
+        QCOMPARE(crowd.bodies()[40].z, 0.0F);
         QCOMPARE(behavior::countPairsCloserThan(crowd, 0.4F), std::size_t{0});
     }
-    const behavior::AgentColumns& agents = crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        QVERIFY(agents.agent[row] == 40 || agents.x[row] > 0.5F); // all went around
+    for (const behavior::Body& body : crowd.bodies().first(40)) {
+        QVERIFY(body.x > 0.5F); // all went around
     }
 }
 
@@ -255,9 +247,8 @@ void CrowdSimulationTest::nobodyPassesAWall()
     for (int i = 0; i < 600; ++i) {
         steerAll(crowd, {2.0F, 0.0F});
         crowd.step(kStep);
-        const behavior::AgentColumns& agents = crowd.columns();
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            QVERIFY(glm::dot(glm::vec2(agents.x[row], agents.z[row]), across) < 0.0F);
+        for (const behavior::Body& body : crowd.bodies()) {
+            QVERIFY(glm::dot(glm::vec2(body.x, body.z), across) < 0.0F);
         }
     }
 }
@@ -279,7 +270,7 @@ void CrowdSimulationTest::aWallOfPiecesPressesLikeOne()
             steerAll(crowd, {1.3F, -0.5F});
             crowd.step(kStep);
         }
-        return glm::vec2(crowd.columns().x[0], crowd.columns().z[0]);
+        return glm::vec2(crowd.bodies()[0].x, crowd.bodies()[0].z);
     };
     QVERIFY(glm::distance(wayBeside(1), wayBeside(37)) < 0.01F);
     QVERIFY(wayBeside(1).y > 0.2F);
@@ -293,13 +284,12 @@ void CrowdSimulationTest::otherLevelsDoNotMatter()
     crowd.setAgents(states);
     crowd.setLevels(true);
     for (int i = 0; i < 90; ++i) {
-        for (std::size_t row = 0; row < 2; ++row) {
-            crowd.columns().desiredX[row] = crowd.columns().agent[row] == 0 ? 1.3F : -1.3F;
-        }
+        crowd.bodies()[0].desiredX = 1.3F;
+        crowd.bodies()[1].desiredX = -1.3F;
         crowd.step(kStep);
     }
-    QCOMPARE(crowd.columns().z[rowOf(crowd, 0)], 0.0F); // never gave way
-    QCOMPARE(crowd.columns().z[rowOf(crowd, 1)], 0.05F);
+    QCOMPARE(crowd.bodies()[0].z, 0.0F); // never gave way
+    QCOMPARE(crowd.bodies()[1].z, 0.05F);
 }
 
 void CrowdSimulationTest::survivesNonsense()
@@ -320,10 +310,9 @@ void CrowdSimulationTest::survivesNonsense()
         steerAll(crowd, {nan, 1.0F});
         crowd.step(seconds);
     }
-    const behavior::AgentColumns& agents = crowd.columns();
-    for (std::size_t row = 0; row < agents.size(); ++row) {
-        QVERIFY(std::isfinite(agents.x[row]) && std::isfinite(agents.z[row]));
-        QVERIFY(std::isfinite(agents.velocityX[row]) && std::isfinite(agents.velocityZ[row]));
+    for (const behavior::Body& body : crowd.bodies()) {
+        QVERIFY(std::isfinite(body.x) && std::isfinite(body.z));
+        QVERIFY(std::isfinite(body.velocityX) && std::isfinite(body.velocityZ));
     }
 }
 

@@ -326,13 +326,13 @@ void SessionTest::flowIsAsWideAsThePlaces()
     std::vector<float> before(starts.size(), -1e3F);
     for (int step = 0; step < 9000 && asides.size() < starts.size(); ++step) {
         session.step();
-        const behavior::AgentColumns& agents = session.crowd().columns();
-        for (std::size_t row = 0; row < agents.size(); ++row) {
-            float& last = before[agents.agent[row]];
-            if (last < 40.0F && agents.x[row] >= 40.0F) { // half the way between two places
-                asides.push_back(agents.z[row]);
+        const auto bodies = session.crowd().bodies();
+        for (std::size_t agent = 0; agent < bodies.size(); ++agent) {
+            float& last = before[agent];
+            if (last < 40.0F && bodies[agent].x >= 40.0F) { // half the way between two places
+                asides.push_back(bodies[agent].z);
             }
-            last = agents.x[row];
+            last = bodies[agent].x;
         }
     }
     QCOMPARE(asides.size(), starts.size());

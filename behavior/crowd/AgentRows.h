@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace crowd::behavior {
+
+/// Number of floats that the kernel takes at once on every machine, so that sums are the same
+/// everywhere. Columns have as many spare elements at their end.
+inline constexpr std::size_t kLanes = 8;
+
+/// What others notice of somebody. Metres, metres per second.
+struct alignas(32) Seen
+{
+    float x = 0.0F;
+    float z = 0.0F;
+    float velocityX = 0.0F;
+    float velocityZ = 0.0F;
+    float radius = 0.0F;
+    float facingX = 0.0F; ///< unit vector of where he wants to go; zero: nowhere
+    float facingZ = 0.0F;
+    float unused = 0.0F;
+};
+
+/// Everybody during a step, in the order of the bins; units as in Body. Columns where many are
+/// looked at in a row, records where one picks a few.
+struct AgentRows
+{
+    std::vector<float> x;
+    std::vector<float> z;
+    std::vector<float> y; ///< height of the ground underfoot
+    std::vector<float> velocityX;
+    std::vector<float> velocityZ;
+    std::vector<float> desiredX;
+    std::vector<float> desiredZ;
+    std::vector<float> preferredSpeed;
+    std::vector<float> radius;
+    std::vector<Seen> seen; ///< and, behind the last, somebody too far away to matter
+
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    void resize(std::size_t rows)
+    {
+        m_size = rows;
+        for (std::vector<float> AgentRows::*column : kFloats) {
+            (this->*column).resize(rows + kLanes);
+        }
+        constexpr float kNowhere = 3e9F;
+        seen.resize(rows + kLanes);
+        seen[rows] = {kNowhere, kNowhere};
+    }
+    [[nodiscard]] std::size_t bytes() const
+    {
+        return std::size(kFloats) * x.size() * sizeof(float) + seen.size() * sizeof(Seen);
+    }
+
+    static constexpr std::vector<float> AgentRows::*kFloats[] = {
+        &AgentRows::x,         &AgentRows::z,
+        &AgentRows::y,         &AgentRows::velocityX,
+        &AgentRows::velocityZ, &AgentRows::desiredX,
+        &AgentRows::desiredZ,  &AgentRows::preferredSpeed,
+        &AgentRows::radius};
+
+private:
+    std::size_t m_size = 0;
+};
+
+} // namespace crowd::behavior
