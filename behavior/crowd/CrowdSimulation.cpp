@@ -29,7 +29,7 @@ float tame(float value, float low, float high, float otherwise)
 void CrowdSimulation::setAgents(std::span<const AgentState> agents)
 {
     m_bodies.resize(agents.size());
-    m_heights.resize(agents.size());
+    m_heights.resize(agents.size() + kLanes);
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const AgentState& state = agents[i];
         m_bodies[i] = {.x = tame(state.position.x, -kFarthest, kFarthest, 0.0F),

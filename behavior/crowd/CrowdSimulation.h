@@ -44,8 +44,8 @@ public:
     [[nodiscard]] std::span<Body> bodies() { return m_bodies; }
     [[nodiscard]] std::span<const Body> bodies() const { return m_bodies; }
     /// Of the ground underfoot, by agent, metres; write them where it is not flat.
-    [[nodiscard]] std::span<float> heights() { return m_heights; }
-    [[nodiscard]] std::span<const float> heights() const { return m_heights; }
+    [[nodiscard]] std::span<float> heights() { return {m_heights.data(), size()}; }
+    [[nodiscard]] std::span<const float> heights() const { return {m_heights.data(), size()}; }
     void setLevels(bool hasLevels) { m_hasLevels = hasLevels; }
 
     /// Moves everybody on by `seconds` (at most 0.1; nothing happens at 0 or less).
@@ -60,9 +60,9 @@ private:
     void scatter();
 
     std::vector<Body> m_bodies;
-    std::vector<float> m_heights;
-    AgentRows m_rows;           ///< the same people while they step
-    std::vector<float> m_nextX; ///< of the rows
+    std::vector<float> m_heights; ///< and spare ones for a whole block of lanes
+    AgentRows m_rows;             ///< the same people while they step
+    std::vector<float> m_nextX;   ///< of the rows
     std::vector<float> m_nextZ;
     std::vector<std::uint8_t> m_isCrowded;
     BinLattice m_lattice;

@@ -2,11 +2,11 @@
 #include "behavior/crowd/ForceKernel.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
 #include "behavior/crowd/FastExp.h"
+#include "behavior/crowd/PackOrders.h"
 #include "behavior/crowd/WallForce.h"
 
 // GCC compiles the kernel a second time for newer processors. (Not by function clones: the choice
@@ -62,26 +62,6 @@ struct Sums
     float wallZ[kBatch] = {};
     float hidden[kBatch] = {};
 };
-
-/// For each set of lanes, its members in ascending order, a byte each from the lowest on.
-struct PackOrders
-{
-    std::array<std::uint64_t, 256> lanes{};
-
-    constexpr PackOrders()
-    {
-        for (unsigned bits = 0; bits < 256; ++bits) {
-            unsigned place = 0;
-            for (unsigned lane = 0; lane < 8; ++lane) {
-                if ((bits >> lane & 1U) != 0) {
-                    lanes[bits] |= std::uint64_t{lane} << (8 * place++);
-                }
-            }
-        }
-    }
-};
-
-[[maybe_unused]] constexpr PackOrders kPackOrders;
 
 /// Half the way out of somebody too close, all of it when the other does not move.
 void leave(const AgentRows& agents, std::size_t row, std::size_t other, float least, float& wayX,

@@ -13,11 +13,6 @@ CROWD_INLINE unsigned bitsOfOthers(std::size_t first, std::size_t end, std::size
     return own < kLanes ? bits & ~(1U << own) : bits;
 }
 
-CROWD_INLINE F8 squaredDistances(const F8& x, const F8& z)
-{
-    return x * x + z * z;
-}
-
 /// Rows of everybody within range of a row, ascending, from near.row[at] on; returns where the next
 /// row's begin. The last block is filled up with somebody too far away to matter.
 template<bool kHasLevels>

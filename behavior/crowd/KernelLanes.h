@@ -37,6 +37,11 @@ CROWD_INLINE F8 all(float value)
     return F8{} + value;
 }
 
+CROWD_INLINE F8 squaredDistances(const F8& x, const F8& z)
+{
+    return x * x + z * z;
+}
+
 #ifdef CROWD_KERNEL_AVX2
 
 CROWD_INLINE F8 greater(F8 a, F8 b)

@@ -360,6 +360,7 @@ void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent,
     mind.isTravelling = false;
     mind.cause = cause;
     mind.litUntil = m_now + kLitSeconds;
+    m_litUntil = mind.litUntil;
     if (m_log.size() < kMaxLog) {
         m_log.push_back({m_now, m_rules[index].id, host.id(agent)});
     }

@@ -118,6 +118,7 @@ public:
     }
     /// For whom a rule fired within the last half second.
     [[nodiscard]] bool isLit(std::uint32_t agent) const { return m_now < m_minds[agent].litUntil; }
+    [[nodiscard]] bool isAnybodyLit() const { return m_now < m_litUntil; }
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
 
 private:
@@ -288,6 +289,7 @@ private:
     std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers;
     bool m_areNumbersStale = false;
     double m_now = 0.0;
+    double m_litUntil = -1.0; ///< the last of all
     std::uint32_t m_seed = 1;
 };
 

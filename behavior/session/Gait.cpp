@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
@@ -121,6 +122,25 @@ std::size_t GaitTable::gaitOf(std::size_t clip) const
                : static_cast<std::size_t>(found - m_gaits.begin());
 }
 
+float GaitTable::border(std::size_t upper) const
+{
+    return upper == 1
+               ? kStandBelow
+               : std::sqrt(m_gaits[upper - 1].metresPerSecond * m_gaits[upper].metresPerSecond);
+}
+
+GaitTable::Limits GaitTable::limits(std::size_t present, std::size_t style) const
+{
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    const std::size_t gait = std::min(present, m_gaits.size() - 1);
+    if (style != 0 && gait != 0) {
+        return gait == style ? Limits{kStandBelow * (1.0F - kHysteresis), kNone}
+                             : Limits{kNone, -kNone};
+    }
+    return {gait == 0 ? -kNone : border(gait) * (1.0F - kHysteresis),
+            gait + 1 == m_gaits.size() ? kNone : border(gait + 1) * (1.0F + kHysteresis)};
+}
+
 std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::size_t style) const
 {
     if (style != 0) {
@@ -128,11 +148,6 @@ std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::s
         const float border = kStandBelow * (present == 0 ? 1.0F + kHysteresis : 1.0F - kHysteresis);
         return metresPerSecond > border ? style : 0;
     }
-    const auto border = [this](std::size_t upper) {
-        return upper == 1
-                   ? kStandBelow
-                   : std::sqrt(m_gaits[upper - 1].metresPerSecond * m_gaits[upper].metresPerSecond);
-    };
     std::size_t gait = std::min(present, m_gaits.size() - 1);
     while (gait + 1 < m_gaits.size() && metresPerSecond > border(gait + 1) * (1.0F + kHysteresis)) {
         ++gait;

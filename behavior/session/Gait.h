@@ -39,6 +39,13 @@ public:
     /// `style`: the only one to move with, 0 for any.
     [[nodiscard]] std::size_t choose(std::size_t present, float metresPerSecond,
                                      std::size_t style = 0) const;
+    /// Speeds between which choose() keeps to the present gait, m/s.
+    struct Limits
+    {
+        float slowest = 0.0F;
+        float fastest = 0.0F;
+    };
+    [[nodiscard]] Limits limits(std::size_t present, std::size_t style) const;
     /// That moves with a clip (as the clip column counts); 0: none does.
     [[nodiscard]] std::size_t gaitOf(std::size_t clip) const;
     /// How somebody moving at that speed comes to rest with one foot under the body, m/s²: standing
@@ -56,6 +63,9 @@ public:
     [[nodiscard]] static float playback(const Gait& gait, float metresPerSecond, float height);
 
 private:
+    /// Speed at which one gait goes over into the next one up.
+    [[nodiscard]] float border(std::size_t upper) const;
+
     std::vector<Gait> m_gaits; ///< standing first, then by rising speed
 };
 

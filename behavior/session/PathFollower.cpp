@@ -2,6 +2,7 @@
 #include "behavior/session/PathFollower.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,9 +18,6 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kArrivalMetres = 0.4F;
-/// Who was pushed off his point has arrived when he is past it and not further away than this.
-constexpr float kPassedMetres = 1.5F;
 constexpr float kWidestPlace = 1e4F;
 constexpr float kCornerMetres = 0.5F;
 constexpr float kPartyEase = 0.6F;      ///< metres from the middle that nobody minds
@@ -116,6 +114,7 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
         }
         walk.next = std::min(walk.next, static_cast<std::uint32_t>(route.stops.size() - 1));
     }
+    touchAll();
     return problems;
 }
 
@@ -145,6 +144,7 @@ std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignment
 {
     std::size_t lost = 0;
     m_walks.assign(agents, {});
+    touchAll();
     for (const Assignment& assignment : assignments) {
         lost += assignment.agent < agents && follow(assignment) ? 0 : 1;
     }
@@ -181,7 +181,7 @@ std::uint32_t PathFollower::nextStop(const Route& route, const glm::vec3& from)
 
 bool PathFollower::follow(const Assignment& assignment)
 {
-    Walk& walk = m_walks[assignment.agent];
+    Walk& walk = touch(assignment.agent);
     const std::uint32_t turns = walk.turns;
     const std::uint32_t party = walk.party;
     walk = {};
@@ -212,6 +212,7 @@ void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
         m_walks[agent].party =
             group == 0 ? kNoParty : static_cast<std::uint32_t>(found - groups.begin());
     }
+    touchAll();
 }
 
 /// Where the groups are. Sums in the order of agents, which is the same for any number of
@@ -269,7 +270,7 @@ void PathFollower::keepTogether(const Party& party, const glm::vec2& at, const g
 
 void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
 {
-    Walk& walk = m_walks[agent];
+    Walk& walk = touch(agent);
     walk.hasErrand = true;
     walk.isErrandDone = false;
     walk.isHeld = false;
@@ -278,7 +279,7 @@ void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
 
 void PathFollower::goOn(std::uint32_t agent)
 {
-    Walk& walk = m_walks[agent];
+    Walk& walk = touch(agent);
     walk.isHeld = false;
     walk.hasErrand = false;
     walk.isErrandDone = false;
@@ -286,13 +287,13 @@ void PathFollower::goOn(std::uint32_t agent)
 
 void PathFollower::forgetWay(std::uint32_t agent)
 {
-    m_walks[agent].corners.clear();
+    touch(agent).corners.clear();
     m_walks[agent].cornersFor = glm::vec2(1e30F);
 }
 
 void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
 {
-    m_walks[agent].pace = metresPerSecond;
+    touch(agent).pace = metresPerSecond;
 }
 
 void PathFollower::rearrange(std::span<const std::uint32_t> keep)
@@ -304,6 +305,23 @@ void PathFollower::rearrange(std::span<const std::uint32_t> keep)
         }
     }
     m_walks = std::move(walks);
+    touchAll();
+}
+
+PathFollower::Walk& PathFollower::touch(std::uint32_t agent)
+{
+    m_aims.course[agent] = static_cast<std::int32_t>(Course::Look);
+    return m_walks[agent];
+}
+
+void PathFollower::touchAll()
+{
+    const std::size_t agents = m_walks.size();
+    for (auto* column : {&m_aims.x, &m_aims.z, &m_aims.pace}) {
+        column->resize(agents + kLanes);
+    }
+    m_aims.course.assign(agents + kLanes, static_cast<std::int32_t>(Course::Look));
+    m_happened.assign(agents, 0);
 }
 
 void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
@@ -313,6 +331,7 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
         walk.corners.clear();
         walk.cornersFor = glm::vec2(1e30F);
     }
+    touchAll();
 }
 
 bool PathFollower::isWalking(std::uint32_t agent) const
@@ -344,25 +363,25 @@ void PathFollower::branchOff(Walk& walk) const
 }
 
 /// From the place reached to the next one, by the path's kind.
-void PathFollower::passStop(Body& body, float& height, Walk& walk) const
+std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
 {
-    walk.happened |= ReachedPlace;
     walk.reached = m_routes[walk.route].stops[walk.next].place;
     ++walk.turns;
     const std::uint32_t before = walk.route;
     branchOff(walk);
     const Route& route = m_routes[walk.route];
     if (walk.route != before) {
-        return;
+        return ReachedPlace;
     }
     if (walk.next + 1 < route.stops.size()) {
         ++walk.next;
-        return;
+        return ReachedPlace;
     }
     if (route.kind == model::PathKind::Simple || route.stops.size() == 1) {
         walk.hasArrived = true;
-        walk.happened |= EndedPath;
-    } else if (route.kind == model::PathKind::Cyclic) {
+        return ReachedPlace | EndedPath;
+    }
+    if (route.kind == model::PathKind::Cyclic) {
         walk.next = 0;
     } else {
         const glm::vec2 start = aim(walk, route.stops[0]);
@@ -371,6 +390,7 @@ void PathFollower::passStop(Body& body, float& height, Walk& walk) const
         height = route.stops[0].height;
         walk.next = 1;
     }
+    return ReachedPlace;
 }
 
 /// Vector to walk along now: to the next corner of the way around what stands between.
@@ -408,10 +428,19 @@ float PathFollower::slowness(float x, float z) const
     return 1.0F;
 }
 
-void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height) const
+glm::vec3 PathFollower::targetOf(const Walk& walk) const
+{
+    if (walk.hasErrand) {
+        return walk.errand;
+    }
+    const Stop& stop = m_routes[walk.route].stops[walk.next];
+    const glm::vec2 point = aim(walk, stop);
+    return {point.x, stop.height, point.y};
+}
+
+void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
 {
     Walk& walk = m_walks[agent];
-    walk.happened = 0;
     body.desiredX = 0.0F;
     body.desiredZ = 0.0F;
     body.preferredSpeed = 0.0F; // stands unless there is somewhere to go
@@ -419,19 +448,8 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height) cons
         return;
     }
     const glm::vec2 at(body.x, body.z);
-    const auto target = [&] {
-        if (walk.hasErrand) {
-            return walk.errand;
-        }
-        const Stop& stop = m_routes[walk.route].stops[walk.next];
-        const glm::vec2 point = aim(walk, stop);
-        return glm::vec3(point.x, stop.height, point.y);
-    };
-    const auto rest = [&] {
-        const glm::vec3 to = target();
-        return glm::vec2(to.x - body.x, to.z - body.z);
-    };
-    const glm::vec2 left = rest();
+    const glm::vec3 target = targetOf(walk);
+    const glm::vec2 left = glm::vec2(target.x, target.z) - at;
     const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
     const float near = isPast ? kPassedMetres : kArrivalMetres;
     // A way that ends where nothing leads on ends there.
@@ -441,15 +459,15 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height) cons
     if (squareOf(left) < near * near || isStuck) {
         if (walk.hasErrand) {
             walk.isErrandDone = true;
-            walk.happened |= EndedErrand;
+            m_happened[agent] = EndedErrand;
         } else {
-            passStop(body, height, walk);
+            m_happened[agent] = passStop(body, height, walk);
         }
         if (!isWalking(agent)) {
             return;
         }
     }
-    const glm::vec2 way = wayTo(body, height, walk, target());
+    const glm::vec2 way = wayTo(body, height, walk, targetOf(walk));
     const float squared = squareOf(way);
     const Party* party = partyOf(walk);
     const float slow = slowness(body.x, body.z);
@@ -466,6 +484,23 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height) cons
     body.preferredSpeed = speed;
 }
 
+/// What the next steps may do with somebody, now that he has been looked at.
+void PathFollower::setAim(std::uint32_t agent)
+{
+    const Walk& walk = m_walks[agent];
+    Course course = Course::Rests;
+    m_aims.pace[agent] = 0.0F;
+    if (isWalking(agent)) {
+        // With others, or around what stands in the way, the aim is another one in every step.
+        course = m_surface || walk.party != kNoParty ? Course::Look : Course::GoesOn;
+        const glm::vec3 target = targetOf(walk);
+        m_aims.x[agent] = target.x;
+        m_aims.z[agent] = target.z;
+        m_aims.pace[agent] = walk.pace;
+    }
+    m_aims.course[agent] = static_cast<std::int32_t>(course);
+}
+
 void PathFollower::steer(CrowdSimulation& crowd)
 {
     const std::span<Body> bodies = crowd.bodies();
@@ -473,9 +508,16 @@ void PathFollower::steer(CrowdSimulation& crowd)
     if (!m_parties.empty()) {
         gatherParties(bodies);
     }
+    std::ranges::fill(m_happened, std::uint8_t{0});
     overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t agent = begin; agent < end; ++agent) {
-            steerOne(static_cast<std::uint32_t>(agent), bodies[agent], heights[agent]);
+        std::array<std::uint32_t, kStrideBlock + kLanes> list;
+        for (std::size_t first = begin; first < end; first += kStrideBlock) {
+            const std::size_t looks = steerStraightOn(
+                bodies, m_aims, m_slow, first, std::min(first + kStrideBlock, end), list.data());
+            for (std::size_t i = 0; i < looks; ++i) {
+                steerOne(list[i], bodies[list[i]], heights[list[i]]);
+                setAim(list[i]);
+            }
         }
     });
 }

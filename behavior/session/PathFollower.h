@@ -12,6 +12,7 @@
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/session/Problem.h"
+#include "behavior/session/StrideKernel.h"
 #include "model/scene/Path.h"
 
 namespace crowd::behavior {
@@ -57,7 +58,7 @@ public:
     bool follow(const Assignment& assignment);
     /// To a point, before anything else; stays there until told to go on.
     void sendTo(std::uint32_t agent, const glm::vec3& point);
-    void stop(std::uint32_t agent) { m_walks[agent].isHeld = true; }
+    void stop(std::uint32_t agent) { touch(agent).isHeld = true; }
     void goOn(std::uint32_t agent);
     /// He is somewhere else now: the way is looked for anew.
     void forgetWay(std::uint32_t agent);
@@ -76,10 +77,7 @@ public:
     [[nodiscard]] std::size_t nextPlace(std::uint32_t agent) const { return m_walks[agent].next; }
     /// Whether its path has ended.
     [[nodiscard]] bool hasArrived(std::uint32_t agent) const { return m_walks[agent].hasArrived; }
-    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const
-    {
-        return m_walks[agent].happened;
-    }
+    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const { return m_happened[agent]; }
     /// Of a path's stop that was reached last.
     [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const
     {
@@ -109,13 +107,6 @@ private:
         model::PathKind kind = model::PathKind::Simple;
         std::vector<Stop> stops;
     };
-    /// Where people walk slower.
-    struct SlowArea
-    {
-        glm::vec2 center{0.0F};
-        float radius = 0.0F;
-        float share = 1.0F; ///< of the usual speed
-    };
     struct Walk
     {
         std::uint32_t route = kNoRoute;
@@ -131,7 +122,6 @@ private:
         bool hasErrand = false;
         bool isErrandDone = false;
         glm::vec3 errand{0.0F};
-        std::uint8_t happened = 0;
         model::PlaceId reached = 0;
         // Around what stands in the way: corners still to come, the last one the aim.
         std::vector<glm::vec2> corners;
@@ -156,9 +146,15 @@ private:
     [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
     /// Where somebody at `from` goes first: the end of the leg that passes nearest to him.
     [[nodiscard]] static std::uint32_t nextStop(const Route& route, const glm::vec3& from);
-    void passStop(Body& body, float& height, Walk& walk) const;
+    /// Something else is to be done with somebody: the next step looks at him.
+    Walk& touch(std::uint32_t agent);
+    void touchAll();
+    /// Returns what happened.
+    [[nodiscard]] std::uint8_t passStop(Body& body, float& height, Walk& walk) const;
+    void setAim(std::uint32_t agent);
+    [[nodiscard]] glm::vec3 targetOf(const Walk& walk) const;
     void branchOff(Walk& walk) const;
-    void steerOne(std::uint32_t agent, Body& body, float& height) const;
+    void steerOne(std::uint32_t agent, Body& body, float& height);
     [[nodiscard]] glm::vec2 wayTo(const Body& body, float height, Walk& walk,
                                   const glm::vec3& to) const;
     [[nodiscard]] float slowness(float x, float z) const;
@@ -169,8 +165,10 @@ private:
 
     std::vector<Route> m_routes;
     std::vector<SlowArea> m_slow;
-    std::vector<Party> m_parties;      ///< by Walk::party
-    mutable std::vector<Walk> m_walks; ///< by agent; each row writes its own
+    std::vector<Party> m_parties;         ///< by Walk::party
+    std::vector<Walk> m_walks;            ///< by agent
+    std::vector<std::uint8_t> m_happened; ///< Happening, by agent
+    Aims m_aims;                          ///< of those who go straight on, by agent
     std::shared_ptr<const WalkSurface> m_surface;
 };
 

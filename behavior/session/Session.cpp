@@ -138,13 +138,19 @@ Session::Shown Session::shownFrom(const model::Population& people, std::size_t r
         *m_templates, people.column(model::columns::templateId)[row], &model::TemplateEntry::id);
     Shown shown;
     shown.table = static_cast<std::uint32_t>(entry - m_templates->begin());
-    shown.heading = people.column(model::columns::heading)[row];
     shown.height = people.column(model::columns::height)[row];
-    shown.place = static_cast<double>(people.column(model::columns::phase)[row]);
-    shown.position = people.column(model::columns::position)[row];
     shown.style = styleOf(people, row, shown.table);
     shown.seat = people.column(model::columns::seat)[row];
     return shown;
+}
+
+void Session::setBearing(const model::Population& people, std::uint32_t row)
+{
+    m_bearings.put(row, people.column(model::columns::position)[row]);
+    m_bearings.heading[row] = people.column(model::columns::heading)[row];
+    const float phase = people.column(model::columns::phase)[row];
+    m_bearings.gaitPlace[row] = phase - std::floor(phase);
+    touch(row);
 }
 
 void Session::countGroups(const model::Population& people)
@@ -158,8 +164,10 @@ void Session::countGroups(const model::Population& people)
 void Session::addPeople(const SessionPlan& plan)
 {
     std::vector<PathFollower::Assignment> assignments;
-    for (std::size_t row = 0; row < m_population.size(); ++row) {
+    m_bearings.assign(m_population.size());
+    for (std::uint32_t row = 0; row < m_population.size(); ++row) {
         m_shown.push_back(shownFrom(m_population, row));
+        setBearing(m_population, row);
         const PathFollower::Assignment walk = walkOf(m_population, row);
         if (walk.path != 0 && plan.walkers.empty()) {
             assignments.push_back(walk);
@@ -179,7 +187,7 @@ void Session::addPeople(const SessionPlan& plan)
                                : model::kUsualWalkingSpeed;
         PathFollower::Assignment walk{static_cast<std::uint32_t>(row), walker.path,
                                       model::hashKeys(m_seed, walker.id, 31), pace};
-        walk.from = m_shown[row].position;
+        walk.from = m_bearings.position(row);
         assignments.push_back(walk);
     }
     if (missing > 0) {
@@ -201,15 +209,13 @@ void Session::addBodies()
     std::vector<AgentState> bodies(m_population.size());
     bool hasLevels = m_surface != nullptr;
     for (std::size_t row = 0; row < bodies.size(); ++row) {
-        const Shown& shown = m_shown[row];
-        bodies[row].position = {shown.position.x, shown.position.z};
-        bodies[row].groundHeight = shown.position.y;
+        bodies[row].position = {m_bearings.x[row], m_bearings.z[row]};
+        bodies[row].groundHeight = m_bearings.y[row];
         bodies[row].radius = kBodyRadius * std::clamp(girths[row], 0.2F, 4.0F);
         bodies[row].preferredSpeed = 0.0F; // until it is steered
-        bodies[row].velocity =
-            shown.speed * glm::vec2(std::sin(shown.heading), std::cos(shown.heading));
-        hasLevels =
-            hasLevels || std::fabs(shown.position.y - m_shown.front().position.y) > kLevelMetres;
+        bodies[row].velocity = m_bearings.speed[row] * glm::vec2(std::sin(m_bearings.heading[row]),
+                                                                 std::cos(m_bearings.heading[row]));
+        hasLevels = hasLevels || std::fabs(m_bearings.y[row] - m_bearings.y.front()) > kLevelMetres;
     }
     m_crowd.setLevels(hasLevels);
     m_crowd.setAgents(bodies);
@@ -260,7 +266,7 @@ void Session::send(const std::string& event, float payload, std::vector<model::I
         const std::size_t row = m_population.rowOf(each);
         if (row != model::Population::npos) {
             agents.push_back(static_cast<std::uint32_t>(row));
-            middle += m_shown[row].position;
+            middle += m_bearings.position(row);
         }
     }
     middle /= static_cast<float>(std::max<std::size_t>(1, agents.size()));
@@ -292,11 +298,7 @@ void Session::step()
     for (const std::uint32_t agent : sitters) {
         settle(agent);
     }
-    overRows(m_crowd.size(), [this](std::size_t begin, std::size_t end) {
-        for (std::size_t agent = begin; agent < end; ++agent) {
-            show(static_cast<std::uint32_t>(agent));
-        }
-    });
+    showAll();
     publishLooks();
     m_ownNumbers = m_rules.ownNumbers();
     if (m_steps % m_stepsPerSecond == 0) {

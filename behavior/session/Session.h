@@ -10,9 +10,11 @@
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/rules/RuleEngine.h"
+#include "behavior/session/Bearings.h"
 #include "behavior/session/Gait.h"
 #include "behavior/session/PathFollower.h"
 #include "behavior/session/SessionPose.h"
+#include "behavior/session/StrideKernel.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Path.h"
 #include "model/scene/Scene.h"
@@ -89,17 +91,13 @@ private:
         Settles, ///< the last bit, past whoever sits there
         Sits     ///< since this session let it; else the scene's seat counts
     };
-    /// What an individual shows; one per row of the population, which is its agent.
+    /// What an individual shows beside his bearing, and why; one per row of the population, which
+    /// is its agent. Who writes it lets the agent be looked at: see touch().
     struct Shown
     {
         std::uint32_t table = 0;
         std::uint32_t gait = 0;
-        float speed = 0.0F; ///< smoothed, m/s
-        float heading = 0.0F;
         float height = 1.0F;
-        double place = 0.0; ///< in the clip, 0..1
-        glm::vec3 position{0.0F};
-        bool isLive = false; ///< it has moved or acted: the scene's values count no more
         bool isGone = false;
         // A clip that a rule lets it play, as the clip column counts.
         int order = -1;
@@ -113,17 +111,22 @@ private:
         model::SeatId seat = model::kNoSeat; ///< sits there, or goes there to sit
         Sitting sitting = Sitting::No;
         float blockedSeconds = 0.0F;
-        ClipPlace last; ///< at the end of the last step
-        bool hasLast = false;
+        bool hasLast = false;       ///< the bearing tells what it did in the last step
         ClipPlace from;             ///< what it did before it changed over, where it is by now
-        std::uint32_t lastGait = 0; ///< of `last`; 0: none, it has a pace of its own
+        std::uint32_t lastGait = 0; ///< of the bearing's clip; 0: none, it has a pace of its own
         std::uint32_t fromGait = 0; ///< of `from`
-        float stride = 0.0F;        ///< m/s that it went ahead in the last step
         double fadeBegin = -1.0;    ///< seconds
         bool isPut = false;         ///< stands where it was put, whatever the crowd says
         // Of its own clip, where rules have set it; else as the scene says.
         std::optional<float> rate;
         std::optional<double> phase; ///< at time 0
+    };
+    /// The clip that somebody shows.
+    struct Showing
+    {
+        ClipPlace clip;
+        bool isGait = false;  ///< it is that of his gait
+        bool isClock = false; ///< its place is that at time 0: it goes by the clock
     };
     static constexpr float kGoneHeight = -1e5F; ///< a level of their own for those who have left
     struct ClipFacts
@@ -175,6 +178,7 @@ private:
     void publishLooks();
     [[nodiscard]] std::uint16_t ownClip(std::uint32_t agent) const;
     [[nodiscard]] float ownRate(std::uint32_t agent) const;
+    [[nodiscard]] double ownPhase(std::uint32_t agent) const;
     /// Where it is in its own clip; loops 0..1 and on.
     [[nodiscard]] double ownPlace(std::uint32_t agent) const;
     /// The scene's value of a column counts again for somebody.
@@ -206,17 +210,32 @@ private:
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
     void brake();
-    void show(std::uint32_t agent);
-    void goOnFading(Shown& shown) const;
-    void followGait(Shown& shown, float speed, bool wantsOn) const;
+    /// Something happens to somebody: the next step looks at him.
+    Shown& touch(std::uint32_t agent);
+    /// He has moved or acted: the scene's values count no more.
+    Shown& enliven(std::uint32_t agent);
+    [[nodiscard]] bool isLive(std::uint32_t agent) const;
+    void showAll();
+    void follow(std::size_t begin, std::size_t end);
+    void look(std::uint32_t agent);
+    bool placeBody(std::uint32_t agent);
+    void turn(std::uint32_t agent, float speed);
+    void goOnWithOrder(Shown& shown) const;
+    void goOnFading(std::uint32_t agent);
+    void followGait(std::uint32_t agent, float speed, bool wantsOn);
     void noteClip(std::uint32_t agent);
+    void setCourse(std::uint32_t agent);
+    [[nodiscard]] Showing showingOf(std::uint32_t agent) const;
+    [[nodiscard]] std::uint8_t flagsOf(const Shown& shown, const Showing& showing,
+                                       std::uint8_t before) const;
     [[nodiscard]] std::uint32_t styleOf(const model::Population& people, std::size_t row,
                                         std::uint32_t table) const;
     [[nodiscard]] Shown shownFrom(const model::Population& people, std::size_t row) const;
+    void setBearing(const model::Population& people, std::uint32_t row);
     [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
     [[nodiscard]] PathFollower::Assignment walkOf(const model::Population& people,
                                                   std::size_t row) const;
-    [[nodiscard]] PersonPose poseOf(std::size_t agent) const;
+    void addTo(SessionPose& pose, std::span<const std::uint32_t> agents) const;
     [[nodiscard]] const ClipFacts* clipFacts(const Shown& shown, int clip) const;
 
     model::Population m_population; ///< as the scene has it
@@ -224,6 +243,7 @@ private:
     std::vector<GaitTable> m_gaits;              ///< one per template
     std::vector<std::vector<ClipFacts>> m_clips; ///< per template, as the clip column counts
     std::vector<Shown> m_shown;
+    Bearings m_bearings;
     CrowdSimulation m_crowd;
     PathFollower m_follower;
     RuleEngine m_rules;

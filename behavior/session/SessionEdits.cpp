@@ -59,6 +59,9 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     publishLooks();
     m_rules.setRules(scene, arePosesKept);
     m_ownNumbers = m_rules.ownNumbers();
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        touch(agent);
+    }
 }
 
 void Session::adoptPaths(const model::Scene& scene)
@@ -90,6 +93,12 @@ void Session::adoptRows(const model::Scene& scene)
         }
     }
     m_shown = std::move(shown);
+    m_bearings.rearrange(keep);
+    for (std::uint32_t row = 0; row < people.size(); ++row) {
+        if (keep[row] == PathFollower::kNobody) {
+            setBearing(people, row);
+        }
+    }
     m_sitters.clear();
     for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
         if (m_shown[agent].sitting == Sitting::Goes || m_shown[agent].sitting == Sitting::Settles) {
@@ -162,16 +171,16 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
     };
     if (!arePosesKept) {
         each(keys::position, [&](std::size_t row) {
-            m_shown[row].position = now.column(keys::position)[row];
-            m_shown[row].speed = 0.0F;
+            m_bearings.put(row, now.column(keys::position)[row]);
+            m_bearings.speed[row] = 0.0F;
             hasMoved = true;
         });
         each(keys::heading,
-             [&](std::size_t row) { m_shown[row].heading = now.column(keys::heading)[row]; });
+             [&](std::size_t row) { m_bearings.heading[row] = now.column(keys::heading)[row]; });
     }
     each(keys::path, [&](std::size_t row) {
         PathFollower::Assignment walk = walkOf(now, row);
-        walk.from = m_shown[row].position;
+        walk.from = m_bearings.position(row);
         m_follower.follow(walk);
     });
     each(keys::walkSpeed, [&](std::size_t row) {

@@ -10,7 +10,7 @@ namespace crowd::behavior {
 
 glm::vec3 Session::position(std::uint32_t agent) const
 {
-    return m_shown[agent].position;
+    return m_bearings.position(agent);
 }
 
 model::IndividualId Session::id(std::uint32_t agent) const
@@ -70,13 +70,13 @@ float Session::play(std::uint32_t agent, const std::string& clip, bool isLooped)
     shown.isOrderLooped = isLooped;
     shown.isOrderOwn = false;
     shown.orderPlace = 0.0;
-    shown.isLive = true;
+    enliven(agent);
     return std::max(0.1F, clipFacts(shown, shown.order)->seconds);
 }
 
 void Session::endClip(std::uint32_t agent)
 {
-    m_shown[agent].order = -1;
+    touch(agent).order = -1;
 }
 
 bool Session::follow(std::uint32_t agent, model::PathId path)
@@ -84,7 +84,7 @@ bool Session::follow(std::uint32_t agent, model::PathId path)
     leaveSeat(agent);
     PathFollower::Assignment walk = walkOf(m_population, agent);
     walk.path = path;
-    walk.from = m_shown[agent].position;
+    walk.from = m_bearings.position(agent);
     walk.metresPerSecond = m_follower.pace(agent);
     return m_follower.follow(walk);
 }
@@ -117,9 +117,9 @@ void Session::setPace(std::uint32_t agent, float metresPerSecond)
 
 void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
 {
-    Shown& shown = m_shown[agent];
-    const glm::vec3 way = point - shown.position;
+    const glm::vec3 way = point - m_bearings.position(agent);
     if (way.x * way.x + way.z * way.z > 1e-4F) {
+        Shown& shown = touch(agent);
         shown.facing = std::atan2(way.x, way.z);
         shown.isTurning = true;
     }
@@ -128,32 +128,30 @@ void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
 void Session::leave(std::uint32_t agent)
 {
     leaveSeat(agent);
-    m_shown[agent].isGone = true;
-    m_shown[agent].isLive = true;
-    m_shown[agent].position.y = kGoneHeight;
+    enliven(agent).isGone = true;
+    m_bearings.y[agent] = kGoneHeight;
     m_follower.stop(agent);
     m_crowd.setLevels(true);
 }
 
 float Session::speed(std::uint32_t agent) const
 {
-    return m_shown[agent].speed;
+    return m_bearings.speed[agent];
 }
 
 void Session::appear(std::uint32_t agent, const glm::vec3& point)
 {
     leaveSeat(agent);
-    Shown& shown = m_shown[agent];
+    Shown& shown = enliven(agent);
     shown.isGone = false;
-    shown.isLive = true;
     shown.isPut = true;
     shown.hasLast = false;
     shown.fadeBegin = -1.0;
-    shown.speed = 0.0F;
     shown.gait = 0;
-    shown.position = point;
+    m_bearings.speed[agent] = 0.0F;
+    m_bearings.put(agent, point);
     if (m_surface) {
-        shown.position.y = m_surface->height(point.x, point.z, point.y);
+        m_bearings.y[agent] = m_surface->height(point.x, point.z, point.y);
     }
     m_follower.stop(agent);
     m_follower.forgetWay(agent);

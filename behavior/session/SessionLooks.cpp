@@ -50,6 +50,12 @@ float Session::ownRate(std::uint32_t agent) const
     return m_shown[agent].rate.value_or(m_population.column(model::columns::playbackSpeed)[agent]);
 }
 
+double Session::ownPhase(std::uint32_t agent) const
+{
+    return m_shown[agent].phase.value_or(
+        static_cast<double>(m_population.column(model::columns::phase)[agent]));
+}
+
 double Session::ownPlace(std::uint32_t agent) const
 {
     const ClipFacts* facts = clipFacts(m_shown[agent], ownClip(agent));
@@ -57,14 +63,13 @@ double Session::ownPlace(std::uint32_t agent) const
         facts != nullptr && facts->seconds > 0.0F
             ? seconds() * static_cast<double>(ownRate(agent)) / static_cast<double>(facts->seconds)
             : 0.0;
-    return passed + m_shown[agent].phase.value_or(
-                        static_cast<double>(m_population.column(model::columns::phase)[agent]));
+    return passed + ownPhase(agent);
 }
 
 /// So that he is there in his own clip now.
 void Session::setOwnPhase(std::uint32_t agent, double place)
 {
-    Shown& shown = m_shown[agent];
+    Shown& shown = touch(agent);
     shown.phase = 0.0;
     const double phase = place - ownPlace(agent);
     shown.phase = phase - std::floor(phase);
@@ -74,7 +79,7 @@ void Session::setOwnPhase(std::uint32_t agent, double place)
 void Session::setOwnRate(std::uint32_t agent, float rate)
 {
     const double place = ownPlace(agent);
-    m_shown[agent].rate = rate;
+    touch(agent).rate = rate;
     lookOf(agent).playbackSpeed = rate;
     setOwnPhase(agent, place); // goes on from where it is
 }
@@ -82,7 +87,7 @@ void Session::setOwnRate(std::uint32_t agent, float rate)
 /// Another clip to sit or to stand with, by what he does; one that a rule has set counts no more.
 void Session::setBase(std::uint32_t agent, int clip)
 {
-    m_shown[agent].base = clip;
+    touch(agent).base = clip;
     const auto found = m_looks.find(m_population.ids()[agent]);
     if (found != m_looks.end() && found->second.clip) {
         found->second.clip.reset();
@@ -92,7 +97,7 @@ void Session::setBase(std::uint32_t agent, int clip)
 
 void Session::setOwnClip(std::uint32_t agent, const std::string& name)
 {
-    Shown& shown = m_shown[agent];
+    Shown& shown = touch(agent);
     const int clip = clipNamed(shown, name.c_str());
     if (clip < 0 || clip == static_cast<int>(ownClip(agent))) {
         return;
@@ -121,7 +126,7 @@ void Session::setTint(std::uint32_t agent, const model::Action& action)
 
 void Session::setProperty(std::uint32_t agent, const model::Action& action, const std::string& clip)
 {
-    Shown& shown = m_shown[agent];
+    Shown& shown = touch(agent);
     switch (action.property) {
     case model::SettableProperty::Tint:
         setTint(agent, action);
@@ -131,15 +136,15 @@ void Session::setProperty(std::uint32_t agent, const model::Action& action, cons
         lookOf(agent).height = shown.height;
         return;
     case model::SettableProperty::PlaybackSpeed:
-        shown.isLive = true;
+        enliven(agent);
         setOwnRate(agent, std::clamp(action.value, 0.0F, kMostRate));
         return;
     case model::SettableProperty::Clip:
-        shown.isLive = true;
+        enliven(agent);
         setOwnClip(agent, clip);
         return;
     case model::SettableProperty::Phase:
-        shown.isLive = true;
+        enliven(agent);
         setOwnPhase(agent, static_cast<double>(std::clamp(action.value, 0.0F, 1.0F)));
         return;
     }
@@ -196,7 +201,7 @@ float Session::property(std::uint32_t agent, model::ComparedProperty property) c
 bool Session::showsClip(std::uint32_t agent, const std::string& clip) const
 {
     const int named = clipNamed(m_shown[agent], clip.c_str());
-    return named >= 0 && static_cast<int>(poseOf(agent).clip) == named;
+    return named >= 0 && static_cast<int>(showingOf(agent).clip.clip) == named;
 }
 
 } // namespace crowd::behavior

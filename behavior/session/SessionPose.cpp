@@ -11,93 +11,187 @@ namespace {
 constexpr float kFarBelow = -1e5F;
 constexpr float kJumpMetres = 1.5F; ///< further in one step is no walk
 
-struct Columns
+/// The largest whole number that is not above it; for numbers far below 2^51. (The library's needs
+/// a call each.)
+double wholeBelow(double value)
 {
-    std::vector<model::IndividualId> ids;
-    std::vector<glm::vec3> positions;
-    std::vector<float> headings;
-    std::vector<std::uint16_t> clips;
-    std::vector<float> phases;
-    std::vector<float> rates;
-    std::vector<model::SeatId> seats;
-
-    explicit Columns(std::size_t people)
-    {
-        ids.reserve(people);
-        positions.reserve(people);
-        headings.reserve(people);
-        clips.reserve(people);
-        phases.reserve(people);
-        rates.reserve(people);
-        seats.reserve(people);
-    }
-};
-
-/// Phase at which a reader who adds the time that has passed comes to the place at `seconds`.
-float phaseFor(const PersonPose& pose, double place, double seconds)
-{
-    if (pose.clipSeconds <= 0.0F) {
-        return 0.0F;
-    }
-    const double phase =
-        place - seconds * static_cast<double>(pose.rate) / static_cast<double>(pose.clipSeconds);
-    return static_cast<float>(pose.isLooped ? phase - std::floor(phase) : phase);
+    constexpr double kRounds = 6755399441055744.0;
+    const double nearest = (value + kRounds) - kRounds;
+    return nearest - (nearest > value ? 1.0 : 0.0);
 }
 
 /// Place in a clip at a share of the time from one step to the next, as far as the next is known:
 /// people speed up and slow down, and their feet must keep up with them.
-double placeBetween(double before, double after, float rateBefore, float rateAfter,
-                    float clipSeconds, double share, double since)
+double placeBetween(const ClipPlace& before, const ClipPlace& after, double share, double since)
 {
-    if (clipSeconds <= 0.0F) {
-        return before;
+    if (before.clipSeconds <= 0.0F) {
+        return before.place;
     }
-    if (rateBefore == rateAfter) {
-        return before + since * static_cast<double>(rateBefore) / static_cast<double>(clipSeconds);
+    if (before.rate == after.rate) {
+        return before.place +
+               since * static_cast<double>(before.rate) / static_cast<double>(before.clipSeconds);
     }
-    return before + share * std::remainder(after - before, 1.0);
+    return before.place + share * std::remainder(after.place - before.place, 1.0);
 }
 
-/// The clip that somebody comes from, as long as any of it is left.
-void addFade(const PersonPose& pose, const PersonPose& next, std::size_t row, double share,
-             double poseSeconds, double seconds, std::vector<model::ClipFade>& fades)
+/// A moment between two steps, and who of the people in them is where.
+class Between
 {
-    const double since = seconds - pose.fadeBegin;
-    if (pose.fadeBegin < 0.0 || since < 0.0 || since >= kFadeSeconds || pose.isGone) {
-        return;
+public:
+    Between(const SessionPose& before, const SessionPose& after, double seconds)
+        : m_before(before), m_after(after), m_seconds(seconds)
+    {
+        const double length = after.seconds - before.seconds;
+        m_share = length > 0.0 ? std::clamp((seconds - before.seconds) / length, 0.0, 1.0) : 0.0;
+        // Later than the last step: it stands until the next one is done.
+        m_stand = length > 0.0 ? seconds : before.seconds;
     }
-    const ClipPlace& from = pose.from;
-    const ClipPlace& to = next.fadeBegin == pose.fadeBegin ? next.from : from;
-    double place = placeBetween(from.place, to.place, from.rate, to.rate, from.clipSeconds, share,
-                                seconds - poseSeconds);
-    place = from.isLooped ? place - std::floor(place) : std::clamp(place, 0.0, 1.0);
-    fades.push_back({static_cast<std::uint32_t>(row), from.clip, static_cast<float>(place),
-                     static_cast<float>(since / kFadeSeconds)});
+
+    /// Finds people of one list in the other, both ascending: `kNone` for who is not there.
+    static std::vector<std::uint32_t> find(std::span<const model::IndividualId> whom,
+                                           std::span<const model::IndividualId> where);
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+    void apply(model::CrowdFrame& frame) const;
+
+private:
+    void addFades(std::span<const std::uint32_t> rows, std::vector<model::ClipFade>& fades) const;
+    /// Somebody in the later step; who is not there any more is as he was in the one before.
+    struct Then
+    {
+        const SessionPose& pose;
+        std::size_t person;
+    };
+    [[nodiscard]] glm::vec3 position(std::size_t person, const Then& then) const;
+    [[nodiscard]] float heading(std::size_t person, const Then& then) const;
+    [[nodiscard]] float phase(std::size_t person, const Then& then) const;
+
+    const SessionPose& m_before;
+    const SessionPose& m_after;
+    double m_seconds; ///< the reader's clock
+    double m_stand;   ///< the time that is shown
+    double m_share;   ///< 0..1 from one step to the next
+};
+
+std::vector<std::uint32_t> Between::find(std::span<const model::IndividualId> whom,
+                                         std::span<const model::IndividualId> where)
+{
+    std::vector<std::uint32_t> found(whom.size());
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < whom.size(); ++i) {
+        while (row < where.size() && where[row] < whom[i]) {
+            ++row;
+        }
+        found[i] =
+            row < where.size() && where[row] == whom[i] ? static_cast<std::uint32_t>(row) : kNone;
+    }
+    return found;
 }
 
-void put(const PersonPose& from, const PersonPose& to, double share, double poseSeconds,
-         double seconds, Columns& columns)
+glm::vec3 Between::position(std::size_t person, const Then& then) const
 {
-    const auto part = static_cast<float>(share);
-    glm::vec3 position = from.position + (to.position - from.position) * part;
-    const glm::vec3 way = to.position - from.position;
+    if ((m_before.flags[person] & kPoseGone) != 0) {
+        return {0.0F, kFarBelow, 0.0F};
+    }
+    const auto part = static_cast<float>(m_share);
+    const glm::vec3 from(m_before.x[person], m_before.y[person], m_before.z[person]);
+    const glm::vec3 to(then.pose.x[then.person], then.pose.y[then.person],
+                       then.pose.z[then.person]);
+    const glm::vec3 way = to - from;
     if (way.x * way.x + way.y * way.y + way.z * way.z > kJumpMetres * kJumpMetres) {
-        position = part < 0.5F ? from.position : to.position;
+        return part < 0.5F ? from : to;
     }
-    if (from.isGone) {
-        position = {0.0F, kFarBelow, 0.0F};
+    return from + way * part;
+}
+
+float Between::heading(std::size_t person, const Then& then) const
+{
+    const float from = m_before.headings[person];
+    const float turn = wrappedRadians(then.pose.headings[then.person] - from);
+    return wrappedRadians(from + turn * static_cast<float>(m_share));
+}
+
+/// Phase at which a reader who adds the time that has passed comes to the place that is shown.
+float Between::phase(std::size_t person, const Then& then) const
+{
+    const float seconds = m_before.clipSeconds[person];
+    if (seconds <= 0.0F) {
+        return 0.0F;
     }
-    const float turn = wrappedRadians(to.heading - from.heading);
-    const PersonPose& next = from.clip == to.clip && from.isLooped ? to : from;
-    const double place = placeBetween(from.place, next.place, from.rate, next.rate,
-                                      from.clipSeconds, share, seconds - poseSeconds);
-    columns.ids.push_back(from.id);
-    columns.positions.push_back(position);
-    columns.headings.push_back(wrappedRadians(from.heading + turn * part));
-    columns.clips.push_back(from.clip);
-    columns.phases.push_back(phaseFor(from, place, seconds));
-    columns.rates.push_back(from.rate);
-    columns.seats.push_back(from.seat);
+    const std::uint8_t flags = m_before.flags[person];
+    const float rate = m_before.rates[person];
+    const double perSecond = static_cast<double>(rate) / static_cast<double>(seconds);
+    auto place = static_cast<double>(m_before.places[person]);
+    if ((flags & kPoseClock) != 0) {
+        place -= (m_seconds - m_stand) * perSecond;
+    } else {
+        const bool goesOn =
+            m_before.clips[person] == then.pose.clips[then.person] && (flags & kPoseLooped) != 0;
+        const float nextRate = goesOn ? then.pose.rates[then.person] : rate;
+        const double turn = goesOn ? static_cast<double>(then.pose.places[then.person]) - place
+                                   : 0.0; // at most one round
+        place += rate == nextRate ? (m_stand - m_before.seconds) * perSecond
+                                  : m_share * (turn - wholeBelow(turn + 0.5));
+        place -= m_seconds * perSecond;
+    }
+    return static_cast<float>((flags & kPoseLooped) != 0 ? place - wholeBelow(place) : place);
+}
+
+/// The clips that people come from, as long as any of them is left.
+void Between::addFades(std::span<const std::uint32_t> rows,
+                       std::vector<model::ClipFade>& fades) const
+{
+    std::size_t next = 0;
+    for (const PoseFade& fade : m_before.fades) {
+        const double since = m_stand - fade.begin;
+        const std::uint32_t row = rows[fade.person];
+        if (row == kNone || since < 0.0 || since >= kFadeSeconds ||
+            (m_before.flags[fade.person] & kPoseGone) != 0) {
+            continue;
+        }
+        const model::IndividualId id = m_before.ids[fade.person];
+        while (next < m_after.fades.size() && m_after.ids[m_after.fades[next].person] < id) {
+            ++next;
+        }
+        const bool goesOn = next < m_after.fades.size() &&
+                            m_after.ids[m_after.fades[next].person] == id &&
+                            m_after.fades[next].begin == fade.begin;
+        const ClipPlace& to = goesOn ? m_after.fades[next].from : fade.from;
+        double place = placeBetween(fade.from, to, m_share, m_stand - m_before.seconds);
+        place = fade.from.isLooped ? place - std::floor(place) : std::clamp(place, 0.0, 1.0);
+        fades.push_back({row, fade.from.clip, static_cast<float>(place),
+                         static_cast<float>(since / kFadeSeconds)});
+    }
+}
+
+/// Columns one after the other, so that each loop does the same to many people.
+void Between::apply(model::CrowdFrame& frame) const
+{
+    namespace keys = model::columns;
+    model::Population& people = frame.population;
+    frame.fades.clear();
+    const std::vector<std::uint32_t> rows = find(m_before.ids, people.ids());
+    const std::vector<std::uint32_t> others = find(m_before.ids, m_after.ids);
+    addFades(rows, frame.fades);
+    const auto write = [&](const auto& key, const auto& valueOf) {
+        const auto column = people.edit(key, rows);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (rows[i] != kNone) {
+                const bool isThere = others[i] != kNone;
+                column[rows[i]] =
+                    valueOf(i, isThere ? Then{m_after, others[i]} : Then{m_before, i});
+            }
+        }
+    };
+    using Index = std::size_t;
+    write(keys::position, [this](Index i, const Then& then) { return position(i, then); });
+    write(keys::heading, [this](Index i, const Then& then) { return heading(i, then); });
+    write(keys::phase, [this](Index i, const Then& then) { return phase(i, then); });
+    write(keys::clip, [this](Index i, const Then&) { return m_before.clips[i]; });
+    write(keys::playbackSpeed, [this](Index i, const Then&) { return m_before.rates[i]; });
+    if (m_before.hasSeats) {
+        write(keys::seat, [this](Index i, const Then&) { return m_before.seats[i]; });
+    }
 }
 
 /// Tints, heights and tags that rules have set; ids that are not there are passed over.
@@ -140,48 +234,10 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
     if (before.looks) {
         applyLooks(*before.looks, frame.population);
     }
-    const double length = after.seconds - before.seconds;
-    const double share =
-        length > 0.0 ? std::clamp((frame.seconds - before.seconds) / length, 0.0, 1.0) : 0.0;
-    // Later than the last step: it stands until the next one is done.
-    const double seconds = length > 0.0 ? frame.seconds : before.seconds;
-    Columns columns(before.people.size());
-    frame.fades.clear();
-    const auto present = frame.population.ids();
-    std::size_t row = 0;
-    std::size_t next = 0;
-    for (const PersonPose& pose : before.people) {
-        while (row < present.size() && present[row] < pose.id) {
-            ++row;
-        }
-        while (next < after.people.size() && after.people[next].id < pose.id) {
-            ++next;
-        }
-        if (row >= present.size() || present[row] != pose.id) {
-            continue;
-        }
-        const bool goesOn = next < after.people.size() && after.people[next].id == pose.id;
-        const PersonPose& then = goesOn ? after.people[next] : pose;
-        addFade(pose, then, row, share, before.seconds, seconds, frame.fades);
-        put(pose, then, share, before.seconds, seconds, columns);
-        // The reader's clock is the frame's, wherever the pose's stands.
-        if (seconds != frame.seconds) {
-            const double place = pose.place;
-            columns.phases.back() = phaseFor(pose, place, frame.seconds);
-        }
-    }
-    if (columns.ids.empty()) {
-        return;
-    }
-    model::Population& people = frame.population;
-    namespace keys = model::columns;
-    people.setValues<glm::vec3>(keys::position, columns.ids, columns.positions);
-    people.setValues<float>(keys::heading, columns.ids, columns.headings);
-    people.setValues<std::uint16_t>(keys::clip, columns.ids, columns.clips);
-    people.setValues<float>(keys::phase, columns.ids, columns.phases);
-    people.setValues<float>(keys::playbackSpeed, columns.ids, columns.rates);
-    if (before.hasSeats) {
-        people.setValues<model::SeatId>(keys::seat, columns.ids, columns.seats);
+    if (!before.ids.empty()) {
+        Between(before, after, frame.seconds).apply(frame);
+    } else {
+        frame.fades.clear();
     }
 }
 

@@ -23,23 +23,31 @@ struct ClipPlace
     float rate = 1.0F;        ///< playback speed
     float clipSeconds = 0.0F; ///< 0: a pose
     double place = 0.0;       ///< loops 0..1
+
+    /// Of one that goes by the clock, whose `place` is that at time 0.
+    [[nodiscard]] double placeAt(double seconds) const
+    {
+        return clipSeconds > 0.0F
+                   ? place + seconds * static_cast<double>(rate) / static_cast<double>(clipSeconds)
+                   : place;
+    }
 };
 
-/// What one individual does at the end of a step.
-struct PersonPose
+/// Bits of what somebody shows.
+enum PoseFlag : std::uint8_t {
+    kPoseLive = 1,   ///< the session moves him
+    kPoseLooped = 2, ///< his clip
+    kPoseGone = 4,   ///< has left the scene
+    kPoseClock = 8,  ///< his clip goes by the clock: its place is that at time 0
+    kPoseFading = 16 ///< he comes from another clip
+};
+
+/// What somebody did before he changed his clip.
+struct PoseFade
 {
-    model::IndividualId id = 0;
-    std::uint16_t clip = 0; ///< as the clip column counts
-    bool isLooped = true;
-    bool isGone = false; ///< has left the scene
-    model::SeatId seat = model::kNoSeat;
-    glm::vec3 position{0.0F}; ///< metres
-    float heading = 0.0F;     ///< radians
-    float rate = 1.0F;        ///< playback speed
-    float clipSeconds = 0.0F; ///< 0: a pose
-    double place = 0.0;       ///< in the clip; loops 0..1
-    ClipPlace from;           ///< what it did before, where it would be by now
-    double fadeBegin = -1.0;  ///< seconds, when it changed over; below 0: it did not
+    std::uint32_t person = 0; ///< index in the pose
+    ClipPlace from;           ///< where it would be by now
+    double begin = 0.0;       ///< seconds
 };
 
 /// An angle within half a turn of 0. (The library's remainder takes as long as a whole step.)
@@ -80,10 +88,22 @@ struct SessionPose
 {
     std::uint64_t step = 0;
     double seconds = 0.0;
-    std::vector<PersonPose> people;                    ///< ascending ids
-    bool hasSeats = false;                             ///< somebody's seat is not the scene's
-    std::vector<model::IndividualId> lit;              ///< for whom a rule fired lately; ascending
-    std::shared_ptr<const std::vector<SetLook>> looks; ///< ascending ids; null: nobody's
+    // One each for everybody.
+    std::vector<model::IndividualId> ids; ///< ascending
+    std::vector<float> x;                 ///< metres
+    std::vector<float> y;
+    std::vector<float> z;
+    std::vector<float> headings;          ///< radians
+    std::vector<std::uint16_t> clips;     ///< as the clip column counts
+    std::vector<float> rates;             ///< playback speed
+    std::vector<float> clipSeconds;       ///< 0: a pose
+    std::vector<float> places;            ///< in the clip; loops 0..1
+    std::vector<std::uint8_t> flags;      ///< PoseFlag
+    std::vector<model::SeatId> seats;     ///< empty: nobody's is another than in the scene
+    std::vector<PoseFade> fades;          ///< ascending
+    bool hasSeats = false;                ///< somebody's seat is not the scene's
+    std::vector<model::IndividualId> lit; ///< for whom a rule fired lately; ascending
+    std::shared_ptr<const std::vector<SetLook>> looks;     ///< ascending ids; null: nobody's
     std::shared_ptr<const std::vector<OwnNumber>> numbers; ///< see RuleEngine::ownNumbers
 };
 

@@ -70,11 +70,11 @@ bool Session::sit(std::uint32_t agent, float metres)
     if (m_seats.empty()) {
         readSeats();
     }
-    Shown& shown = m_shown[agent];
+    const glm::vec3 at = m_bearings.position(agent);
     std::size_t best = m_seats.size();
     float nearest = metres > 0.0F ? metres : 1e30F;
     for (std::size_t i = 0; i < m_seats.size(); ++i) {
-        const float away = glm::distance(m_seats[i].seat.position, shown.position);
+        const float away = glm::distance(m_seats[i].seat.position, at);
         if (!m_isSeatTaken[i] && away < nearest) {
             nearest = away;
             best = i;
@@ -85,10 +85,10 @@ bool Session::sit(std::uint32_t agent, float metres)
     }
     m_isSeatTaken[best] = true;
     m_follower.sendTo(agent, m_seats[best].seat.position);
+    Shown& shown = enliven(agent);
     shown.seat = m_seats[best].id;
     shown.sitting = Sitting::Goes;
     shown.blockedSeconds = 0.0F;
-    shown.isLive = true;
     m_hasSat = true;
     m_sitters.insert(std::ranges::upper_bound(m_sitters, agent), agent);
     return true;
@@ -102,7 +102,7 @@ bool Session::isSittingDown(std::uint32_t agent) const
 /// A step of somebody on the way to a seat.
 void Session::settle(std::uint32_t agent)
 {
-    Shown& shown = m_shown[agent];
+    Shown& shown = touch(agent);
     const model::Seat* seat = seatOf(shown.seat);
     if (seat == nullptr && m_seats.empty()) {
         readSeats();
@@ -112,10 +112,11 @@ void Session::settle(std::uint32_t agent)
         leaveSeat(agent); // its stage is gone
         return;
     }
-    const float away = awayFrom(seat->position, shown.position);
+    const glm::vec3 at = m_bearings.position(agent);
+    const float away = awayFrom(seat->position, at);
     if (shown.sitting == Sitting::Goes) {
         shown.blockedSeconds =
-            shown.speed < kBlockedBelow ? shown.blockedSeconds + m_stepSeconds : 0.0F;
+            m_bearings.speed[agent] < kBlockedBelow ? shown.blockedSeconds + m_stepSeconds : 0.0F;
         const bool isThere = away < kSettlesWithin ||
                              (shown.blockedSeconds > kBlockedSeconds && away < kSqueezesWithin);
         if (isThere) {
@@ -127,24 +128,25 @@ void Session::settle(std::uint32_t agent)
         return;
     }
     const float reach = kSettleSpeed * m_stepSeconds;
-    const glm::vec3 way = seat->position - shown.position;
+    const glm::vec3 way = seat->position - at;
     const float length = glm::length(way);
-    shown.speed = kSettleSpeed;
+    m_bearings.speed[agent] = kSettleSpeed;
     if (length > reach) {
-        shown.position += way * (reach / length);
-        shown.heading = turnedTo(shown.heading, away > kTurnsToSeatWithin ? std::atan2(way.x, way.z)
-                                                                          : seat->headingRadians);
+        m_bearings.put(agent, at + way * (reach / length));
+        m_bearings.heading[agent] =
+            turnedTo(m_bearings.heading[agent],
+                     away > kTurnsToSeatWithin ? std::atan2(way.x, way.z) : seat->headingRadians);
         return;
     }
-    shown.position = seat->position;
+    m_bearings.put(agent, seat->position);
     takeSeat(agent);
 }
 
 void Session::takeSeat(std::uint32_t agent)
 {
-    Shown& shown = m_shown[agent];
+    Shown& shown = touch(agent);
     shown.sitting = Sitting::Sits;
-    shown.speed = 0.0F;
+    m_bearings.speed[agent] = 0.0F;
     shown.gait = 0;
     shown.facing = seatOf(shown.seat)->headingRadians;
     shown.isTurning = true;
@@ -161,8 +163,7 @@ void Session::takeSeat(std::uint32_t agent)
 
 float Session::standUp(std::uint32_t agent)
 {
-    Shown& shown = m_shown[agent];
-    shown.isLive = true;
+    Shown& shown = enliven(agent);
     shown.order = clipNamed(shown, "stand_up");
     shown.isOrderLooped = false;
     shown.isOrderOwn = false;
@@ -184,7 +185,7 @@ void Session::leaveSeat(std::uint32_t agent)
     const bool didSit = isSeated(agent);
     shown.seat = model::kNoSeat;
     shown.sitting = Sitting::No;
-    shown.isLive = true;
+    enliven(agent);
     m_hasSat = true;
     std::erase(m_sitters, agent);
     const model::TemplateEntry* entry = entryOf(shown);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "behavior/crowd/Chunks.h"
 #include "behavior/session/Session.h"
@@ -37,6 +39,23 @@ const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
     return &m_clips[shown.table][static_cast<std::size_t>(clip)];
 }
 
+Session::Shown& Session::touch(std::uint32_t agent)
+{
+    m_bearings.course[agent] = static_cast<std::int32_t>(Course::Look);
+    return m_shown[agent];
+}
+
+Session::Shown& Session::enliven(std::uint32_t agent)
+{
+    m_bearings.flags[agent] |= kPoseLive;
+    return touch(agent);
+}
+
+bool Session::isLive(std::uint32_t agent) const
+{
+    return (m_bearings.flags[agent] & kPoseLive) != 0;
+}
+
 /// Whoever does not want to go further comes to rest in a step or two rather than at once.
 void Session::brake()
 {
@@ -49,24 +68,59 @@ void Session::brake()
             }
             const float speed =
                 std::sqrt(body.velocityX * body.velocityX + body.velocityZ * body.velocityZ);
+            if (speed < kMovesAbove) {
+                continue;
+            }
             const Shown& shown = m_shown[agent];
-            if (speed < kMovesAbove || shown.isGone || shown.isPut ||
-                shown.sitting != Sitting::No || shown.table >= m_gaits.size() ||
-                m_gaits[shown.table].isEmpty()) {
+            if (shown.isGone || shown.isPut || shown.sitting != Sitting::No ||
+                shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
                 continue;
             }
             const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.gait);
-            body.preferredSpeed = -GaitTable::braking(gait, shown.place, speed, shown.height);
+            const auto place = static_cast<double>(m_bearings.gaitPlace[agent]);
+            body.preferredSpeed = -GaitTable::braking(gait, place, speed, shown.height);
         }
     });
 }
 
-/// Body, heading and gait of somebody.
-void Session::show(std::uint32_t agent)
+/// Bearings after a step: of many at once, and by themselves of those to whom something happens.
+void Session::showAll()
 {
+    overRows(m_shown.size(), [this](std::size_t begin, std::size_t end) {
+        for (std::size_t first = begin; first < end; first += kStrideBlock) {
+            follow(first, std::min(first + kStrideBlock, end));
+        }
+    });
+}
+
+void Session::follow(std::size_t begin, std::size_t end)
+{
+    const std::span<const Body> bodies = m_crowd.bodies();
+    const std::span<float> heights = m_crowd.heights();
+    for (std::size_t agent = begin; agent < end && m_surface; ++agent) {
+        if (bodies[agent].preferredSpeed != 0.0F) {
+            const float ground =
+                m_surface->height(bodies[agent].x, bodies[agent].z, heights[agent]);
+            heights[agent] += (ground - heights[agent]) * m_rampShare;
+        }
+    }
+    const StrideParameters parameters{
+        m_stepSeconds, m_smoothing, kTurnRadiansPerSecond * m_stepSeconds,
+        kTurnsAbove,   kMovesAbove, kFastestStride};
+    std::array<std::uint32_t, kStrideBlock + kLanes> list;
+    const std::size_t looks =
+        strideOn(bodies, heights, m_bearings, parameters, begin, end, list.data());
+    for (std::size_t i = 0; i < looks; ++i) {
+        look(list[i]);
+    }
+}
+
+/// Those who are where they are, whatever the crowd says. False: nothing else happens to him.
+bool Session::placeBody(std::uint32_t agent)
+{
+    Shown& shown = m_shown[agent];
     Body& body = m_crowd.bodies()[agent];
     float& height = m_crowd.heights()[agent];
-    Shown& shown = m_shown[agent];
     if (shown.isGone) {
         // Out of everybody's way, spread as they were at the beginning.
         const glm::vec3 start = m_population.column(model::columns::position)[agent];
@@ -74,62 +128,89 @@ void Session::show(std::uint32_t agent)
         body.x = isSomewhere ? start.x : 0.0F;
         body.z = isSomewhere ? start.z : 0.0F;
         height = kGoneHeight;
-        return;
+        return false;
     }
     if (shown.isPut || shown.sitting == Sitting::Settles || shown.sitting == Sitting::Sits) {
-        body.x = shown.position.x;
-        body.z = shown.position.z;
-        height = shown.position.y;
+        body.x = m_bearings.x[agent];
+        body.z = m_bearings.z[agent];
+        height = m_bearings.y[agent];
         body.velocityX = 0.0F;
         body.velocityZ = 0.0F;
         shown.isPut = false;
     }
-    const float velocityX = body.velocityX;
-    const float velocityZ = body.velocityZ;
-    const float speed = std::sqrt(velocityX * velocityX + velocityZ * velocityZ);
-    shown.isLive = shown.isLive || speed > kMovesAbove || shown.order >= 0 || shown.isTurning ||
-                   body.preferredSpeed > 0.0F;
-    if (!shown.isLive) {
+    return true;
+}
+
+/// Body, heading, gait and clip of somebody.
+void Session::look(std::uint32_t agent)
+{
+    Shown& shown = m_shown[agent];
+    if (!placeBody(agent)) {
         return;
     }
-    if (m_surface && body.preferredSpeed != 0.0F) {
-        const float ground = m_surface->height(body.x, body.z, height);
-        height += (ground - height) * m_rampShare;
+    const Body& body = m_crowd.bodies()[agent];
+    const float speed =
+        std::sqrt(body.velocityX * body.velocityX + body.velocityZ * body.velocityZ);
+    if (speed > kMovesAbove || shown.order >= 0 || shown.isTurning || body.preferredSpeed > 0.0F) {
+        enliven(agent);
     }
-    const glm::vec2 way(body.x - shown.position.x, body.z - shown.position.z);
-    shown.position = {body.x, height, body.z};
+    if (!isLive(agent)) {
+        m_bearings.course[agent] = static_cast<std::int32_t>(Course::Rests);
+        return;
+    }
+    const glm::vec2 way(body.x - m_bearings.x[agent], body.z - m_bearings.z[agent]);
+    m_bearings.put(agent, {body.x, m_crowd.heights()[agent], body.z});
     if (shown.sitting != Sitting::Settles) {
-        shown.speed += (speed - shown.speed) * m_smoothing;
+        m_bearings.speed[agent] += (speed - m_bearings.speed[agent]) * m_smoothing;
     }
+    turn(agent, speed);
+    const float heading = m_bearings.heading[agent];
+    const float ahead = (way.x * std::sin(heading) + way.y * std::cos(heading)) / m_stepSeconds;
+    m_bearings.stride[agent] = ahead < kFastestStride ? std::max(ahead, 0.0F) : 0.0F;
+    goOnWithOrder(shown);
+    followGait(agent, speed, body.preferredSpeed > 0.0F);
+    noteClip(agent);
+    setCourse(agent);
+}
+
+void Session::turn(std::uint32_t agent, float speed)
+{
+    Shown& shown = m_shown[agent];
+    float& heading = m_bearings.heading[agent];
     if (speed > kTurnsAbove) {
-        shown.heading = turnedTo(shown.heading, std::atan2(velocityX, velocityZ));
+        const Body& body = m_crowd.bodies()[agent];
+        heading = turnedTo(heading, std::atan2(body.velocityX, body.velocityZ));
         shown.isTurning = false;
     } else if (shown.isTurning) {
-        shown.heading = turnedTo(shown.heading, shown.facing);
+        heading = turnedTo(heading, shown.facing);
     }
-    const float ahead = way.x * std::sin(shown.heading) + way.y * std::cos(shown.heading);
-    shown.stride =
-        ahead < kFastestStride * m_stepSeconds ? std::max(ahead / m_stepSeconds, 0.0F) : 0.0F;
-    if (const ClipFacts* facts = clipFacts(shown, shown.order)) {
-        shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(m_stepSeconds) /
-                                                        static_cast<double>(facts->seconds)
-                                                  : 0.0;
-        shown.orderPlace = shown.isOrderLooped ? shown.orderPlace - std::floor(shown.orderPlace)
-                                               : std::min(shown.orderPlace, 1.0);
-        if (shown.isOrderOwn && shown.orderPlace >= 1.0) {
-            shown.order = -1;
-        }
+}
+
+/// The clip that a rule lets somebody play.
+void Session::goOnWithOrder(Shown& shown) const
+{
+    const ClipFacts* facts = clipFacts(shown, shown.order);
+    if (facts == nullptr) {
+        return;
     }
-    followGait(shown, speed, body.preferredSpeed > 0.0F);
-    noteClip(agent);
+    shown.orderPlace += facts->seconds > 0.0F ? static_cast<double>(m_stepSeconds) /
+                                                    static_cast<double>(facts->seconds)
+                                              : 0.0;
+    shown.orderPlace = shown.isOrderLooped ? shown.orderPlace - std::floor(shown.orderPlace)
+                                           : std::min(shown.orderPlace, 1.0);
+    if (shown.isOrderOwn && shown.orderPlace >= 1.0) {
+        shown.order = -1;
+    }
 }
 
 /// Feet set off and come to rest with the body; in between nobody changes his gait for a moment.
-void Session::followGait(Shown& shown, float speed, bool wantsOn) const
+void Session::followGait(std::uint32_t agent, float speed, bool wantsOn)
 {
+    Shown& shown = m_shown[agent];
+    const float smooth = m_bearings.speed[agent];
     const float metresPerSecond = !wantsOn          ? speed
-                                  : shown.gait == 0 ? std::max(speed, shown.speed)
-                                                    : shown.speed;
+                                  : shown.gait == 0 ? std::max(speed, smooth)
+                                                    : smooth;
     if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
         return;
     }
@@ -141,52 +222,76 @@ void Session::followGait(Shown& shown, float speed, bool wantsOn) const
     const auto chosen = static_cast<std::uint32_t>(
         table.choose(shown.gait, metresPerSecond, keepsGait ? shown.gait : shown.style));
     const GaitTable::Gait& gait = table.gait(chosen);
+    auto place = static_cast<double>(m_bearings.gaitPlace[agent]);
     if (stood && chosen != 0) {
-        shown.place = GaitTable::nearestTogether(gait, shown.place);
-        shown.speed = std::max(shown.speed, metresPerSecond);
+        place = GaitTable::nearestTogether(gait, place);
+        m_bearings.speed[agent] = std::max(smooth, metresPerSecond);
     }
     if (stood || chosen == 0) {
         shown.gait = chosen;
-    } else if (chosen != shown.gait && GaitTable::isAboutToPass(former, shown.place)) {
-        shown.place = GaitTable::placeInto(former, gait, shown.place);
+    } else if (chosen != shown.gait && GaitTable::isAboutToPass(former, place)) {
+        place = GaitTable::placeInto(former, gait, place);
         shown.gait = chosen;
     }
     const GaitTable::Gait& present = table.gait(shown.gait);
     if (present.seconds > 0.0F) {
-        const float rate = GaitTable::playback(present, shown.stride, shown.height);
-        shown.place +=
-            static_cast<double>(rate * m_stepSeconds) / static_cast<double>(present.seconds);
-        shown.place -= std::floor(shown.place);
+        const float rate = GaitTable::playback(present, m_bearings.stride[agent], shown.height);
+        place += static_cast<double>(rate * m_stepSeconds) / static_cast<double>(present.seconds);
+        place -= std::floor(place);
     }
+    m_bearings.gaitPlace[agent] = static_cast<float>(place);
 }
 
-/// Whether it is another clip than a step ago, so that one goes over into the other.
+/// What he shows, and whether it is another clip than a step ago, so that one goes over into the
+/// other.
 void Session::noteClip(std::uint32_t agent)
 {
     Shown& shown = m_shown[agent];
-    const PersonPose pose = poseOf(agent);
-    const bool isOfGait =
-        shown.gait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
-    if (shown.hasLast && shown.last.clip != pose.clip) {
-        shown.from = shown.last;
+    Bearings& b = m_bearings;
+    const Showing showing = showingOf(agent);
+    if (shown.hasLast && b.clip[agent] != showing.clip.clip) {
+        ClipPlace last{b.clip[agent], (b.flags[agent] & kPoseLooped) != 0, b.rate[agent],
+                       b.clipSeconds[agent], static_cast<double>(b.place[agent])};
+        if ((b.flags[agent] & kPoseClock) != 0) {
+            last.place = last.placeAt(seconds() - static_cast<double>(m_stepSeconds));
+        }
+        shown.from = last;
         shown.fromGait = shown.lastGait;
         shown.fadeBegin = seconds();
     }
-    goOnFading(shown);
-    shown.last = {pose.clip, pose.isLooped, pose.rate, pose.clipSeconds, pose.place};
+    goOnFading(agent);
+    b.clip[agent] = showing.clip.clip;
+    b.rate[agent] = showing.clip.rate;
+    b.clipSeconds[agent] = showing.clip.clipSeconds;
+    b.place[agent] = static_cast<float>(showing.clip.place);
+    b.isGaitShown[agent] = showing.isGait ? -1 : 0;
+    b.flags[agent] = flagsOf(shown, showing, b.flags[agent]);
+    const bool isOfGait =
+        shown.gait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
     shown.lastGait = isOfGait ? shown.gait : 0;
     shown.hasLast = true;
 }
 
-/// What is being left goes on too, at the pace of the body where that moved it.
-void Session::goOnFading(Shown& shown) const
+/// Of what is shown, PoseFlag.
+std::uint8_t Session::flagsOf(const Shown& shown, const Showing& showing, std::uint8_t before) const
 {
+    const bool isFading = shown.fadeBegin >= 0.0 && seconds() - shown.fadeBegin < kFadeSeconds;
+    return static_cast<std::uint8_t>(
+        (before & kPoseLive) | (showing.clip.isLooped ? kPoseLooped : 0) |
+        (shown.isGone ? kPoseGone : 0) | (showing.isClock ? kPoseClock : 0) |
+        (isFading ? kPoseFading : 0));
+}
+
+/// What is being left goes on too, at the pace of the body where that moved it.
+void Session::goOnFading(std::uint32_t agent)
+{
+    Shown& shown = m_shown[agent];
     if (shown.fadeBegin < 0.0 || seconds() - shown.fadeBegin >= kFadeSeconds) {
         return;
     }
     if (shown.fromGait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty()) {
         const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.fromGait);
-        shown.from.rate = GaitTable::playback(gait, shown.stride, shown.height);
+        shown.from.rate = GaitTable::playback(gait, m_bearings.stride[agent], shown.height);
     }
     if (shown.from.clipSeconds > 0.0F) {
         shown.from.place += static_cast<double>(m_stepSeconds * shown.from.rate) /
@@ -194,46 +299,58 @@ void Session::goOnFading(Shown& shown) const
     }
 }
 
-PersonPose Session::poseOf(std::size_t agent) const
+/// What the next steps may do with somebody, now that he has been looked at.
+void Session::setCourse(std::uint32_t agent)
 {
     const Shown& shown = m_shown[agent];
-    PersonPose pose;
-    pose.id = m_population.ids()[agent];
-    pose.isGone = shown.isGone;
-    pose.from = shown.from;
-    pose.fadeBegin = shown.fadeBegin;
-    pose.seat = shown.sitting == Sitting::Goes || shown.sitting == Sitting::Settles ? model::kNoSeat
-                                                                                    : shown.seat;
-    pose.position = shown.position;
-    pose.heading = shown.heading;
+    Bearings& b = m_bearings;
+    const bool isFading = (b.flags[agent] & kPoseFading) != 0;
+    if (shown.order >= 0 || shown.isTurning || isFading || shown.sitting == Sitting::Settles ||
+        shown.sitting == Sitting::Sits) {
+        b.course[agent] = static_cast<std::int32_t>(Course::Look);
+        return;
+    }
+    b.course[agent] = static_cast<std::int32_t>(Course::GoesOn);
+    if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
+        b.perMetre[agent] = 0.0F;
+        b.perSecond[agent] = 0.0F;
+        b.slowest[agent] = -1.0F;
+        b.fastest[agent] = std::numeric_limits<float>::infinity();
+        return;
+    }
+    const GaitTable& table = m_gaits[shown.table];
+    const GaitTable::Gait& gait = table.gait(shown.gait);
+    const GaitTable::Limits limits = table.limits(shown.gait, shown.style);
+    b.perMetre[agent] =
+        gait.metresPerSecond > 0.0F ? GaitTable::playback(gait, 1.0F, shown.height) : 0.0F;
+    b.perSecond[agent] = gait.seconds > 0.0F ? 1.0F / gait.seconds : 0.0F;
+    b.slowest[agent] = limits.slowest;
+    b.fastest[agent] = limits.fastest;
+}
+
+Session::Showing Session::showingOf(std::uint32_t agent) const
+{
+    const Shown& shown = m_shown[agent];
     const bool hasGaits = shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty();
     const std::uint32_t gait = hasGaits ? shown.gait : 0;
     if (const ClipFacts* facts = clipFacts(shown, shown.order); facts != nullptr && gait == 0) {
-        pose.clip = static_cast<std::uint16_t>(shown.order);
-        pose.isLooped = facts->isLooped;
-        pose.clipSeconds = facts->seconds;
-        pose.place = shown.orderPlace;
-        return pose;
+        return {{static_cast<std::uint16_t>(shown.order), facts->isLooped, 1.0F, facts->seconds,
+                 shown.orderPlace}};
     }
-    const auto who = static_cast<std::uint32_t>(agent);
-    const std::uint16_t own = ownClip(who);
+    const std::uint16_t own = ownClip(agent);
     const ClipFacts* ownFacts = clipFacts(shown, own);
     const bool isMover = ownFacts != nullptr && ownFacts->isMover;
     if (!hasGaits || (gait == 0 && !isMover)) {
         // Standing he does what the scene lets him do.
-        pose.clip = own;
-        pose.isLooped = ownFacts == nullptr || ownFacts->isLooped;
-        pose.clipSeconds = ownFacts == nullptr ? 0.0F : ownFacts->seconds;
-        pose.rate = ownRate(who);
-        pose.place = ownPlace(who);
-        return pose;
+        return {{own, ownFacts == nullptr || ownFacts->isLooped, ownRate(agent),
+                 ownFacts == nullptr ? 0.0F : ownFacts->seconds, ownPhase(agent)},
+                false,
+                true};
     }
     const GaitTable::Gait& chosen = m_gaits[shown.table].gait(gait);
-    pose.clip = chosen.clip;
-    pose.rate = GaitTable::playback(chosen, shown.stride, shown.height);
-    pose.clipSeconds = chosen.seconds;
-    pose.place = shown.place;
-    return pose;
+    return {{chosen.clip, true, GaitTable::playback(chosen, m_bearings.stride[agent], shown.height),
+             chosen.seconds, static_cast<double>(m_bearings.gaitPlace[agent])},
+            true};
 }
 
 SessionPosePtr Session::pose() const
@@ -244,16 +361,69 @@ SessionPosePtr Session::pose() const
     pose->hasSeats = m_hasSat;
     pose->looks = m_shownLooks;
     pose->numbers = m_ownNumbers;
-    pose->people.reserve(m_shown.size());
-    for (std::size_t agent = 0; agent < m_shown.size(); ++agent) {
-        if (m_shown[agent].isLive) {
-            pose->people.push_back(poseOf(agent));
+    std::vector<std::uint32_t> live;
+    live.reserve(m_shown.size());
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        if (isLive(agent)) {
+            live.push_back(agent);
         }
-        if (m_rules.isLit(static_cast<std::uint32_t>(agent))) {
+    }
+    addTo(*pose, live);
+    for (std::uint32_t agent = 0; agent < m_shown.size() && m_rules.isAnybodyLit(); ++agent) {
+        if (m_rules.isLit(agent)) {
             pose->lit.push_back(m_population.ids()[agent]);
         }
     }
     return pose;
+}
+
+/// What these people show, ascending.
+void Session::addTo(SessionPose& pose, std::span<const std::uint32_t> agents) const
+{
+    const auto take = [agents, isAll = agents.size() == m_shown.size()](const auto& from,
+                                                                        auto& to) {
+        if (isAll) {
+            to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(agents.size()));
+            return;
+        }
+        to.reserve(agents.size());
+        for (const std::uint32_t agent : agents) {
+            to.push_back(from[agent]);
+        }
+    };
+    const Bearings& b = m_bearings;
+    take(m_population.ids(), pose.ids);
+    take(b.x, pose.x);
+    take(b.y, pose.y);
+    take(b.z, pose.z);
+    take(b.heading, pose.headings);
+    take(b.clip, pose.clips);
+    take(b.rate, pose.rates);
+    take(b.clipSeconds, pose.clipSeconds);
+    take(b.place, pose.places);
+    take(b.flags, pose.flags);
+    for (std::size_t i = 0; i < agents.size(); ++i) {
+        const std::uint32_t agent = agents[i];
+        if (b.course[agent] != static_cast<std::int32_t>(Course::Look)) {
+            continue;
+        }
+        // It may have been written since the last step.
+        const Shown& shown = m_shown[agent];
+        const Showing showing = showingOf(agent);
+        pose.clips[i] = showing.clip.clip;
+        pose.rates[i] = showing.clip.rate;
+        pose.clipSeconds[i] = showing.clip.clipSeconds;
+        pose.places[i] = static_cast<float>(showing.clip.place);
+        pose.flags[i] = flagsOf(shown, showing, b.flags[agent]);
+        if ((pose.flags[i] & kPoseFading) != 0) {
+            pose.fades.push_back({static_cast<std::uint32_t>(i), shown.from, shown.fadeBegin});
+        }
+    }
+    for (std::size_t i = 0; i < agents.size() && m_hasSat; ++i) {
+        const Shown& shown = m_shown[agents[i]];
+        const bool isOnTheWay = shown.sitting == Sitting::Goes || shown.sitting == Sitting::Settles;
+        pose.seats.push_back(isOnTheWay ? model::kNoSeat : shown.seat);
+    }
 }
 
 model::CrowdFramePtr Session::frame() const

@@ -130,12 +130,12 @@ void Session::warnOfCrowding()
 void Session::leaveOutWhoIsNowhere()
 {
     std::size_t lost = 0;
-    for (Shown& shown : m_shown) {
-        if (!model::Bounds::isPlace(shown.position) || !std::isfinite(shown.heading)) {
-            shown.position = {0.0F, kGoneHeight, 0.0F};
-            shown.heading = 0.0F;
-            shown.isGone = true;
-            shown.isLive = true;
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        if (!model::Bounds::isPlace(m_bearings.position(agent)) ||
+            !std::isfinite(m_bearings.heading[agent])) {
+            m_bearings.put(agent, {0.0F, kGoneHeight, 0.0F});
+            m_bearings.heading[agent] = 0.0F;
+            enliven(agent).isGone = true;
             ++lost;
         }
     }

@@ -203,7 +203,7 @@ void Population::setValues(ColumnId column, std::span<const IndividualId> ids,
         std::memcpy(target + row * stride, from, stride);
         from += isUniform ? 0 : stride;
     }
-    stampRows(touched);
+    stampRows(std::span<const std::size_t>(touched));
 }
 
 std::vector<std::byte>& Population::writable(ColumnId column)
@@ -213,17 +213,22 @@ std::vector<std::byte>& Population::writable(ColumnId column)
     return *shared;
 }
 
-void Population::stampRows(std::span<const std::size_t> rows)
+template<class Row>
+void Population::stampRows(std::span<const Row> rows)
 {
     if (rows.empty()) {
         return;
     }
     m_version = nextVersion();
     detach(m_blockVersions);
-    for (const std::size_t row : rows) {
-        (*m_blockVersions)[row / kBlockRows] = m_version;
+    for (const Row row : rows) {
+        if (row < size()) {
+            (*m_blockVersions)[row / kBlockRows] = m_version;
+        }
     }
 }
+
+template void Population::stampRows(std::span<const std::uint32_t> rows);
 
 void Population::stampAll()
 {

@@ -80,6 +80,14 @@ public:
         setValues(key.id, ids, std::as_bytes(items));
     }
 
+    /// One column, to be written at these rows only; those beyond the end are passed over.
+    template<class T>
+    [[nodiscard]] std::span<T> edit(ColumnKey<T> key, std::span<const std::uint32_t> rows)
+    {
+        stampRows(rows);
+        return {reinterpret_cast<T*>(writable(key.id).data()), size()};
+    }
+
     /// Newest stamp of all.
     [[nodiscard]] std::uint64_t version() const { return m_version; }
     /// Stamp of the last add or remove: rows may have moved since an older number.
@@ -99,7 +107,8 @@ private:
     /// shared.
     void append(const IndividualRows& rows);
     [[nodiscard]] std::vector<std::byte>& writable(ColumnId column);
-    void stampRows(std::span<const std::size_t> rows);
+    template<class Row>
+    void stampRows(std::span<const Row> rows);
     void stampAll();
 
     Shared<IndividualId> m_ids;

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "behavior/crowd/AgentRows.h"
+
+namespace crowd::behavior {
+
+/// What a step has to do for somebody's bearing.
+enum class Course : std::int32_t {
+    GoesOn, ///< as in the last step, as long as his speed stays within the limits of his gait
+    Rests,  ///< nothing, until he moves
+    Look    ///< something happens to him: he is looked at by himself
+};
+
+/// How people hold themselves while a session runs, by agent: world frame, metres, radians. One
+/// column each, so that a step goes through many people at once; with spare elements for whole
+/// blocks of lanes.
+struct Bearings
+{
+    std::vector<std::int32_t> course; ///< Course
+    std::vector<float> x;             ///< where they are shown
+    std::vector<float> y;
+    std::vector<float> z;
+    std::vector<float> heading;
+    std::vector<float> speed;  ///< smoothed, m/s
+    std::vector<float> stride; ///< m/s that they went ahead in the last step
+    // Of the gait; without gaits it plays no part.
+    std::vector<float> gaitPlace; ///< in its clip, 0..1
+    std::vector<float> perMetre;  ///< playback speed for a speed of 1 m/s; 0: it is to stand with
+    std::vector<float> perSecond; ///< of the clip, at playback speed 1
+    std::vector<float> slowest;   ///< beyond these speeds it may be another one
+    std::vector<float> fastest;
+    std::vector<std::int32_t> isGaitShown; ///< -1: the clip shown is the gait's; 0: another one
+    // The clip that is shown.
+    std::vector<float> place; ///< in it; loops 0..1; at time 0 where it goes by the clock
+    std::vector<float> rate;  ///< playback speed
+    std::vector<float> clipSeconds;
+    std::vector<std::uint16_t> clip;
+    std::vector<std::uint8_t> flags; ///< PoseFlag
+
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    [[nodiscard]] glm::vec3 position(std::size_t agent) const
+    {
+        return {x[agent], y[agent], z[agent]};
+    }
+    void put(std::size_t agent, const glm::vec3& position)
+    {
+        x[agent] = position.x;
+        y[agent] = position.y;
+        z[agent] = position.z;
+    }
+
+    /// So many, who have none yet.
+    void assign(std::size_t agents)
+    {
+        m_size = agents;
+        eachColumn([agents](auto& column) { column.assign(agents + kLanes, {}); });
+    }
+    /// Other agents: each was former[i], or is new where that is none of them.
+    void rearrange(std::span<const std::uint32_t> former)
+    {
+        eachColumn([this, former](auto& column) {
+            auto next = column;
+            next.assign(former.size() + kLanes, {});
+            for (std::size_t i = 0; i < former.size(); ++i) {
+                next[i] = former[i] < m_size ? column[former[i]] : next[i];
+            }
+            column = std::move(next);
+        });
+        m_size = former.size();
+    }
+
+private:
+    template<class Act>
+    void eachColumn(const Act& act)
+    {
+        for (auto* column : {&x, &y, &z, &heading, &speed, &stride, &gaitPlace, &perMetre,
+                             &perSecond, &slowest, &fastest, &place, &rate, &clipSeconds}) {
+            act(*column);
+        }
+        act(course);
+        act(isGaitShown);
+        act(clip);
+        act(flags);
+    }
+
+    std::size_t m_size = 0;
+};
+
+} // namespace crowd::behavior

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/session/StrideKernel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "behavior/crowd/PackOrders.h"
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define CROWD_HAS_AVX2
+#include <immintrin.h>
+#endif
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+
+namespace any_processor {
+#include "behavior/session/StrideKernelBody.h"
+}
+
+#ifdef CROWD_HAS_AVX2
+#pragma GCC push_options
+#pragma GCC target("avx2,bmi,bmi2,popcnt")
+#define CROWD_KERNEL_AVX2
+namespace with_avx2 {
+#include "behavior/session/StrideKernelBody.h"
+}
+#pragma GCC pop_options
+
+bool hasAvx2()
+{
+    static const bool isThere = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
+    return isThere;
+}
+#endif
+
+} // namespace
+
+std::size_t steerStraightOn(std::span<Body> bodies, const Aims& aims,
+                            std::span<const SlowArea> slow, std::size_t begin, std::size_t end,
+                            std::uint32_t* look)
+{
+#ifdef CROWD_HAS_AVX2
+    if (hasAvx2()) {
+        return with_avx2::steer(bodies, aims, slow, begin, end, look);
+    }
+#endif
+    return any_processor::steer(bodies, aims, slow, begin, end, look);
+}
+
+std::size_t strideOn(std::span<const Body> bodies, std::span<const float> heights,
+                     Bearings& bearings, const StrideParameters& parameters, std::size_t begin,
+                     std::size_t end, std::uint32_t* look)
+{
+#ifdef CROWD_HAS_AVX2
+    if (hasAvx2()) {
+        return with_avx2::stride(bodies, heights, bearings, parameters, begin, end, look);
+    }
+#endif
+    return any_processor::stride(bodies, heights, bearings, parameters, begin, end, look);
+}
+
+} // namespace crowd::behavior

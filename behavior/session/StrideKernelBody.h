@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// What StrideKernel.h declares, included by StrideKernel.cpp once for each instruction set: see
+// ForceKernelBody.h.
+
+#include "behavior/crowd/KernelLanes.h"
+
+CROWD_INLINE I8 loadWhole(const std::int32_t* from)
+{
+    return *reinterpret_cast<const I8InMemory*>(from);
+}
+
+CROWD_INLINE unsigned bitsOf(I8 mask)
+{
+    return bitsWhereLess(mask ? all(-1.0F) : all(0.0F), all(0.0F));
+}
+
+CROWD_INLINE void storeWhere(I8 mask, float* to, F8 value)
+{
+    store(to, mask ? value : load(to));
+}
+
+/// The largest whole number that is not above it.
+CROWD_INLINE F8 wholeBelow(F8 value)
+{
+    const F8 towardsZero = __builtin_convertvector(__builtin_convertvector(value, I8), F8);
+    return towardsZero - (towardsZero > value ? all(1.0F) : all(0.0F));
+}
+
+CROWD_INLINE F8 absolute(F8 value)
+{
+    return greater(value, -value);
+}
+
+/// As wrappedRadians().
+CROWD_INLINE F8 wrapped(F8 angle)
+{
+    return angle - kTurn * wholeBelow(angle * (1.0F / kTurn) + 0.5F);
+}
+
+/// Angle of a way from +Z towards +X, within 2e-6; 0 for none.
+CROWD_INLINE F8 angleOf(F8 x, F8 z)
+{
+    const F8 along = absolute(z);
+    const F8 across = absolute(x);
+    const F8 longer = greater(greater(along, across), all(1e-20F));
+    const F8 t = lesser(along, across) / longer;
+    const F8 s = t * t;
+    // Minimax polynomial of the arc tangent on 0..1.
+    const F8 arc =
+        t * (0.99997726F +
+             s * (-0.33262347F +
+                  s * (0.19354346F + s * (-0.11643287F + s * (0.05265332F + s * -0.01172120F)))));
+    const F8 quarter = across > along ? kTurn * 0.25F - arc : arc;
+    const F8 half = z < 0.0F ? kTurn * 0.5F - quarter : quarter;
+    return x < 0.0F ? -half : half;
+}
+
+/// Sine of an angle within half a turn of 0, within 1e-6.
+CROWD_INLINE F8 sineOf(F8 angle)
+{
+    // Beyond a quarter of a turn it comes back.
+    const F8 size = absolute(angle);
+    const F8 folded = lesser(size, kTurn * 0.5F - size);
+    const F8 s = folded * folded;
+    const F8 sine =
+        folded *
+        (0.99999999F +
+         s * (-0.16666660F + s * (0.0083330603F + s * (-0.00019810703F + s * 2.6030103e-06F))));
+    return angle < 0.0F ? -sine : sine;
+}
+
+/// Records of a block of bodies; those beyond the end are the last one once more.
+CROWD_INLINE void bodiesOf(std::span<const Body> bodies, std::size_t first, F8 (&body)[kLanes])
+{
+    const float* records[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        records[i] = &bodies[std::min(first + i, bodies.size() - 1)].x;
+    }
+    transpose(records, body);
+}
+
+inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<const SlowArea> slow,
+                         std::size_t begin, std::size_t end, std::uint32_t* look)
+{
+    std::size_t looks = 0;
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        F8 body[kLanes]; // in the order of Body
+        bodiesOf(bodies, first, body);
+        const F8 pace = load(aims.pace.data() + first);
+        const F8 wayX = load(aims.x.data() + first) - body[0];
+        const F8 wayZ = load(aims.z.data() + first) - body[1];
+        const F8 squared = squaredDistances(wayX, wayZ);
+        const I8 isPast = wayX * body[2] + wayZ * body[3] < 0.0F;
+        const F8 near =
+            isPast ? all(kPassedMetres * kPassedMetres) : all(kArrivalMetres * kArrivalMetres);
+        const I8 course = loadWhole(aims.course.data() + first);
+        const I8 needsLook =
+            (course == static_cast<std::int32_t>(Course::Look)) |
+            ((course == static_cast<std::int32_t>(Course::GoesOn)) & (squared < near));
+        F8 share = all(1.0F);
+        for (std::size_t i = slow.size(); i-- > 0;) { // the first one that they are in
+            const F8 away =
+                squaredDistances(body[0] - slow[i].center.x, body[1] - slow[i].center.y);
+            share = away < slow[i].radius * slow[i].radius ? all(slow[i].share) : share;
+        }
+        const F8 speed = pace * share;
+        const F8 perWay = speed / squareRoot(greater(squared, all(1e-8F)));
+        const F8 wish[4] = {wayX * perWay, wayZ * perWay, speed, body[7]};
+        const std::size_t lanes = std::min(kLanes, end - first);
+        const unsigned bits = bitsOf(needsLook) & ((1U << lanes) - 1U);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            Body& to = bodies[first + i];
+            to.desiredX = wish[0][i];
+            to.desiredZ = wish[1][i];
+            to.preferredSpeed = wish[2][i];
+        }
+        listBits(bits, static_cast<std::uint32_t>(first), look + looks);
+        looks += static_cast<std::size_t>(std::popcount(bits));
+    }
+    return looks;
+}
+
+inline std::size_t stride(std::span<const Body> bodies, std::span<const float> heights, Bearings& b,
+                          const StrideParameters& p, std::size_t begin, std::size_t end,
+                          std::uint32_t* look)
+{
+    const float perStep = 1.0F / p.stepSeconds;
+    std::size_t looks = 0;
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        const I8 course = loadWhole(b.course.data() + first);
+        F8 body[kLanes]; // in the order of Body
+        bodiesOf(bodies, first, body);
+        const F8 speed = squareRoot(greater(squaredDistances(body[2], body[3]), all(0.0F)));
+        const I8 wantsOn = body[6] > 0.0F;
+        const F8 perMetre = load(b.perMetre.data() + first);
+        const I8 isWalk = perMetre > 0.0F;
+        const F8 former = load(b.speed.data() + first);
+        const F8 smooth = former + (speed - former) * p.smoothing;
+        const F8 paced = wantsOn ? (isWalk ? smooth : greater(speed, smooth)) : speed;
+        const I8 isBeyond = (paced > load(b.fastest.data() + first)) |
+                            (paced < load(b.slowest.data() + first)) | (isWalk & ~wantsOn);
+        const I8 needsLook = (course == static_cast<std::int32_t>(Course::Look)) |
+                             ((course == static_cast<std::int32_t>(Course::GoesOn)) & isBeyond) |
+                             ((course == static_cast<std::int32_t>(Course::Rests)) &
+                              ((speed > p.movesAbove) | wantsOn));
+        const I8 goesOn = (course == static_cast<std::int32_t>(Course::GoesOn)) & ~needsLook;
+
+        const F8 before = load(b.heading.data() + first);
+        const F8 turn = wrapped(angleOf(body[2], body[3]) - before);
+        const F8 turned =
+            wrapped(before + greater(lesser(turn, all(p.mostTurn)), all(-p.mostTurn)));
+        const F8 heading = speed > p.turnsAbove ? turned : before;
+        const F8 wayX = body[0] - load(b.x.data() + first);
+        const F8 wayZ = body[1] - load(b.z.data() + first);
+        const F8 quarter = wrapped(heading + kTurn * 0.25F);
+        const F8 ahead = (wayX * sineOf(heading) + wayZ * sineOf(quarter)) * perStep;
+        const F8 stride = ahead < p.fastest ? greater(ahead, all(0.0F)) : all(0.0F);
+        const F8 rate = isWalk ? stride * perMetre : all(1.0F);
+        F8 place = load(b.gaitPlace.data() + first) +
+                   rate * p.stepSeconds * load(b.perSecond.data() + first);
+        place -= wholeBelow(place);
+
+        storeWhere(goesOn, b.x.data() + first, body[0]);
+        storeWhere(goesOn, b.y.data() + first, load(heights.data() + first));
+        storeWhere(goesOn, b.z.data() + first, body[1]);
+        storeWhere(goesOn, b.heading.data() + first, heading);
+        storeWhere(goesOn, b.speed.data() + first, smooth);
+        storeWhere(goesOn, b.stride.data() + first, stride);
+        storeWhere(goesOn, b.gaitPlace.data() + first, place);
+        const I8 isShown = goesOn & loadWhole(b.isGaitShown.data() + first);
+        storeWhere(isShown, b.place.data() + first, place);
+        storeWhere(isShown, b.rate.data() + first, rate);
+        const std::size_t lanes = std::min(kLanes, end - first);
+        const unsigned bits = bitsOf(needsLook) & ((1U << lanes) - 1U);
+        listBits(bits, static_cast<std::uint32_t>(first), look + looks);
+        looks += static_cast<std::size_t>(std::popcount(bits));
+    }
+    return looks;
+}
+
+#undef CROWD_INLINE
