@@ -24,6 +24,14 @@ float tame(float value, float low, float high, float otherwise)
     return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
 }
 
+/// To the larger of both: the same in any order.
+void raise(std::atomic<float>& most, float value)
+{
+    float former = most;
+    while (value > former && !most.compare_exchange_weak(former, value)) {
+    }
+}
+
 } // namespace
 
 void CrowdSimulation::setAgents(std::span<const AgentState> agents)
@@ -55,13 +63,15 @@ void CrowdSimulation::step(float seconds)
     seconds = std::min(seconds, kLongestStep);
     m_lattice.sort(m_bodies, parameters.range);
     gather();
-    const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,        seconds,
-                       m_hasLevels, m_nextX.data(), m_nextZ.data(), m_isCrowded.data()};
-    overRows(m_rows.size(),
-             [&](std::size_t begin, std::size_t end) { advanceRows(job, begin, end); });
+    const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,    seconds,
+                       m_hasLevels, m_nextX.data(), m_nextZ.data(), m_slack.data()};
+    std::atomic<float> aside{0.0F};
+    overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
+        raise(aside, advanceRows(job, begin, end));
+    });
     std::swap(m_rows.x, m_nextX);
     std::swap(m_rows.z, m_nextZ);
-    separate(seconds);
+    separate(job, aside);
     scatter();
 }
 
@@ -71,7 +81,9 @@ void CrowdSimulation::gather()
     m_rows.resize(rows);
     m_nextX.resize(rows + kLanes);
     m_nextZ.resize(rows + kLanes);
-    m_isCrowded.resize(rows);
+    m_slack.resize(rows + kLanes);
+    m_moved.resize(rows);
+    m_movedIn.resize(rows / kRowsAtOnce + 1);
     const bool areHeightsNeeded = m_hasLevels || !m_walls.isEmpty();
     const std::span<const std::uint32_t> agents = m_lattice.agents();
     overRows(rows, [&](std::size_t begin, std::size_t end) {
@@ -84,21 +96,37 @@ void CrowdSimulation::gather()
 }
 
 /// Bins are those of the step's beginning: nobody has moved further than the range leaves room for.
-void CrowdSimulation::separate(float seconds)
+/// `aside`: how far anybody got away from his former way, whom others have no slack for.
+void CrowdSimulation::separate(const ForceJob& before, float aside)
 {
+    ForceJob job = before;
+    job.x = m_nextX.data(); // the columns were swapped
+    job.z = m_nextZ.data();
     for (int i = 0; i < kSeparations; ++i) {
-        const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,        seconds,
-                           m_hasLevels, m_nextX.data(), m_nextZ.data(), m_isCrowded.data()};
-        std::atomic<std::size_t> moved{0};
+        std::atomic<float> furthest{0.0F};
         overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
-            moved += separateRows(job, begin, end);
+            std::uint32_t* moved = m_moved.data() + begin;
+            const Separated separated = separateRows(job, begin, end, aside, moved);
+            m_movedIn[begin / kRowsAtOnce] = separated.count;
+            raise(furthest, separated.furthest);
         });
-        if (moved == 0) {
+        if (furthest == 0.0F) {
             break;
         }
-        std::swap(m_rows.x, m_nextX);
-        std::swap(m_rows.z, m_nextZ);
+        takeMoved();
+        aside += furthest;
     }
+}
+
+void CrowdSimulation::takeMoved()
+{
+    overRows(m_rows.size(), [this](std::size_t begin, std::size_t) {
+        for (std::size_t i = 0; i < m_movedIn[begin / kRowsAtOnce]; ++i) {
+            const std::uint32_t row = m_moved[begin + i];
+            m_rows.x[row] = m_nextX[row];
+            m_rows.z[row] = m_nextZ[row];
+        }
+    });
 }
 
 void CrowdSimulation::scatter()
@@ -118,8 +146,8 @@ void CrowdSimulation::scatter()
 std::size_t CrowdSimulation::bytes() const
 {
     return m_bodies.size() * (sizeof(Body) + sizeof(float)) + m_rows.bytes() +
-           (m_nextX.size() + m_nextZ.size()) * sizeof(float) + m_isCrowded.size() +
-           m_lattice.bytes();
+           (m_nextX.size() + m_nextZ.size()) * sizeof(float) + m_slack.size() * sizeof(float) +
+           m_moved.size() * sizeof(std::uint32_t) + m_lattice.bytes();
 }
 
 std::size_t countPairsCloserThan(const CrowdSimulation& crowd, float metres)

@@ -16,6 +16,8 @@
 
 namespace crowd::behavior {
 
+struct ForceJob;
+
 /// One of the crowd, as seen from above: (x, z), metres, metres per second.
 struct AgentState
 {
@@ -56,7 +58,8 @@ public:
 
 private:
     void gather();
-    void separate(float seconds);
+    void separate(const ForceJob& before, float aside);
+    void takeMoved();
     void scatter();
 
     std::vector<Body> m_bodies;
@@ -64,7 +67,9 @@ private:
     AgentRows m_rows;             ///< the same people while they step
     std::vector<float> m_nextX;   ///< of the rows
     std::vector<float> m_nextZ;
-    std::vector<std::uint8_t> m_isCrowded;
+    std::vector<float> m_slack;         ///< see ForceJob
+    std::vector<std::uint32_t> m_moved; ///< rows that separate() moved, from where a chunk begins
+    std::vector<std::size_t> m_movedIn; ///< how many of each chunk
     BinLattice m_lattice;
     WallField m_walls;
     bool m_hasLevels = false;

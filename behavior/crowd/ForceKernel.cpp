@@ -22,6 +22,7 @@ namespace {
 
 /// More than fit around anybody who has not been walked into; the rest is not noticed.
 constexpr std::size_t kMostNeighbours = 256;
+constexpr float kAnyReach = 1e30F;  ///< slack of whom nobody comes too close
 constexpr std::size_t kBatch = 256; ///< rows whose sums lie in the fastest cache
 
 constexpr std::size_t kGathered = 2 * kMostNeighbours; ///< so that all fit the fastest cache
@@ -41,6 +42,7 @@ struct Neighbours
     NeighbourColumn soonX;
     NeighbourColumn soonZ;
     NeighbourColumn squaredStep;
+    NeighbourColumn parting;   ///< relative velocity along the way between both, times its length
     NeighbourColumn radius;    ///< sum of both; then the room before both must be separated
     NeighbourColumn ahead;     ///< metres against the way that the row faces
     NeighbourColumn soonAhead; ///< then the repulsion against that way
@@ -62,6 +64,11 @@ struct Sums
     float wallZ[kBatch] = {};
     float hidden[kBatch] = {};
 };
+
+float flatLength(float x, float z)
+{
+    return std::sqrt(x * x + z * z);
+}
 
 /// Half the way out of somebody too close, all of it when the other does not move.
 void leave(const AgentRows& agents, std::size_t row, std::size_t other, float least, float& wayX,
@@ -100,8 +107,8 @@ bool hasAvx2()
 }
 #endif
 
-using Advance = void (*)(const ForceJob&, std::size_t, std::size_t);
-using Separate = std::size_t (*)(const ForceJob&, std::size_t, std::size_t);
+using Advance = float (*)(const ForceJob&, std::size_t, std::size_t);
+using Separate = Separated (*)(const ForceJob&, std::size_t, std::size_t, float, std::uint32_t*);
 
 } // namespace
 
@@ -117,7 +124,7 @@ void gatherRows(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentR
     any_processor::gather(bodyOfAgent, agentOfRow, rows, begin, end);
 }
 
-void advanceRows(const ForceJob& job, std::size_t begin, std::size_t end)
+float advanceRows(const ForceJob& job, std::size_t begin, std::size_t end)
 {
     const int kind = (job.hasLevels ? 1 : 0) + (job.parameters.slowing > 0.0F ? 2 : 0);
 #ifdef CROWD_HAS_AVX2
@@ -125,17 +132,17 @@ void advanceRows(const ForceJob& job, std::size_t begin, std::size_t end)
         constexpr Advance kKinds[] = {
             with_avx2::advance<false, false>, with_avx2::advance<true, false>,
             with_avx2::advance<false, true>, with_avx2::advance<true, true>};
-        kKinds[kind](job, begin, end);
-        return;
+        return kKinds[kind](job, begin, end);
     }
 #endif
     constexpr Advance kKinds[] = {
         any_processor::advance<false, false>, any_processor::advance<true, false>,
         any_processor::advance<false, true>, any_processor::advance<true, true>};
-    kKinds[kind](job, begin, end);
+    return kKinds[kind](job, begin, end);
 }
 
-std::size_t separateRows(const ForceJob& job, std::size_t begin, std::size_t end)
+Separated separateRows(const ForceJob& job, std::size_t begin, std::size_t end, float reach,
+                       std::uint32_t* moved)
 {
     Separate separate =
         job.hasLevels ? any_processor::separate<true> : any_processor::separate<false>;
@@ -144,7 +151,7 @@ std::size_t separateRows(const ForceJob& job, std::size_t begin, std::size_t end
         separate = job.hasLevels ? with_avx2::separate<true> : with_avx2::separate<false>;
     }
 #endif
-    return separate(job, begin, end);
+    return separate(job, begin, end, reach, moved);
 }
 
 } // namespace crowd::behavior

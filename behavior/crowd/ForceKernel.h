@@ -24,7 +24,9 @@ struct ForceJob
     bool hasLevels = false; ///< whether people may stand above each other
     float* x = nullptr;     ///< outputs, by row
     float* z = nullptr;
-    std::uint8_t* isCrowded = nullptr; ///< 1: somebody may come too close within this step
+    /// Output and input, by row, metres: how much others may differ from the way that they were on
+    /// before somebody comes too close. Those who stand have no end of it: they are not moved.
+    float* slack = nullptr;
 };
 
 /// People whose feet are further apart than this are on different levels, metres.
@@ -35,11 +37,19 @@ void gatherRows(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentR
                 std::size_t begin, std::size_t end, bool hasPlainInstructions);
 
 /// Social force, semi-implicit Euler, walls. The same bits for any division into rows, on any
-/// machine of a type.
-void advanceRows(const ForceJob& job, std::size_t begin, std::size_t end);
+/// machine of a type. Returns how far somebody got away from the way that he was on, at most.
+[[nodiscard]] float advanceRows(const ForceJob& job, std::size_t begin, std::size_t end);
+
+struct Separated
+{
+    std::size_t count = 0; ///< of those who moved
+    float furthest = 0.0F; ///< metres
+};
 
 /// Moves rows that are too close to somebody half the way apart (all of it from those who do not
-/// move), reading x and z of `agents` and writing those of the job. Returns how many had to move.
-std::size_t separateRows(const ForceJob& job, std::size_t begin, std::size_t end);
+/// move): writes the job's x and z of those and lists them, ascending. Nobody who has at least
+/// `reach` of slack is looked at.
+[[nodiscard]] Separated separateRows(const ForceJob& job, std::size_t begin, std::size_t end,
+                                     float reach, std::uint32_t* moved);
 
 } // namespace crowd::behavior

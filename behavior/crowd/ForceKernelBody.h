@@ -67,8 +67,10 @@ CROWD_INLINE void meet(const ForceJob& job, std::size_t row, Neighbours& near, s
         transpose(records, other);
         const F8 x = self.x - other[0];
         const F8 z = self.z - other[1];
-        const F8 stepX = (self.velocityX - other[2]) * p.anticipationSeconds;
-        const F8 stepZ = (self.velocityZ - other[3]) * p.anticipationSeconds;
+        const F8 velocityX = self.velocityX - other[2];
+        const F8 velocityZ = self.velocityZ - other[3];
+        const F8 stepX = velocityX * p.anticipationSeconds;
+        const F8 stepZ = velocityZ * p.anticipationSeconds;
         const F8 soonX = x + stepX;
         const F8 soonZ = z + stepZ;
         store(near.x + first, x);
@@ -76,6 +78,7 @@ CROWD_INLINE void meet(const ForceJob& job, std::size_t row, Neighbours& near, s
         store(near.soonX + first, soonX);
         store(near.soonZ + first, soonZ);
         store(near.squaredStep + first, squaredDistances(stepX, stepZ));
+        store(near.parting + first, velocityX * x + velocityZ * z);
         store(near.radius + first, self.radius + other[4]);
         store(near.ahead + first, -(x * self.facingX + z * self.facingZ));
         if constexpr (kSlows) {
@@ -105,8 +108,9 @@ CROWD_INLINE void measure(const ForceParameters& p, Neighbours& near, std::size_
 
 /// Repulsion and contact of each, in place of what they are made of.
 template<bool kSlows>
-CROWD_INLINE void press(const ForceParameters& p, Neighbours& near, std::size_t end)
+CROWD_INLINE void press(const ForceJob& job, Neighbours& near, std::size_t end)
 {
+    const ForceParameters& p = job.parameters;
     const float perReach = -0.5F / p.reach;
     const float perSquare = 1.0F / (p.range * p.range);
     const float blind = 0.5F * (1.0F - p.fromBehind);
@@ -139,7 +143,8 @@ CROWD_INLINE void press(const ForceParameters& p, Neighbours& near, std::size_t 
         store(near.x + i, push * (unitX + load(near.soonX + i) * perSoon) + touch * unitX);
         store(near.z + i, push * (unitZ + load(near.soonZ + i) * perSoon) + touch * unitZ);
         store(near.counted + i, presence);
-        store(near.radius + i, distance - p.closest * radius);
+        const F8 then = distance + load(near.parting + i) * perDistance * job.seconds;
+        store(near.radius + i, then - p.closest * radius);
     }
 }
 
@@ -204,10 +209,11 @@ CROWD_INLINE Facing facingOf(F8 desiredX, F8 desiredZ)
     return {desiredX * perWish, desiredZ * perWish};
 }
 
-/// Velocity and place of a block of rows after the step, walls apart.
+/// Velocity and place of a block of rows after the step, walls apart. Returns how far each got away
+/// from the way that it was on.
 template<bool kSlows>
-CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t lanes,
-                            const Sums& sums, std::size_t at)
+CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lanes, const Sums& sums,
+                          std::size_t at)
 {
     const ForceParameters& p = job.parameters;
     AgentRows& agents = job.agents;
@@ -261,13 +267,13 @@ CROWD_INLINE void moveBlock(const ForceJob& job, std::size_t row, std::size_t la
     storeSome(job.z + row, isMoving ? z : atZ, lanes);
     storeSome(agents.velocityX.data() + row, isMoving ? velocityX : all(0.0F), lanes);
     storeSome(agents.velocityZ.data() + row, isMoving ? velocityZ : all(0.0F), lanes);
-    // Two may come closer by what both walk at most.
-    const F8 least = 2.0F * job.seconds * greater(top, all(2.0F));
-    const unsigned bits = bitsWhereLess(load(sums.closest + at), least) &
-                          bitsWhereLess(all(0.0F), greater(preferred, -preferred));
-    for (std::size_t l = 0; l < std::min(lanes, kLanes); ++l) {
-        job.isCrowded[row + l] = static_cast<std::uint8_t>(bits >> l & 1U);
-    }
+    const F8 aside = squareRoot(squaredDistances((isMoving ? velocityX : all(0.0F)) - beforeX,
+                                                 (isMoving ? velocityZ : all(0.0F)) - beforeZ)) *
+                     job.seconds;
+    const I8 isThere = I8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<std::int32_t>(lanes);
+    storeSome(job.slack + row, preferred != 0.0F ? load(sums.closest + at) - aside : all(kAnyReach),
+              lanes);
+    return isThere ? aside : all(0.0F);
 }
 
 template<bool kHasLevels, bool kSlows>
@@ -292,7 +298,7 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
             meet<kSlows>(job, begin + met, near, met);
         }
         measure(job.parameters, near, near.start[i]);
-        press<kSlows>(job.parameters, near, near.start[i]);
+        press<kSlows>(job, near, near.start[i]);
         for (; done < i; ++done) {
             total<kSlows>(near, sums, done);
         }
@@ -314,10 +320,32 @@ inline void addWalls(const ForceJob& job, std::size_t begin, std::size_t count, 
     }
 }
 
+/// Rows of a batch out of the walls they got into; how far at most.
+inline float keepOut(const ForceJob& job, std::size_t begin, std::size_t end)
+{
+    float furthest = 0.0F;
+    for (std::size_t row = begin; row < end; ++row) {
+        if (job.agents.preferredSpeed[row] == 0.0F) {
+            continue;
+        }
+        const float x = job.x[row];
+        const float z = job.z[row];
+        keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
+        if (job.x[row] != x || job.z[row] != z) {
+            const float away = flatLength(job.x[row] - x, job.z[row] - z);
+            job.slack[row] -= away;
+            furthest = std::max(furthest, away);
+        }
+    }
+    return furthest;
+}
+
 template<bool kHasLevels, bool kSlows>
-void advance(const ForceJob& job, std::size_t begin, std::size_t end)
+float advance(const ForceJob& job, std::size_t begin, std::size_t end)
 {
     Sums sums;
+    F8 aside{};
+    float outOfWalls = 0.0F;
     for (std::size_t first = begin; first < end; first += kBatch) {
         const std::size_t count = std::min(kBatch, end - first);
         addPeople<kHasLevels, kSlows>(job, first, count, sums);
@@ -325,14 +353,13 @@ void advance(const ForceJob& job, std::size_t begin, std::size_t end)
             addWalls(job, first, count, sums);
         }
         for (std::size_t i = 0; i < count; i += kLanes) {
-            moveBlock<kSlows>(job, first + i, count - i, sums, i);
+            aside = greater(aside, moveBlock<kSlows>(job, first + i, count - i, sums, i));
         }
-        for (std::size_t row = first; row < first + count && !job.walls.isEmpty(); ++row) {
-            if (job.agents.preferredSpeed[row] != 0.0F) {
-                keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
-            }
+        if (!job.walls.isEmpty()) {
+            outOfWalls = std::max(outOfWalls, keepOut(job, first, first + count));
         }
     }
+    return -leastOf(-aside) + outOfWalls;
 }
 
 /// Way of one row out of those too close to it; false: none is.
@@ -367,23 +394,31 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
 }
 
 template<bool kHasLevels>
-std::size_t separate(const ForceJob& job, std::size_t begin, std::size_t end)
+Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, float reach,
+                   std::uint32_t* moved)
 {
-    std::copy(job.agents.x.data() + begin, job.agents.x.data() + end, job.x + begin);
-    std::copy(job.agents.z.data() + begin, job.agents.z.data() + end, job.z + begin);
-    std::size_t moved = 0;
-    for (std::size_t row = begin; row < end; ++row) {
-        float wayX = 0.0F;
-        float wayZ = 0.0F;
-        if (job.isCrowded[row] == 0 || !wayOut<kHasLevels>(job, row, wayX, wayZ)) {
-            continue;
+    Separated separated;
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        unsigned bits =
+            bitsWhereLess(load(job.slack + first), all(reach)) & bitsOfOthers(first, end, end);
+        for (; bits != 0; bits &= bits - 1) {
+            const std::size_t row = first + static_cast<std::size_t>(std::countr_zero(bits));
+            float wayX = 0.0F;
+            float wayZ = 0.0F;
+            if (!wayOut<kHasLevels>(job, row, wayX, wayZ)) {
+                continue;
+            }
+            job.x[row] = job.agents.x[row] + wayX;
+            job.z[row] = job.agents.z[row] + wayZ;
+            keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
+            const float away =
+                flatLength(job.x[row] - job.agents.x[row], job.z[row] - job.agents.z[row]);
+            job.slack[row] -= away;
+            separated.furthest = std::max(separated.furthest, away);
+            moved[separated.count++] = static_cast<std::uint32_t>(row);
         }
-        ++moved;
-        job.x[row] += wayX;
-        job.z[row] += wayZ;
-        keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
     }
-    return moved;
+    return separated;
 }
 
 inline void gather(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentRows& rows,
