@@ -120,7 +120,7 @@ bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const model::Action
         return true;
     }
     if (mind.isTravelling) {
-        return (host.happenings(agent) & PathFollower::EndedErrand) != 0;
+        return (host.happenings()[agent] & PathFollower::EndedErrand) != 0;
     }
     if (action.kind == model::ActionKind::Flee) {
         mind.isStarted = true;

@@ -133,7 +133,8 @@ bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Acti
         return true;
     }
     const bool isFollowing = action.kind == model::ActionKind::Follow;
-    if (!isFollowing && !mind.isNear && (host.happenings(agent) & PathFollower::EndedErrand) != 0) {
+    if (!isFollowing && !mind.isNear &&
+        (host.happenings()[agent] & PathFollower::EndedErrand) != 0) {
         return true; // as near as he gets
     }
     return m_now >= mind.nextLook && comeNear(host, agent, action);

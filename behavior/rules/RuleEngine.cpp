@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "behavior/session/PathFollower.h"
@@ -36,7 +37,7 @@ void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
             rules.push_back(rule);
         }
     }
-    std::vector<std::vector<Memory>> memory(rules.size());
+    std::vector<RuleMemory> memory(rules.size());
     std::vector<std::uint32_t> now(m_rules.size(), kNone);
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const auto former = std::ranges::find(m_rules, rules[i].id, &model::Rule::id);
@@ -49,8 +50,9 @@ void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
         }
         memory[i].resize(m_minds.size());
     }
-    for (Mind& mind : m_minds) {
-        mind.rule = mind.rule == kNone ? kNone : now[mind.rule];
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        const std::uint32_t former = m_minds[agent].rule;
+        setBusy(agent, former == kNone ? kNone : now[former]);
     }
     m_rules = std::move(rules);
     m_memory = std::move(memory);
@@ -148,20 +150,41 @@ void RuleEngine::setPeople(const model::Population& people, std::span<const std:
             minds[i].numbers = firstNumbers(people.ids()[i]);
         }
     }
-    for (std::vector<Memory>& memory : m_memory) {
-        std::vector<Memory> kept(keep.size());
+    for (RuleMemory& memory : m_memory) {
+        RuleMemory kept;
+        kept.resize(keep.size());
         for (std::size_t i = 0; i < keep.size(); ++i) {
             if (keep[i] != PathFollower::kNobody) {
-                kept[i] = memory[keep[i]];
+                kept.of[i] = memory.of[keep[i]];
+                kept.due[i] = memory.due[keep[i]];
             }
         }
         memory = std::move(kept);
     }
     m_minds = std::move(minds);
+    m_isBusy.resize(m_minds.size());
+    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+        setBusy(agent, m_minds[agent].rule);
+    }
     m_agentOf.clear();
     for (std::size_t i = 0; i < keep.size(); ++i) {
         m_agentOf.emplace_back(people.ids()[i], static_cast<std::uint32_t>(i));
     }
+}
+
+void RuleEngine::setBusy(std::uint32_t agent, std::uint32_t rule)
+{
+    m_minds[agent].rule = rule;
+    m_isBusy[agent] = rule != kNone ? 1 : 0;
+}
+
+std::uint32_t RuleEngine::nextBusy(std::uint32_t agent) const
+{
+    const std::uint8_t* from = m_isBusy.data() + agent;
+    const void* found = std::memchr(from, 1, m_isBusy.size() - agent);
+    return found == nullptr
+               ? static_cast<std::uint32_t>(m_isBusy.size())
+               : agent + static_cast<std::uint32_t>(static_cast<const std::uint8_t*>(found) - from);
 }
 
 void RuleEngine::setTags(std::uint32_t agent, std::uint64_t tags)
@@ -218,13 +241,12 @@ void RuleEngine::step(RuleHost& host, std::uint64_t step)
     m_now = static_cast<double>(step) / m_stepsPerSecond;
     m_places.forget();
     m_tagged.clear();
+    noteHappenings(host);
     deliver(host);
     endErrands(host);
     lookAround(host);
-    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
-        if (m_minds[agent].rule != kNone) {
-            goOn(host, agent);
-        }
+    for (std::uint32_t agent = nextBusy(0); agent < m_minds.size(); agent = nextBusy(agent + 1)) {
+        goOn(host, agent);
     }
 }
 
@@ -270,12 +292,23 @@ void RuleEngine::hear(RuleHost& host, std::uint32_t agent, const Event& event)
     }
 }
 
+void RuleEngine::noteHappenings(const RuleHost& host)
+{
+    const std::span<const std::uint8_t> happenings = host.happenings();
+    m_happenedTo.clear();
+    for (std::uint32_t agent = 0; agent < happenings.size(); ++agent) {
+        if (happenings[agent] != 0) {
+            m_happenedTo.push_back(agent);
+        }
+    }
+}
+
 /// Who has got where his rule sent him goes on with it, before others hear that he arrived.
 void RuleEngine::endErrands(RuleHost& host)
 {
-    for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
+    for (const std::uint32_t agent : m_happenedTo) {
         if (m_minds[agent].isTravelling && m_minds[agent].rule != kNone &&
-            (host.happenings(agent) & PathFollower::EndedErrand) != 0) {
+            (host.happenings()[agent] & PathFollower::EndedErrand) != 0) {
             goOn(host, agent);
         }
     }
@@ -299,7 +332,7 @@ bool RuleEngine::holds(RuleHost& host, const model::Rule& rule, std::uint32_t ag
 bool RuleEngine::fire(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
 {
     const model::Rule& rule = m_rules[index];
-    const Memory& memory = m_memory[index][agent];
+    const Memory& memory = m_memory[index].of[agent];
     Mind& mind = m_minds[agent];
     if (m_now < memory.last + static_cast<double>(rule.cooldownSeconds) ||
         (rule.limit != 0 && memory.count >= rule.limit) || !holds(host, rule, agent, cause)) {
@@ -346,13 +379,13 @@ void RuleEngine::noticeEcho(std::uint32_t index, Memory& memory, const Cause& ca
 void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
 {
     Mind& mind = m_minds[agent];
-    Memory& memory = m_memory[index][agent];
+    Memory& memory = m_memory[index].of[agent];
     noticeEcho(index, memory, cause);
     memory.last = m_now;
     ++memory.count;
     ++mind.firings;
     ++m_counts[m_rules[index].id];
-    mind.rule = index;
+    setBusy(agent, index);
     mind.action = 0;
     mind.turns = 0;
     mind.rounds.clear();
@@ -374,11 +407,11 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
         if (count > kMaxActionsAtOnce) {
             complainOf(mind.rule, " repeats without any time passing: let it wait or play a clip. "
                                   "It was ended.");
-            mind.rule = kNone;
+            setBusy(agent, kNone);
             return;
         }
         if (mind.action >= actions.size()) {
-            mind.rule = kNone;
+            setBusy(agent, kNone);
             if (!mind.queue.empty()) {
                 const Waiting next = mind.queue.front();
                 mind.queue.erase(mind.queue.begin());

@@ -34,8 +34,8 @@ public:
     [[nodiscard]] virtual bool isSeated(std::uint32_t agent) const = 0;
     [[nodiscard]] virtual bool isGone(std::uint32_t agent) const = 0;
     [[nodiscard]] virtual model::PathId pathOf(std::uint32_t agent) const = 0;
-    /// PathFollower::Happening of the last step.
-    [[nodiscard]] virtual std::uint8_t happenings(std::uint32_t agent) const = 0;
+    /// PathFollower::Happening of the last step, by agent.
+    [[nodiscard]] virtual std::span<const std::uint8_t> happenings() const = 0;
     [[nodiscard]] virtual model::PlaceId reachedPlace(std::uint32_t agent) const = 0;
     /// Seconds that the clip takes; below 0: there is no such clip.
     virtual float play(std::uint32_t agent, const std::string& clip, bool isLooped) = 0;
@@ -172,12 +172,22 @@ private:
     struct Memory
     {
         double last = -1e18;
-        double next = -1.0; ///< Every; Waited: since when he stands
+        double since = -1.0; ///< Waited: when he came to stand
         std::uint32_t count = 0;
         std::uint32_t echoes = 0; ///< times that it fired right after the last time, by rules
         bool wasThere = false;    ///< Start, Entered, Left, TagNear, SpeedLimit, Waited
         bool isSeen = false;      ///< SpeedLimit: looked at before
         model::PlaceId place = 0; ///< AheadFree: that he had when it was free last
+    };
+    struct RuleMemory
+    {
+        std::vector<Memory> of;  ///< by agent
+        std::vector<double> due; ///< Every: seconds, by agent; below 0: not known yet
+        void resize(std::size_t agents)
+        {
+            of.resize(agents);
+            due.resize(agents, -1.0);
+        }
     };
     struct Event
     {
@@ -206,6 +216,11 @@ private:
     void endErrands(RuleHost& host);
     void lookAround(RuleHost& host);
     void lookAt(RuleHost& host, std::uint32_t rule);
+    void lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
+    void noteHappenings(const RuleHost& host);
+    /// The first one from there on whom a rule lets do something, or their number.
+    [[nodiscard]] std::uint32_t nextBusy(std::uint32_t agent) const;
+    void setBusy(std::uint32_t agent, std::uint32_t rule);
     void lookForTags(RuleHost& host, std::uint32_t rule);
     void lookAhead(RuleHost& host, std::uint32_t rule);
     [[nodiscard]] bool happensTo(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
@@ -274,9 +289,11 @@ private:
     std::vector<bool> m_bringsBack;   ///< rules that those who have left still hear
     PlaceRooms m_places;
     std::vector<model::NumberName> m_numbers;
-    std::vector<Mind> m_minds;                 ///< by agent
-    std::vector<std::vector<Memory>> m_memory; ///< by rule, by agent
-    std::vector<Event> m_events;               ///< heap: the earliest first
+    std::vector<Mind> m_minds;               ///< by agent
+    std::vector<std::uint8_t> m_isBusy;      ///< by agent: has a rule
+    std::vector<std::uint32_t> m_happenedTo; ///< agents to whom something did in this step
+    std::vector<RuleMemory> m_memory;        ///< by rule
+    std::vector<Event> m_events;             ///< heap: the earliest first
     std::vector<std::pair<model::IndividualId, std::uint32_t>> m_agentOf; ///< ascending
     /// Who has a tag, by tag: as of this step, for those that were asked for.
     std::map<std::uint8_t, std::vector<std::uint32_t>> m_tagged;

@@ -42,19 +42,19 @@ bool compares(float asked, model::Comparison comparison, float value)
 bool RuleEngine::isTime(RuleHost& host, std::uint32_t index, std::uint32_t agent)
 {
     const model::Trigger& trigger = m_rules[index].trigger;
-    Memory& memory = m_memory[index][agent];
+    const std::uint32_t count = m_memory[index].of[agent].count;
+    double& due = m_memory[index].due[agent];
     const double period = std::max(1.0 / 30.0, static_cast<double>(trigger.seconds));
-    const std::uint64_t key =
-        model::hashKeys(m_seed, host.id(agent), m_rules[index].id, memory.count, 51);
-    if (memory.next < 0.0) {
-        memory.next = m_now + period * model::unitDouble(key); // not all at once
+    const std::uint64_t key = model::hashKeys(m_seed, host.id(agent), m_rules[index].id, count, 51);
+    if (due < 0.0) {
+        due = m_now + period * model::unitDouble(key); // not all at once
         return false;
     }
-    if (m_now < memory.next) {
+    if (m_now < due) {
         return false;
     }
-    memory.next = m_now + period * (1.0 + static_cast<double>(trigger.jitter) *
-                                              (2.0 * model::unitDouble(key) - 1.0));
+    due = m_now + period * (1.0 + static_cast<double>(trigger.jitter) *
+                                      (2.0 * model::unitDouble(key) - 1.0));
     return true;
 }
 
@@ -73,22 +73,22 @@ bool RuleEngine::isCrossed(const model::Trigger& trigger, float speed, Memory& m
 bool RuleEngine::isTired(const model::Trigger& trigger, float speed, Memory& memory) const
 {
     if (speed > kStandsBelow) {
-        memory.next = -1.0;
+        memory.since = -1.0;
         memory.wasThere = false;
         return false;
     }
-    if (memory.next < 0.0) {
-        memory.next = m_now;
+    if (memory.since < 0.0) {
+        memory.since = m_now;
     }
-    return m_now - memory.next >= static_cast<double>(trigger.seconds) &&
+    return m_now - memory.since >= static_cast<double>(trigger.seconds) &&
            !std::exchange(memory.wasThere, true);
 }
 
 bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t agent)
 {
     const model::Trigger& trigger = m_rules[index].trigger;
-    Memory& memory = m_memory[index][agent];
-    const std::uint8_t happened = host.happenings(agent);
+    Memory& memory = m_memory[index].of[agent];
+    const std::uint8_t happened = host.happenings()[agent];
     switch (trigger.kind) {
     case model::TriggerKind::Start:
         return !std::exchange(memory.wasThere, true);
@@ -103,9 +103,10 @@ bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t ag
                (trigger.path == 0 || host.pathOf(agent) == trigger.path);
     case model::TriggerKind::Entered:
     case model::TriggerKind::Left: {
+        const glm::vec3 at = host.position(agent);
         const bool isThere = std::ranges::any_of(m_places.places(), [&](const model::Place& place) {
             return (trigger.place == 0 || place.id == trigger.place) &&
-                   flatDistance(place.position, host.position(agent)) <= place.radius;
+                   flatDistance(place.position, at) <= place.radius;
         });
         const bool wasThere = std::exchange(memory.wasThere, isThere);
         return trigger.kind == model::TriggerKind::Entered ? isThere && !wasThere
@@ -126,11 +127,28 @@ bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t ag
     return false;
 }
 
+void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent)
+{
+    if ((m_bringsBack[rule] || !host.isGone(agent)) && happensTo(host, rule, agent)) {
+        fire(host, rule, agent, {});
+    }
+}
+
+/// At those to whom it can have happened.
 void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule)
 {
+    const model::TriggerKind kind = m_rules[rule].trigger.kind;
+    if (kind == model::TriggerKind::Arrived || kind == model::TriggerKind::PathEnded) {
+        for (const std::uint32_t agent : m_happenedTo) {
+            lookAt(host, rule, agent);
+        }
+        return;
+    }
+    const std::vector<double>& due = m_memory[rule].due;
+    const bool isTimed = kind == model::TriggerKind::Every;
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
-        if ((m_bringsBack[rule] || !host.isGone(agent)) && happensTo(host, rule, agent)) {
-            fire(host, rule, agent, {});
+        if (!isTimed || due[agent] <= m_now) {
+            lookAt(host, rule, agent);
         }
     }
 }
@@ -158,8 +176,10 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
             const auto cell =
                 cells.find(tagCellOf(at.x + static_cast<float>(side % 3 - 1) * size,
                                      at.z + static_cast<float>(side / 3 - 1) * size, size));
-            for (const std::uint32_t other :
-                 cell == cells.end() ? std::vector<std::uint32_t>() : cell->second) {
+            if (cell == cells.end()) {
+                continue;
+            }
+            for (const std::uint32_t other : cell->second) {
                 const float away = flatDistance(host.position(other), at);
                 if (other != agent && (away < nearest || (away == nearest && other < who))) {
                     nearest = away;
@@ -168,7 +188,7 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
             }
         }
         const bool isNear = who != kNone;
-        if (std::exchange(m_memory[rule][agent].wasThere, isNear) != isNear && isNear) {
+        if (std::exchange(m_memory[rule].of[agent].wasThere, isNear) != isNear && isNear) {
             fire(host, rule, agent, {0.0F, host.position(who), true, host.id(who)});
         }
     }
@@ -183,7 +203,7 @@ void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule)
         if (own == 0 || host.isGone(agent)) {
             continue;
         }
-        Memory& memory = m_memory[rule][agent];
+        Memory& memory = m_memory[rule].of[agent];
         const bool isFree =
             rooms(host)
                 .choose(model::PlaceChoice::Ahead, 0, path, host.position(agent), own)

@@ -77,7 +77,8 @@ public:
     [[nodiscard]] std::size_t nextPlace(std::uint32_t agent) const { return m_walks[agent].next; }
     /// Whether its path has ended.
     [[nodiscard]] bool hasArrived(std::uint32_t agent) const { return m_walks[agent].hasArrived; }
-    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const { return m_happened[agent]; }
+    /// Happening, by agent.
+    [[nodiscard]] std::span<const std::uint8_t> happenings() const { return m_happened; }
     /// Of a path's stop that was reached last.
     [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const
     {

@@ -145,7 +145,7 @@ private:
     [[nodiscard]] bool isSeated(std::uint32_t agent) const override;
     [[nodiscard]] bool isGone(std::uint32_t agent) const override;
     [[nodiscard]] model::PathId pathOf(std::uint32_t agent) const override;
-    [[nodiscard]] std::uint8_t happenings(std::uint32_t agent) const override;
+    [[nodiscard]] std::span<const std::uint8_t> happenings() const override;
     [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const override;
     float play(std::uint32_t agent, const std::string& clip, bool isLooped) override;
     void endClip(std::uint32_t agent) override;

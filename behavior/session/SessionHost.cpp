@@ -45,9 +45,9 @@ model::PathId Session::pathOf(std::uint32_t agent) const
     return m_follower.pathOf(agent);
 }
 
-std::uint8_t Session::happenings(std::uint32_t agent) const
+std::span<const std::uint8_t> Session::happenings() const
 {
-    return m_follower.happenings(agent);
+    return m_follower.happenings();
 }
 
 model::PlaceId Session::reachedPlace(std::uint32_t agent) const

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace crowd::behavior {
 
@@ -77,6 +78,10 @@ std::vector<std::uint32_t> Between::find(std::span<const model::IndividualId> wh
                                          std::span<const model::IndividualId> where)
 {
     std::vector<std::uint32_t> found(whom.size());
+    if (std::ranges::equal(whom, where)) {
+        std::iota(found.begin(), found.end(), 0U);
+        return found;
+    }
     std::size_t row = 0;
     for (std::size_t i = 0; i < whom.size(); ++i) {
         while (row < where.size() && where[row] < whom[i]) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "behavior/session/Session.h"
 #include "behavior/workload/Workload.h"
+#include "model/scene/RuleSets.h"
 
 namespace crowd::behavior {
 
@@ -30,6 +33,29 @@ private:
     Session m_session;
     model::CrowdFramePtr m_frame;
 };
+
+/// People with clips to stand, walk and run with.
+model::TemplateEntry walkerTemplate()
+{
+    auto asset = std::make_shared<model::Template>();
+    model::TemplateEntry entry;
+    const auto add = [&](const char* name, float seconds, float metresPerSecond) {
+        model::Clip clip;
+        clip.name = name;
+        clip.seconds = seconds;
+        clip.speed = metresPerSecond;
+        clip.loop = true;
+        asset->clips.push_back(clip);
+        entry.clipNames.emplace_back(name);
+    };
+    add("idle", 2.0F, 0.0F);
+    add("walk", 1.0F, 1.3F);
+    add("run", 0.7F, 3.0F);
+    entry.id = 1;
+    entry.asset = asset;
+    entry.clipSpeeds.assign(3, std::numeric_limits<float>::quiet_NaN());
+    return entry;
+}
 
 /// A grid of places, and a path around each of its squares.
 void addNetwork(SessionPlan& plan, int squares)
@@ -64,6 +90,7 @@ std::unique_ptr<Workload> makePathsWorkload(std::size_t count, std::uint64_t see
     const float width = static_cast<float>(squares) * kMesh;
     const std::vector<glm::vec2> places =
         scatter(count, glm::vec2(0.0F), glm::vec2(width), 0.5F, seed);
+    std::ranges::fill(rows.column(model::columns::templateId), model::TemplateId{1});
     for (std::size_t i = 0; i < count; ++i) {
         rows.column(model::columns::position)[i] = {places[i].x, 0.0F, places[i].y};
         const glm::ivec2 square = glm::min(glm::ivec2(places[i] / kMesh), squares - 1);
@@ -72,7 +99,10 @@ std::unique_ptr<Workload> makePathsWorkload(std::size_t count, std::uint64_t see
                                 kWorkloadSpeed});
     }
     model::Scene scene;
+    scene.templates.push_back(walkerTemplate());
     scene.population.add(rows);
+    scene.rules = model::rulesOf(model::RuleSet::Pedestrians, scene);
+    model::giveIds(scene.rules, scene);
     return std::make_unique<PathsWorkload>(scene, plan);
 }
 

@@ -54,7 +54,8 @@ protected:
 /// per square metre, turning round at the ends; its length follows the count. "city": four-way
 /// streets between blocks of houses, half a person per square metre, everybody from crossing to
 /// crossing. "paths": a session of people on cyclic paths in the open, half a person per square
-/// metre, with a frame published after every step.
+/// metre, with gaits and the ready-made rules for pedestrians, and with a frame published after
+/// every step.
 [[nodiscard]] model::Result<std::unique_ptr<Workload>>
 makeWorkload(std::string_view name, std::size_t count, std::uint64_t seed);
 

@@ -35,7 +35,7 @@ public:
     {
         WorkloadFigures figures = m_figures;
         const auto motions = static_cast<double>(std::max<std::size_t>(m_motions, 1));
-        figures.efficiency = m_progress / motions;
+        figures.efficiency = m_progress / static_cast<double>(std::max<std::size_t>(m_walks, 1));
         figures.rmsAcceleration = std::sqrt(m_squares / motions);
         const auto people = static_cast<double>(m_workload.crowd().size());
         figures.bytesPerAgent = static_cast<double>(m_workload.crowd().bytes()) / people;
@@ -63,7 +63,10 @@ private:
             const glm::dvec2 wish(body.desiredX, body.desiredZ);
             const glm::dvec2 change = velocity - m_velocity[agent];
             const auto speed = static_cast<double>(body.preferredSpeed);
-            m_progress += (velocity.x * wish.x + velocity.y * wish.y) / (speed * speed);
+            if (speed > 0.0) { // who stands makes no progress and wants none
+                m_progress += (velocity.x * wish.x + velocity.y * wish.y) / (speed * speed);
+                ++m_walks;
+            }
             m_squares += (change.x * change.x + change.y * change.y) /
                          (static_cast<double>(kWorkloadStep) * static_cast<double>(kWorkloadStep));
         }
@@ -89,6 +92,7 @@ private:
     double m_progress = 0.0;
     double m_squares = 0.0;
     std::size_t m_motions = 0;
+    std::size_t m_walks = 0;
     WorkloadFigures m_figures;
 };
 

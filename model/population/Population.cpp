@@ -221,9 +221,14 @@ void Population::stampRows(std::span<const Row> rows)
     }
     m_version = nextVersion();
     detach(m_blockVersions);
-    for (const Row row : rows) {
-        if (row < size()) {
-            (*m_blockVersions)[row / kBlockRows] = m_version;
+    std::vector<std::uint64_t>& versions = *m_blockVersions;
+    std::size_t from = 0; // rows of the block that is stamped already
+    std::size_t to = 0;
+    for (const std::size_t row : rows) {
+        if ((row < from || row >= to) && row < size()) {
+            versions[row / kBlockRows] = m_version;
+            from = row / kBlockRows * kBlockRows;
+            to = from + kBlockRows;
         }
     }
 }
