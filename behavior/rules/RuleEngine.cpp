@@ -163,8 +163,12 @@ void RuleEngine::setPeople(const model::Population& people, std::span<const std:
     }
     m_minds = std::move(minds);
     m_isBusy.resize(m_minds.size());
+    m_lit.clear();
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
         setBusy(agent, m_minds[agent].rule);
+        if (m_minds[agent].litUntil >= 0.0) {
+            m_lit.push_back(agent);
+        }
     }
     m_agentOf.clear();
     for (std::size_t i = 0; i < keep.size(); ++i) {
@@ -221,6 +225,13 @@ float RuleEngine::draw(RuleHost& host, std::uint32_t agent, std::uint64_t purpos
         model::hashKeys(m_seed, host.id(agent), purpose, m_minds[agent].firings, m_step));
 }
 
+std::vector<std::uint32_t> RuleEngine::lit() const
+{
+    std::vector<std::uint32_t> lit = m_lit;
+    std::ranges::sort(lit);
+    return lit;
+}
+
 void RuleEngine::post(Event event)
 {
     m_events.push_back(std::move(event));
@@ -241,6 +252,11 @@ void RuleEngine::step(RuleHost& host, std::uint64_t step)
     m_now = static_cast<double>(step) / m_stepsPerSecond;
     m_places.forget();
     m_tagged.clear();
+    std::erase_if(m_lit, [this](std::uint32_t agent) {
+        const bool isOut = m_minds[agent].litUntil <= m_now;
+        m_minds[agent].litUntil = isOut ? -1.0 : m_minds[agent].litUntil;
+        return isOut;
+    });
     noteHappenings(host);
     deliver(host);
     endErrands(host);
@@ -392,8 +408,10 @@ void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent,
     mind.isStarted = false;
     mind.isTravelling = false;
     mind.cause = cause;
+    if (mind.litUntil < 0.0) {
+        m_lit.push_back(agent);
+    }
     mind.litUntil = m_now + kLitSeconds;
-    m_litUntil = mind.litUntil;
     if (m_log.size() < kMaxLog) {
         m_log.push_back({m_now, m_rules[index].id, host.id(agent)});
     }

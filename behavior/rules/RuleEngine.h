@@ -117,8 +117,7 @@ public:
         return m_minds[agent].holds;
     }
     /// For whom a rule fired within the last half second.
-    [[nodiscard]] bool isLit(std::uint32_t agent) const { return m_now < m_minds[agent].litUntil; }
-    [[nodiscard]] bool isAnybodyLit() const { return m_now < m_litUntil; }
+    [[nodiscard]] std::vector<std::uint32_t> lit() const; ///< agents, ascending
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
 
 private:
@@ -292,6 +291,7 @@ private:
     std::vector<Mind> m_minds;               ///< by agent
     std::vector<std::uint8_t> m_isBusy;      ///< by agent: has a rule
     std::vector<std::uint32_t> m_happenedTo; ///< agents to whom something did in this step
+    std::vector<std::uint32_t> m_lit;        ///< agents, in any order
     std::vector<RuleMemory> m_memory;        ///< by rule
     std::vector<Event> m_events;             ///< heap: the earliest first
     std::vector<std::pair<model::IndividualId, std::uint32_t>> m_agentOf; ///< ascending
@@ -306,7 +306,6 @@ private:
     std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers;
     bool m_areNumbersStale = false;
     double m_now = 0.0;
-    double m_litUntil = -1.0; ///< the last of all
     std::uint32_t m_seed = 1;
 };
 

@@ -9,7 +9,6 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kFarBelow = -1e5F;
 constexpr float kJumpMetres = 1.5F; ///< further in one step is no walk
 
 /// The largest whole number that is not above it; for numbers far below 2^51. (The library's needs
@@ -95,18 +94,14 @@ std::vector<std::uint32_t> Between::find(std::span<const model::IndividualId> wh
 
 glm::vec3 Between::position(std::size_t person, const Then& then) const
 {
-    if ((m_before.flags[person] & kPoseGone) != 0) {
-        return {0.0F, kFarBelow, 0.0F};
-    }
     const auto part = static_cast<float>(m_share);
     const glm::vec3 from(m_before.x[person], m_before.y[person], m_before.z[person]);
     const glm::vec3 to(then.pose.x[then.person], then.pose.y[then.person],
                        then.pose.z[then.person]);
     const glm::vec3 way = to - from;
-    if (way.x * way.x + way.y * way.y + way.z * way.z > kJumpMetres * kJumpMetres) {
-        return part < 0.5F ? from : to;
-    }
-    return from + way * part;
+    const bool jumps = way.x * way.x + way.y * way.y + way.z * way.z > kJumpMetres * kJumpMetres;
+    const float share = !jumps ? part : part < 0.5F ? 0.0F : 1.0F;
+    return from + way * share;
 }
 
 float Between::heading(std::size_t person, const Then& then) const
@@ -120,26 +115,21 @@ float Between::heading(std::size_t person, const Then& then) const
 float Between::phase(std::size_t person, const Then& then) const
 {
     const float seconds = m_before.clipSeconds[person];
-    if (seconds <= 0.0F) {
-        return 0.0F;
-    }
-    const std::uint8_t flags = m_before.flags[person];
     const float rate = m_before.rates[person];
-    const double perSecond = static_cast<double>(rate) / static_cast<double>(seconds);
-    auto place = static_cast<double>(m_before.places[person]);
-    if ((flags & kPoseClock) != 0) {
-        place -= (m_seconds - m_stand) * perSecond;
-    } else {
-        const bool goesOn =
-            m_before.clips[person] == then.pose.clips[then.person] && (flags & kPoseLooped) != 0;
-        const float nextRate = goesOn ? then.pose.rates[then.person] : rate;
-        const double turn = goesOn ? static_cast<double>(then.pose.places[then.person]) - place
-                                   : 0.0; // at most one round
-        place += rate == nextRate ? (m_stand - m_before.seconds) * perSecond
-                                  : m_share * (turn - wholeBelow(turn + 0.5));
-        place -= m_seconds * perSecond;
-    }
-    return static_cast<float>((flags & kPoseLooped) != 0 ? place - wholeBelow(place) : place);
+    const auto place = static_cast<double>(m_before.places[person]);
+    const double perSecond =
+        static_cast<double>(rate) / static_cast<double>(seconds > 0.0F ? seconds : 1.0F);
+    const unsigned flags = m_before.flags[person];
+    const bool isLooped = (flags & kPoseLooped) != 0;
+    const bool goesOn = m_before.clips[person] == then.pose.clips[then.person] && isLooped;
+    const float nextRate = goesOn ? then.pose.rates[then.person] : rate;
+    const double turn = goesOn ? static_cast<double>(then.pose.places[then.person]) - place : 0.0;
+    const double since = rate == nextRate ? (m_stand - m_before.seconds) * perSecond
+                                          : m_share * (turn - wholeBelow(turn + 0.5));
+    const bool isClock = (flags & kPoseClock) != 0;
+    const double phase = place + (isClock ? m_stand * perSecond : since) - m_seconds * perSecond;
+    const double shown = isLooped ? phase - wholeBelow(phase) : phase;
+    return seconds > 0.0F ? static_cast<float>(shown) : 0.0F;
 }
 
 /// The clips that people come from, as long as any of them is left.
@@ -175,10 +165,20 @@ void Between::apply(model::CrowdFrame& frame) const
     namespace keys = model::columns;
     model::Population& people = frame.population;
     frame.fades.clear();
+    // Mostly everybody is there, and nobody else.
+    const bool isSame = std::ranges::equal(m_before.ids, people.ids()) &&
+                        std::ranges::equal(m_before.ids, m_after.ids);
     const std::vector<std::uint32_t> rows = find(m_before.ids, people.ids());
     const std::vector<std::uint32_t> others = find(m_before.ids, m_after.ids);
     addFades(rows, frame.fades);
     const auto write = [&](const auto& key, const auto& valueOf) {
+        if (isSame) {
+            const auto column = people.edit(key);
+            for (std::size_t i = 0; i < column.size(); ++i) {
+                column[i] = valueOf(i, Then{m_after, i});
+            }
+            return;
+        }
         const auto column = people.edit(key, rows);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (rows[i] != kNone) {

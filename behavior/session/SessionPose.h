@@ -54,7 +54,9 @@ struct PoseFade
 [[nodiscard]] inline float wrappedRadians(float angle)
 {
     constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
-    return angle - kTurn * std::floor(angle / kTurn + 0.5F);
+    constexpr float kRounds = 12582912.0F; // what is added to it and taken away is a whole number
+    const float turns = angle / kTurn;
+    return angle - kTurn * ((turns + kRounds) - kRounds);
 }
 
 /// Seconds from one clip to the next.

@@ -369,10 +369,8 @@ SessionPosePtr Session::pose() const
         }
     }
     addTo(*pose, live);
-    for (std::uint32_t agent = 0; agent < m_shown.size() && m_rules.isAnybodyLit(); ++agent) {
-        if (m_rules.isLit(agent)) {
-            pose->lit.push_back(m_population.ids()[agent]);
-        }
+    for (const std::uint32_t agent : m_rules.lit()) {
+        pose->lit.push_back(m_population.ids()[agent]);
     }
     return pose;
 }

@@ -235,6 +235,13 @@ void Population::stampRows(std::span<const Row> rows)
 
 template void Population::stampRows(std::span<const std::uint32_t> rows);
 
+void Population::stampBlocks()
+{
+    m_version = nextVersion();
+    detach(m_blockVersions);
+    std::ranges::fill(*m_blockVersions, m_version);
+}
+
 void Population::stampAll()
 {
     m_version = nextVersion();

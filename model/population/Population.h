@@ -88,6 +88,14 @@ public:
         return {reinterpret_cast<T*>(writable(key.id).data()), size()};
     }
 
+    /// One column, to be written at all rows.
+    template<class T>
+    [[nodiscard]] std::span<T> edit(ColumnKey<T> key)
+    {
+        stampBlocks();
+        return {reinterpret_cast<T*>(writable(key.id).data()), size()};
+    }
+
     /// Newest stamp of all.
     [[nodiscard]] std::uint64_t version() const { return m_version; }
     /// Stamp of the last add or remove: rows may have moved since an older number.
@@ -109,6 +117,7 @@ private:
     [[nodiscard]] std::vector<std::byte>& writable(ColumnId column);
     template<class Row>
     void stampRows(std::span<const Row> rows);
+    void stampBlocks();
     void stampAll();
 
     Shared<IndividualId> m_ids;
