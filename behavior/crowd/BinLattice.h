@@ -31,8 +31,15 @@ public:
     /// Agent of each row.
     [[nodiscard]] std::span<const std::uint32_t> agents() const { return m_agents; }
     [[nodiscard]] std::uint32_t binOfRow(std::size_t row) const { return m_binOfRow[row]; }
+    /// A line of bins; remembered from bin to bin it saves a division for most.
+    struct Line
+    {
+        std::uint32_t number = 0;
+        std::uint32_t first = 0; ///< bin
+    };
     /// Rows of the 3 × 3 bins around a bin: lattice lines below, same, above; empty ones outside.
-    void neighbourhood(std::uint32_t bin, Span (&spans)[3]) const;
+    /// `line` is any, and then that of the bin.
+    void neighbourhood(std::uint32_t bin, Line& line, Span (&spans)[3]) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -50,15 +57,18 @@ private:
     std::vector<std::uint32_t> m_agents;
 };
 
-[[gnu::always_inline]] inline void BinLattice::neighbourhood(std::uint32_t bin,
+[[gnu::always_inline]] inline void BinLattice::neighbourhood(std::uint32_t bin, Line& line,
                                                              Span (&spans)[3]) const
 {
-    const std::uint32_t line = bin / m_width;
-    const std::uint32_t column = bin - line * m_width;
+    if (bin - line.first >= m_width) {
+        line.number = bin / m_width;
+        line.first = line.number * m_width;
+    }
+    const std::uint32_t column = bin - line.first;
     const std::uint32_t left = column > 0 ? column - 1 : 0;
     const std::uint32_t right = std::min(column + 1, m_width - 1);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t other = line + i; // one too high, so that it cannot be negative
+        const std::uint32_t other = line.number + i; // one too high, so that it cannot be negative
         spans[i] = {};
         if (other >= 1 && other <= m_depth) {
             const std::size_t first = std::size_t{other - 1} * m_width;

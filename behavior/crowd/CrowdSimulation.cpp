@@ -157,9 +157,10 @@ std::size_t countPairsCloserThan(const CrowdSimulation& crowd, float metres)
     lattice.sort(bodies, crowd.parameters.range);
     const std::span<const std::uint32_t> agents = lattice.agents();
     std::size_t pairs = 0;
+    BinLattice::Line line;
     for (std::size_t row = 0; row < agents.size(); ++row) {
         BinLattice::Span spans[3];
-        lattice.neighbourhood(lattice.binOfRow(row), spans);
+        lattice.neighbourhood(lattice.binOfRow(row), line, spans);
         const Body& self = bodies[agents[row]];
         for (const BinLattice::Span& span : spans) {
             for (std::size_t other = std::max<std::size_t>(span.begin, row + 1); other < span.end;

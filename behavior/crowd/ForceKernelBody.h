@@ -281,6 +281,7 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
 {
     Neighbours near;
     BinLattice::Span spans[3];
+    BinLattice::Line line;
     std::uint32_t bin = 0xFFFFFFFFU;
     std::size_t done = 0;
     while (done < count) {
@@ -290,7 +291,7 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
             const std::size_t row = begin + i;
             if (job.lattice.binOfRow(row) != bin) {
                 bin = job.lattice.binOfRow(row);
-                job.lattice.neighbourhood(bin, spans);
+                job.lattice.neighbourhood(bin, line, spans);
             }
             near.start[i + 1] = collect<kHasLevels>(job, row, spans, near, near.start[i]);
         }
@@ -369,7 +370,8 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
     const AgentRows& agents = job.agents;
     const float share = job.parameters.closest;
     BinLattice::Span spans[3];
-    job.lattice.neighbourhood(job.lattice.binOfRow(row), spans);
+    BinLattice::Line line;
+    job.lattice.neighbourhood(job.lattice.binOfRow(row), line, spans);
     bool isClose = false;
     for (const BinLattice::Span& span : spans) {
         for (std::size_t first = span.begin; first < span.end; first += kLanes) {

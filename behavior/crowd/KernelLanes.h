@@ -141,10 +141,10 @@ CROWD_INLINE F8 exponential(F8 x)
     const F8 power = greater(x * 1.44269504F, all(-126.0F));
     const I8 whole = __builtin_convertvector(power - 0.5F, I8);
     const F8 f = power - __builtin_convertvector(whole, F8);
+    const F8 square = f * f;
     const F8 series =
-        1.0F +
-        f * (0.693147181F +
-             f * (0.240226507F + f * (0.0555041087F + f * (0.00961812911F + f * 0.00133335581F))));
+        (1.0F + f * 0.693147181F) + square * ((0.240226507F + f * 0.0555041087F) +
+                                              square * (0.00961812911F + f * 0.00133335581F));
     return series * reinterpret_cast<F8>((whole + 127) << 23);
 }
 

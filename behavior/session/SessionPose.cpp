@@ -62,9 +62,9 @@ private:
         const SessionPose& pose;
         std::size_t person;
     };
-    [[nodiscard]] glm::vec3 position(std::size_t person, const Then& then) const;
-    [[nodiscard]] float heading(std::size_t person, const Then& then) const;
-    [[nodiscard]] float phase(std::size_t person, const Then& then) const;
+    [[nodiscard]] inline glm::vec3 position(std::size_t person, const Then& then) const;
+    [[nodiscard]] inline float heading(std::size_t person, const Then& then) const;
+    [[nodiscard]] inline float phase(std::size_t person, const Then& then) const;
 
     const SessionPose& m_before;
     const SessionPose& m_after;

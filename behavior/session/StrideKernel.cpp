@@ -19,6 +19,16 @@ namespace {
 
 constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
 
+/// People after turning, from the first of a block on.
+struct Turned
+{
+    float x[kStrideBlock];
+    float z[kStrideBlock];
+    float speed[kStrideBlock];
+    float preferred[kStrideBlock];
+    float heading[kStrideBlock];
+};
+
 namespace any_processor {
 #include "behavior/session/StrideKernelBody.h"
 }

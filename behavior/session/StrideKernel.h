@@ -13,10 +13,11 @@
 
 /// What everybody does in a step as long as nothing happens to him, many people at once. Agents
 /// are given from a multiple of kLanes on. Each function returns how many of them need a look by
-/// themselves, whom it has left alone, and lists those, ascending. The same bits for any division.
+/// themselves, whom it has left alone, and lists those, ascending. At most kStrideBlock agents at a
+/// time; the same bits for any division.
 namespace crowd::behavior {
 
-/// Agents that are taken at a time, so that those who need a look fit a list on the stack.
+/// A multiple of kLanes, so that what is kept of them fits the stack.
 inline constexpr std::size_t kStrideBlock = 512;
 
 /// Where people walk slower.

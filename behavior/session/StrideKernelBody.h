@@ -69,12 +69,18 @@ CROWD_INLINE F8 sineOf(F8 angle)
     return angle < 0.0F ? -sine : sine;
 }
 
-/// Records of a block of bodies; those beyond the end are the last one once more.
+/// A block of bodies; those beyond the end are the last one once more.
 CROWD_INLINE void bodiesOf(std::span<const Body> bodies, std::size_t first, F8 (&body)[kLanes])
 {
     const float* records[kLanes];
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        records[i] = &bodies[std::min(first + i, bodies.size() - 1)].x;
+    if (first + kLanes <= bodies.size()) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            records[i] = &bodies[first].x + i * kLanes;
+        }
+    } else {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            records[i] = &bodies[std::min(first + i, bodies.size() - 1)].x;
+        }
     }
     transpose(records, body);
 }
@@ -120,18 +126,42 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
     return looks;
 }
 
+/// Speeds, and headings after turning to where people go as far as they can in a step. A loop of
+/// its own, as in ForceKernelBody.h.
+CROWD_INLINE void turnAll(std::span<const Body> bodies, const Bearings& b,
+                          const StrideParameters& p, std::size_t begin, std::size_t end,
+                          Turned& turned)
+{
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        F8 body[kLanes]; // in the order of Body
+        bodiesOf(bodies, first, body);
+        const F8 speed = squareRoot(squaredDistances(body[2], body[3]));
+        const F8 before = load(b.heading.data() + first);
+        const F8 turn = wrapped(angleOf(body[2], body[3]) - before);
+        const F8 after = wrapped(before + greater(lesser(turn, all(p.mostTurn)), all(-p.mostTurn)));
+        const std::size_t i = first - begin;
+        store(turned.x + i, body[0]);
+        store(turned.z + i, body[1]);
+        store(turned.speed + i, speed);
+        store(turned.preferred + i, body[6]);
+        store(turned.heading + i, speed > p.turnsAbove ? after : before);
+    }
+}
+
 inline std::size_t stride(std::span<const Body> bodies, std::span<const float> heights, Bearings& b,
                           const StrideParameters& p, std::size_t begin, std::size_t end,
                           std::uint32_t* look)
 {
+    Turned turned;
+    turnAll(bodies, b, p, begin, end, turned);
     const float perStep = 1.0F / p.stepSeconds;
     std::size_t looks = 0;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const I8 course = loadWhole(b.course.data() + first);
-        F8 body[kLanes]; // in the order of Body
-        bodiesOf(bodies, first, body);
-        const F8 speed = squareRoot(greater(squaredDistances(body[2], body[3]), all(0.0F)));
-        const I8 wantsOn = body[6] > 0.0F;
+        const I8 mayGoOn = course == static_cast<std::int32_t>(Course::GoesOn);
+        const std::size_t i = first - begin;
+        const F8 speed = load(turned.speed + i);
+        const I8 wantsOn = load(turned.preferred + i) > 0.0F;
         const F8 perMetre = load(b.perMetre.data() + first);
         const I8 isWalk = perMetre > 0.0F;
         const F8 former = load(b.speed.data() + first);
@@ -140,18 +170,16 @@ inline std::size_t stride(std::span<const Body> bodies, std::span<const float> h
         const I8 isBeyond = (paced > load(b.fastest.data() + first)) |
                             (paced < load(b.slowest.data() + first)) | (isWalk & ~wantsOn);
         const I8 needsLook = (course == static_cast<std::int32_t>(Course::Look)) |
-                             ((course == static_cast<std::int32_t>(Course::GoesOn)) & isBeyond) |
+                             (mayGoOn & isBeyond) |
                              ((course == static_cast<std::int32_t>(Course::Rests)) &
                               ((speed > p.movesAbove) | wantsOn));
-        const I8 goesOn = (course == static_cast<std::int32_t>(Course::GoesOn)) & ~needsLook;
+        const I8 goesOn = mayGoOn & ~needsLook;
 
-        const F8 before = load(b.heading.data() + first);
-        const F8 turn = wrapped(angleOf(body[2], body[3]) - before);
-        const F8 turned =
-            wrapped(before + greater(lesser(turn, all(p.mostTurn)), all(-p.mostTurn)));
-        const F8 heading = speed > p.turnsAbove ? turned : before;
-        const F8 wayX = body[0] - load(b.x.data() + first);
-        const F8 wayZ = body[1] - load(b.z.data() + first);
+        const F8 x = load(turned.x + i);
+        const F8 z = load(turned.z + i);
+        const F8 heading = load(turned.heading + i);
+        const F8 wayX = x - load(b.x.data() + first);
+        const F8 wayZ = z - load(b.z.data() + first);
         const F8 quarter = wrapped(heading + kTurn * 0.25F);
         const F8 ahead = (wayX * sineOf(heading) + wayZ * sineOf(quarter)) * perStep;
         const F8 stride = ahead < p.fastest ? greater(ahead, all(0.0F)) : all(0.0F);
@@ -160,9 +188,9 @@ inline std::size_t stride(std::span<const Body> bodies, std::span<const float> h
                    rate * p.stepSeconds * load(b.perSecond.data() + first);
         place -= wholeBelow(place);
 
-        storeWhere(goesOn, b.x.data() + first, body[0]);
+        storeWhere(goesOn, b.x.data() + first, x);
         storeWhere(goesOn, b.y.data() + first, load(heights.data() + first));
-        storeWhere(goesOn, b.z.data() + first, body[1]);
+        storeWhere(goesOn, b.z.data() + first, z);
         storeWhere(goesOn, b.heading.data() + first, heading);
         storeWhere(goesOn, b.speed.data() + first, smooth);
         storeWhere(goesOn, b.stride.data() + first, stride);
