@@ -2,14 +2,11 @@
 #include "behavior/session/PathFollower.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include <glm/gtx/norm.hpp>
 
-#include "behavior/crowd/Chunks.h"
-#include "behavior/surface/WalkSurface.h"
 #include "model/base/Bounds.h"
 #include "model/base/Random.h"
 #include "model/base/Segment.h"
@@ -19,17 +16,6 @@ namespace crowd::behavior {
 namespace {
 
 constexpr float kWidestPlace = 1e4F;
-constexpr float kCornerMetres = 0.5F;
-constexpr float kPartyEase = 0.6F;      ///< metres from the middle that nobody minds
-constexpr float kPartyFarthest = 25.0F; ///< who is further away is on his own
-constexpr float kPartyHaste = 0.3F;     ///< share of the speed, a metre
-constexpr float kPartySlowest = 0.4F;
-constexpr float kPartyFastest = 1.3F;
-constexpr float kPartyPull = 0.3F;      ///< m/s sideways, a metre
-constexpr float kPartyMostPull = 0.35F; ///< share of the speed
-/// Who does not get nearer to his corner for so long asks for the way again.
-constexpr std::uint32_t kAstraySteps = 60;
-
 /// Uniform in the unit disk.
 glm::vec2 shareOf(std::uint64_t seed)
 {
@@ -41,11 +27,6 @@ glm::vec2 shareOf(std::uint64_t seed)
 std::string nameOf(const model::Path& path)
 {
     return "Path \"" + path.name + "\"";
-}
-
-float squareOf(glm::vec2 v)
-{
-    return v.x * v.x + v.y * v.y;
 }
 
 } // namespace
@@ -215,59 +196,6 @@ void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
     touchAll();
 }
 
-/// Where the groups are. Sums in the order of agents, which is the same for any number of
-/// threads.
-void PathFollower::gatherParties(std::span<const Body> bodies)
-{
-    std::ranges::fill(m_parties, Party());
-    for (std::uint32_t agent = 0; agent < bodies.size(); ++agent) {
-        const Walk& walk = m_walks[agent];
-        if (walk.party == kNoParty || walk.hasErrand || !isWalking(agent)) {
-            continue;
-        }
-        Party& party = m_parties[walk.party];
-        party.route = party.members == 0 ? walk.route : party.route;
-        if (party.route == walk.route) {
-            ++party.members;
-            party.middle += glm::vec2(bodies[agent].x, bodies[agent].z);
-            party.pace += walk.pace;
-        }
-    }
-    for (Party& party : m_parties) {
-        const float share = 1.0F / static_cast<float>(std::max(1U, party.members));
-        party.middle *= share;
-        party.pace *= share;
-    }
-}
-
-/// Null: he walks on his own.
-const PathFollower::Party* PathFollower::partyOf(const Walk& walk) const
-{
-    if (walk.party == kNoParty || walk.hasErrand || m_parties[walk.party].members < 2 ||
-        m_parties[walk.party].route != walk.route) {
-        return nullptr;
-    }
-    return &m_parties[walk.party];
-}
-
-void PathFollower::keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
-                                float& speed, glm::vec2& sideways)
-{
-    const glm::vec2 away = at - party.middle;
-    if (squareOf(away) > kPartyFarthest * kPartyFarthest) {
-        return;
-    }
-    const float lead = away.x * ahead.x + away.y * ahead.y;
-    const float beyond = lead - std::clamp(lead, -kPartyEase, kPartyEase);
-    speed *= std::clamp(1.0F - kPartyHaste * beyond, kPartySlowest, kPartyFastest);
-    const glm::vec2 across = away - ahead * lead;
-    const float distance = std::sqrt(squareOf(across));
-    if (distance > kPartyEase) {
-        const float pull = std::min(kPartyPull * (distance - kPartyEase), kPartyMostPull * speed);
-        sideways = -across * (pull / distance);
-    }
-}
-
 void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
 {
     Walk& walk = touch(agent);
@@ -341,185 +269,6 @@ bool PathFollower::isWalking(std::uint32_t agent) const
         return walk.hasErrand && !walk.isHeld && !walk.isErrandDone;
     }
     return walk.route != kNoRoute && !walk.hasArrived;
-}
-
-/// Some go over to another path at a place with branches.
-void PathFollower::branchOff(Walk& walk) const
-{
-    const std::vector<Branch>& branches = m_routes[walk.route].stops[walk.next].branches;
-    float total = 1.0F;
-    for (const Branch& branch : branches) {
-        total += branch.weight;
-    }
-    float drawn = total * model::unitFloat(model::hashKeys(walk.seed, 41, walk.turns)) - 1.0F;
-    for (const Branch& branch : branches) {
-        if (drawn >= 0.0F && drawn < branch.weight && routeOf(branch.path) != kNoRoute) {
-            walk.route = routeOf(branch.path);
-            walk.next = 0;
-            return;
-        }
-        drawn -= branch.weight;
-    }
-}
-
-/// From the place reached to the next one, by the path's kind.
-std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
-{
-    walk.reached = m_routes[walk.route].stops[walk.next].place;
-    ++walk.turns;
-    const std::uint32_t before = walk.route;
-    branchOff(walk);
-    const Route& route = m_routes[walk.route];
-    if (walk.route != before) {
-        return ReachedPlace;
-    }
-    if (walk.next + 1 < route.stops.size()) {
-        ++walk.next;
-        return ReachedPlace;
-    }
-    if (route.kind == model::PathKind::Simple || route.stops.size() == 1) {
-        walk.hasArrived = true;
-        return ReachedPlace | EndedPath;
-    }
-    if (route.kind == model::PathKind::Cyclic) {
-        walk.next = 0;
-    } else {
-        const glm::vec2 start = aim(walk, route.stops[0]);
-        body.x = start.x;
-        body.z = start.y;
-        height = route.stops[0].height;
-        walk.next = 1;
-    }
-    return ReachedPlace;
-}
-
-/// Vector to walk along now: to the next corner of the way around what stands between.
-glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const glm::vec3& to) const
-{
-    const glm::vec2 at(body.x, body.z);
-    const glm::vec2 aimed(to.x, to.z);
-    if (!m_surface) {
-        return aimed - at;
-    }
-    if (walk.cornersFor != aimed || walk.stepsAstray > kAstraySteps) {
-        walk.corners = m_surface->way({at.x, height, at.y}, to);
-        std::ranges::reverse(walk.corners); // the next one is the last
-        walk.cornersFor = aimed;
-        walk.stepsAstray = 0;
-    }
-    while (walk.corners.size() > 1 &&
-           squareOf(walk.corners.back() - at) < kCornerMetres * kCornerMetres) {
-        walk.corners.pop_back();
-        walk.stepsAstray = 0;
-    }
-    const glm::vec2 way = (walk.corners.empty() ? aimed : walk.corners.back()) - at;
-    const float towards = way.x * body.velocityX + way.y * body.velocityZ;
-    walk.stepsAstray = towards > 0.0F ? 0 : walk.stepsAstray + 1;
-    return way;
-}
-
-float PathFollower::slowness(float x, float z) const
-{
-    for (const SlowArea& area : m_slow) {
-        if (squareOf(area.center - glm::vec2(x, z)) < area.radius * area.radius) {
-            return area.share;
-        }
-    }
-    return 1.0F;
-}
-
-glm::vec3 PathFollower::targetOf(const Walk& walk) const
-{
-    if (walk.hasErrand) {
-        return walk.errand;
-    }
-    const Stop& stop = m_routes[walk.route].stops[walk.next];
-    const glm::vec2 point = aim(walk, stop);
-    return {point.x, stop.height, point.y};
-}
-
-void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
-{
-    Walk& walk = m_walks[agent];
-    body.desiredX = 0.0F;
-    body.desiredZ = 0.0F;
-    body.preferredSpeed = 0.0F; // stands unless there is somewhere to go
-    if (!isWalking(agent)) {
-        return;
-    }
-    const glm::vec2 at(body.x, body.z);
-    const glm::vec3 target = targetOf(walk);
-    const glm::vec2 left = glm::vec2(target.x, target.z) - at;
-    const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
-    const float near = isPast ? kPassedMetres : kArrivalMetres;
-    // A way that ends where nothing leads on ends there.
-    const bool isStuck = m_surface && walk.corners.size() == 1 &&
-                         walk.corners.front() != walk.cornersFor &&
-                         squareOf(walk.corners.front() - at) < kArrivalMetres * kArrivalMetres;
-    if (squareOf(left) < near * near || isStuck) {
-        if (walk.hasErrand) {
-            walk.isErrandDone = true;
-            m_happened[agent] = EndedErrand;
-        } else {
-            m_happened[agent] = passStop(body, height, walk);
-        }
-        if (!isWalking(agent)) {
-            return;
-        }
-    }
-    const glm::vec2 way = wayTo(body, height, walk, targetOf(walk));
-    const float squared = squareOf(way);
-    const Party* party = partyOf(walk);
-    const float slow = slowness(body.x, body.z);
-    float speed = (party != nullptr ? party->pace : walk.pace) * slow;
-    if (squared > 1e-8F) {
-        const glm::vec2 ahead = way / std::sqrt(squared);
-        glm::vec2 sideways(0.0F);
-        if (party != nullptr) {
-            keepTogether(*party, {body.x, body.z}, ahead, speed, sideways);
-        }
-        body.desiredX = ahead.x * speed + sideways.x;
-        body.desiredZ = ahead.y * speed + sideways.y;
-    }
-    body.preferredSpeed = speed;
-}
-
-/// What the next steps may do with somebody, now that he has been looked at.
-void PathFollower::setAim(std::uint32_t agent)
-{
-    const Walk& walk = m_walks[agent];
-    Course course = Course::Rests;
-    m_aims.pace[agent] = 0.0F;
-    if (isWalking(agent)) {
-        // With others, or around what stands in the way, the aim is another one in every step.
-        course = m_surface || walk.party != kNoParty ? Course::Look : Course::GoesOn;
-        const glm::vec3 target = targetOf(walk);
-        m_aims.x[agent] = target.x;
-        m_aims.z[agent] = target.z;
-        m_aims.pace[agent] = walk.pace;
-    }
-    m_aims.course[agent] = static_cast<std::int32_t>(course);
-}
-
-void PathFollower::steer(CrowdSimulation& crowd)
-{
-    const std::span<Body> bodies = crowd.bodies();
-    const std::span<float> heights = crowd.heights();
-    if (!m_parties.empty()) {
-        gatherParties(bodies);
-    }
-    std::ranges::fill(m_happened, std::uint8_t{0});
-    overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
-        std::array<std::uint32_t, kStrideBlock + kLanes> list;
-        for (std::size_t first = begin; first < end; first += kStrideBlock) {
-            const std::size_t looks = steerStraightOn(
-                bodies, m_aims, m_slow, first, std::min(first + kStrideBlock, end), list.data());
-            for (std::size_t i = 0; i < looks; ++i) {
-                steerOne(list[i], bodies[list[i]], heights[list[i]]);
-                setAim(list[i]);
-            }
-        }
-    });
 }
 
 } // namespace crowd::behavior
