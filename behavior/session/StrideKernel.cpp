@@ -53,10 +53,10 @@ bool hasAvx2()
 
 std::size_t steerStraightOn(std::span<Body> bodies, const Aims& aims,
                             std::span<const SlowArea> slow, std::size_t begin, std::size_t end,
-                            std::uint32_t* look)
+                            std::uint32_t* look, [[maybe_unused]] bool hasPlainInstructions)
 {
 #ifdef CROWD_HAS_AVX2
-    if (hasAvx2()) {
+    if (hasAvx2() && !hasPlainInstructions) {
         return with_avx2::steer(bodies, aims, slow, begin, end, look);
     }
 #endif
@@ -68,7 +68,7 @@ std::size_t strideOn(std::span<const Body> bodies, std::span<const float> height
                      std::size_t end, std::uint32_t* look)
 {
 #ifdef CROWD_HAS_AVX2
-    if (hasAvx2()) {
+    if (hasAvx2() && !parameters.hasPlainInstructions) {
         return with_avx2::stride(bodies, heights, bearings, parameters, begin, end, look);
     }
 #endif

@@ -14,7 +14,7 @@
 /// What everybody does in a step as long as nothing happens to him, many people at once. Agents
 /// are given from a multiple of kLanes on. Each function returns how many of them need a look by
 /// themselves, whom it has left alone, and lists those, ascending. At most kStrideBlock agents at a
-/// time; the same bits for any division.
+/// time; the same bits for any division, and whatever the processor can do.
 namespace crowd::behavior {
 
 /// A multiple of kLanes, so that what is kept of them fits the stack.
@@ -45,17 +45,18 @@ inline constexpr float kPassedMetres = 1.5F;
 /// Lets people wish to go where they aim at.
 std::size_t steerStraightOn(std::span<Body> bodies, const Aims& aims,
                             std::span<const SlowArea> slow, std::size_t begin, std::size_t end,
-                            std::uint32_t* look);
+                            std::uint32_t* look, bool hasPlainInstructions = false);
 
 /// Constants of a session.
 struct StrideParameters
 {
     float stepSeconds = 1.0F / 30.0F;
-    float smoothing = 0.0F;  ///< of speeds, a step
-    float mostTurn = 0.0F;   ///< radians a step
-    float turnsAbove = 0.0F; ///< m/s: below, nobody turns to where he is pushed
-    float movesAbove = 0.0F; ///< m/s: below, nobody is taken for moving
-    float fastest = 0.0F;    ///< m/s: faster is no walk but a jump
+    float smoothing = 0.0F;            ///< of speeds, a step
+    float mostTurn = 0.0F;             ///< radians a step
+    float turnsAbove = 0.0F;           ///< m/s: below, nobody turns to where he is pushed
+    float movesAbove = 0.0F;           ///< m/s: below, nobody is taken for moving
+    float fastest = 0.0F;              ///< m/s: faster is no walk but a jump
+    bool hasPlainInstructions = false; ///< as ForceParameters::plainInstructions
 };
 
 /// Bearings after bodies have moved.

@@ -110,15 +110,16 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
             share = away < slow[i].radius * slow[i].radius ? all(slow[i].share) : share;
         }
         const F8 speed = pace * share;
-        const F8 perWay = speed / squareRoot(greater(squared, all(1e-8F)));
-        const F8 wish[4] = {wayX * perWay, wayZ * perWay, speed, body[7]};
+        const F8 length = squareRoot(greater(squared, all(1e-8F)));
+        const F8 wishX = wayX / length * speed;
+        const F8 wishZ = wayZ / length * speed;
         const std::size_t lanes = std::min(kLanes, end - first);
         const unsigned bits = bitsOf(needsLook) & ((1U << lanes) - 1U);
         for (std::size_t i = 0; i < lanes; ++i) {
             Body& to = bodies[first + i];
-            to.desiredX = wish[0][i];
-            to.desiredZ = wish[1][i];
-            to.preferredSpeed = wish[2][i];
+            to.desiredX = wishX[i];
+            to.desiredZ = wishZ[i];
+            to.preferredSpeed = speed[i];
         }
         listBits(bits, static_cast<std::uint32_t>(first), look + looks);
         looks += static_cast<std::size_t>(std::popcount(bits));

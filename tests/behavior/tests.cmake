@@ -10,6 +10,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Session
     tst_SessionPlayer
     tst_SessionSteps
+    tst_StrideKernel
     tst_Validation
     tst_WalkSurface
 )
