@@ -71,6 +71,15 @@ std::string shapeText(std::span<const py::ssize_t> extents)
     return text;
 }
 
+/// NumPy lets other threads run while it copies by itself, and they may add people meanwhile.
+py::array copied(const py::dtype& type, std::vector<py::ssize_t> extents,
+                 std::span<const std::byte> bytes)
+{
+    py::array array(type, std::move(extents));
+    std::memcpy(array.mutable_data(), bytes.data(), bytes.size());
+    return array;
+}
+
 py::array allTints(const Population& population)
 {
     const auto n = static_cast<py::ssize_t>(population.size());
@@ -282,8 +291,8 @@ py::array columnArray(const Scene& scene, const std::string& name)
 {
     const Population& population = scene.population;
     if (name == "id") {
-        return py::array_t<IndividualId>(static_cast<py::ssize_t>(population.size()),
-                                         population.ids().data());
+        return copied(py::dtype::of<IndividualId>(), {static_cast<py::ssize_t>(population.size())},
+                      std::as_bytes(population.ids()));
     }
     if (name == "tint") {
         return allTints(population);
@@ -292,7 +301,7 @@ py::array columnArray(const Scene& scene, const std::string& name)
     const RowShape shape = shapeOf(columnInfo(column).type);
     std::vector<py::ssize_t> extents{static_cast<py::ssize_t>(population.size())};
     extents.insert(extents.end(), shape.extents.begin(), shape.extents.end());
-    return {shape.type, extents, population.columnBytes(column).data()};
+    return copied(shape.type, std::move(extents), population.columnBytes(column));
 }
 
 GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,

@@ -54,8 +54,9 @@ class Rough(unittest.TestCase):
         def work(k):
             try:
                 for i in range(20):
-                    scene.create(template=man, position=(k, 0, i))
-                    scene.column("position")
+                    scene.create(count=100, template=man, position=(k, 0, i))
+                    self.assertTrue((scene.column("position")[:, 1] == 0).all())
+                    self.assertTrue((np.diff(scene.ids) > 0).all())
             except Exception as problem:  # handed to the main thread
                 problems.append(problem)
 
@@ -65,8 +66,8 @@ class Rough(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(problems, [])
-        self.assertEqual(len(scene), 81)
-        self.assertEqual(len(np.unique(scene.ids)), 81)
+        self.assertEqual(len(scene), 8001)
+        self.assertEqual(len(np.unique(scene.ids)), 8001)
 
     @unittest.skipUnless(HAS_PLAIN_PYTHON, "a fork of the whole editor is not for a script")
     def test_forks(self):
