@@ -9,7 +9,7 @@ crowd_add_tests(ROOM gui LINK crowd_app TESTS
     tst_WalkingCrowd
 )
 # What is recorded in the window is replayed by interpreters of their own.
-set_property(SOURCE gui/tst_Recording.cpp PROPERTY COMPILE_DEFINITIONS
+crowd_define_for_test(gui tst_Recording
     $<$<BOOL:${CROWD_SANITIZER}>:CROWD_SANITIZED>
     CROWD_PROGRAM="$<TARGET_FILE:crowdbrush>"
     CROWD_PYTHON="${Python3_EXECUTABLE}"

@@ -34,6 +34,5 @@ crowd_add_tests(ROOM model
 add_executable(pack_ground tools/pack_ground.cpp)
 set_target_properties(pack_ground PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
 target_link_libraries(pack_ground PRIVATE crowd_options draco::draco_static)
-set_property(SOURCE model/tst_GltfDraco.cpp PROPERTY COMPILE_DEFINITIONS
-    CROWD_PACK_GROUND="$<TARGET_FILE:pack_ground>")
+crowd_define_for_test(model tst_GltfDraco CROWD_PACK_GROUND="$<TARGET_FILE:pack_ground>")
 add_dependencies(test_model pack_ground)
