@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "behavior/session/StrideKernel.h"
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
 #include "model/brush/ClipChoice.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr float kStandBelow = 0.2F; ///< m/s
 constexpr float kHysteresis = 0.15F;
-constexpr float kUsualBraking = 3.0F;   ///< m/s²
 constexpr float kHardestBraking = 5.0F; ///< m/s²
 constexpr float kSole = 0.04F;          ///< of the height: vertices that low are soles
 constexpr double kPassingShare = 0.12;  ///< of a cycle

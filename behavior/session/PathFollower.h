@@ -154,6 +154,7 @@ private:
     [[nodiscard]] std::uint8_t passStop(Body& body, float& height, Walk& walk) const;
     void setAim(std::uint32_t agent);
     [[nodiscard]] glm::vec3 targetOf(const Walk& walk) const;
+    [[nodiscard]] float brakingMetres(const Walk& walk, const Body& body) const;
     void branchOff(Walk& walk) const;
     void steerOne(std::uint32_t agent, Body& body, float& height);
     [[nodiscard]] glm::vec2 wayTo(const Body& body, float height, Walk& walk,

@@ -176,6 +176,20 @@ glm::vec3 PathFollower::targetOf(const Walk& walk) const
     return {point.x, stop.height, point.y};
 }
 
+/// How far from his aim somebody begins to come to rest; 0 where he goes on from there.
+float PathFollower::brakingMetres(const Walk& walk, const Body& body) const
+{
+    if (!walk.hasErrand) {
+        const Route& route = m_routes[walk.route];
+        const bool isLast = walk.next + 1 == route.stops.size() &&
+                            (route.kind == model::PathKind::Simple || route.stops.size() == 1);
+        if (!isLast || !route.stops[walk.next].branches.empty()) {
+            return 0.0F;
+        }
+    }
+    return glm::length2(glm::vec2(body.velocityX, body.velocityZ)) / (2.0F * kUsualBraking);
+}
+
 void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
 {
     Walk& walk = m_walks[agent];
@@ -189,7 +203,7 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     const glm::vec3 target = targetOf(walk);
     const glm::vec2 left = glm::vec2(target.x, target.z) - at;
     const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
-    const float near = isPast ? kPassedMetres : kArrivalMetres;
+    const float near = std::max(isPast ? kPassedMetres : kArrivalMetres, brakingMetres(walk, body));
     // A way that ends where nothing leads on ends there.
     const bool isStuck = m_surface && walk.corners.size() == 1 &&
                          walk.corners.front() != walk.cornersFor &&

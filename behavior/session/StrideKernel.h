@@ -39,6 +39,9 @@ struct Aims
 
 /// Who goes nearer than this has arrived, metres.
 inline constexpr float kArrivalMetres = 0.4F;
+/// How people come to rest where nothing hurries them, m/s². Whoever is so fast that he would rest
+/// beyond his point has arrived so much earlier.
+inline constexpr float kUsualBraking = 3.0F;
 /// Who was pushed off his point has arrived when he is past it and not further away than this.
 inline constexpr float kPassedMetres = 1.5F;
 

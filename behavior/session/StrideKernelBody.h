@@ -97,12 +97,12 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
         const F8 wayZ = load(aims.z.data() + first) - body[1];
         const F8 squared = squaredDistances(wayX, wayZ);
         const I8 isPast = wayX * body[2] + wayZ * body[3] < 0.0F;
-        const F8 near =
-            isPast ? all(kPassedMetres * kPassedMetres) : all(kArrivalMetres * kArrivalMetres);
+        const F8 braking = squaredDistances(body[2], body[3]) / (2.0F * kUsualBraking);
+        const F8 near = greater(isPast ? all(kPassedMetres) : all(kArrivalMetres), braking);
         const I8 course = loadWhole(aims.course.data() + first);
         const I8 needsLook =
             (course == static_cast<std::int32_t>(Course::Look)) |
-            ((course == static_cast<std::int32_t>(Course::GoesOn)) & (squared < near));
+            ((course == static_cast<std::int32_t>(Course::GoesOn)) & (squared < near * near));
         F8 share = all(1.0F);
         for (std::size_t i = slow.size(); i-- > 0;) { // the first one that they are in
             const F8 away =

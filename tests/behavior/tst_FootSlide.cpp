@@ -29,6 +29,8 @@ class FootSlideTest : public QObject
 private Q_SLOTS:
     void feetStay_data();
     void feetStay();
+    void restsWhereThePathEnds_data();
+    void restsWhereThePathEnds();
 };
 
 namespace {
@@ -269,6 +271,40 @@ void FootSlideTest::feetStay()
                 QTest::currentDataTag(), slide.worstStance() * 1000.0, mostOfStance * 1000.0,
                 slide.total() * 1000.0);
     QVERIFY2(slide.worstStance() <= mostOfStance, QByteArray::number(slide.worstStance()));
+}
+
+void FootSlideTest::restsWhereThePathEnds_data()
+{
+    QTest::addColumn<float>("speed");
+    QTest::addColumn<double>("most"); ///< metres: feet decide where one can stop
+    QTest::newRow("walking") << kWalk << 0.45;
+    QTest::newRow("running") << kRun << 0.6;
+}
+
+void FootSlideTest::restsWhereThePathEnds()
+{
+    QFETCH(const float, speed);
+    QFETCH(const double, most);
+    const auto asset = model::importTemplate(CROWD_RESOURCES "/templates/man.glb");
+    QVERIFY2(asset.isOk(), asset ? "" : asset.error().message.c_str());
+    double beyond = 0.0;
+    double before = 0.0;
+    for (float length = 10.0F; length < 11.2F; length += 0.1F) {
+        model::Scene scene = walkerScene(asset.value(), speed, false, length);
+        scene.paths.front().places = {1};
+        behavior::Session session(scene);
+        for (int i = 0; i < 450; ++i) {
+            session.step();
+        }
+        const behavior::SessionPosePtr pose = session.pose();
+        const double rest = static_cast<double>(pose->z.front() - length);
+        beyond = std::max(beyond, rest);
+        before = std::max(before, -rest);
+    }
+    std::printf("%s: at most %.2f m before the end and %.2f m beyond it\n", QTest::currentDataTag(),
+                before, beyond);
+    QVERIFY2(beyond <= most, QByteArray::number(beyond));
+    QVERIFY2(before <= most, QByteArray::number(before));
 }
 
 CROWD_TEST(FootSlideTest)
