@@ -55,7 +55,7 @@ struct PoseFade
 {
     constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
     constexpr float kRounds = 12582912.0F; // what is added to it and taken away is a whole number
-    const float turns = angle / kTurn;
+    const float turns = angle * (1.0F / kTurn);
     return angle - kTurn * ((turns + kRounds) - kRounds);
 }
 
