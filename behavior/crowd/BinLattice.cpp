@@ -43,19 +43,20 @@ constexpr std::size_t kFewBins = 4096;
 
 } // namespace
 
-void BinLattice::place(std::span<const Body> bodies, float binSize)
+void BinLattice::place(std::span<const Body> bodies, float range)
 {
     const Box box = boxOf(bodies);
     const auto most = static_cast<double>(kBinsPerAgent * bodies.size() + kFewBins);
-    while (binsAlong(box.lowX, box.highX, binSize) * binsAlong(box.lowZ, box.highZ, binSize) >
+    while (binsAlong(box.lowX, box.highX, range / kAcross) * binsAlong(box.lowZ, box.highZ, range) >
            most) {
-        binSize *= 2.0F;
+        range *= 2.0F;
     }
     m_lowX = box.lowX;
     m_lowZ = box.lowZ;
-    m_perMetre = 1.0F / binSize;
-    m_width = static_cast<std::uint32_t>((box.highX - box.lowX) * m_perMetre) + 1;
-    m_depth = static_cast<std::uint32_t>((box.highZ - box.lowZ) * m_perMetre) + 1;
+    m_perMetreX = kAcross / range;
+    m_perMetreZ = 1.0F / range;
+    m_width = static_cast<std::uint32_t>((box.highX - box.lowX) * m_perMetreX) + 1;
+    m_depth = static_cast<std::uint32_t>((box.highZ - box.lowZ) * m_perMetreZ) + 1;
 }
 
 /// Counting sort by bin; agents of a bin stay in their order.
@@ -66,8 +67,9 @@ void BinLattice::fill(std::span<const Body> bodies)
     m_agents.resize(bodies.size());
     overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t agent = begin; agent < end; ++agent) {
-            const auto column = static_cast<std::uint32_t>((bodies[agent].x - m_lowX) * m_perMetre);
-            const auto line = static_cast<std::uint32_t>((bodies[agent].z - m_lowZ) * m_perMetre);
+            const auto column =
+                static_cast<std::uint32_t>((bodies[agent].x - m_lowX) * m_perMetreX);
+            const auto line = static_cast<std::uint32_t>((bodies[agent].z - m_lowZ) * m_perMetreZ);
             m_binOfAgent[agent] = line * m_width + column;
         }
     });
@@ -89,10 +91,10 @@ void BinLattice::fill(std::span<const Body> bodies)
     }
 }
 
-void BinLattice::sort(std::span<const Body> bodies, float binSize)
+void BinLattice::sort(std::span<const Body> bodies, float range)
 {
     if (!bodies.empty()) {
-        place(bodies, binSize);
+        place(bodies, range);
         fill(bodies);
     }
 }

@@ -11,10 +11,11 @@
 
 namespace crowd::behavior {
 
-/// Square bins over all agents, filled by a counting sort into rows. The rows of a bin lie next to
+/// Bins over all agents, filled by a counting sort into rows. The rows of a bin lie next to
 /// each other, ascending by agent: the order depends on where people stand, not on how they came
 /// there. Bins of one line of the lattice lie next to each other too, so the neighbourhood of a bin
-/// is three spans.
+/// is three spans; bins are narrow along the line, so that not many are in them who are too far
+/// away.
 class BinLattice
 {
 public:
@@ -24,9 +25,9 @@ public:
         std::uint32_t end = 0;
     };
 
-    /// Bins at least `binSize` wide (wider where people are spread thin, so that there are never
-    /// many more bins than people).
-    void sort(std::span<const Body> bodies, float binSize);
+    /// Neighbourhoods reach at least `range` far (further where people are spread thin, so that
+    /// there are never many more bins than people).
+    void sort(std::span<const Body> bodies, float range);
 
     /// Agent of each row.
     [[nodiscard]] std::span<const std::uint32_t> agents() const { return m_agents; }
@@ -37,18 +38,21 @@ public:
         std::uint32_t number = 0;
         std::uint32_t first = 0; ///< bin
     };
-    /// Rows of the 3 × 3 bins around a bin: lattice lines below, same, above; empty ones outside.
+    /// Rows of the bins around a bin: lattice lines below, same, above; empty ones outside.
     /// `line` is any, and then that of the bin.
     void neighbourhood(std::uint32_t bin, Line& line, Span (&spans)[3]) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    void place(std::span<const Body> bodies, float binSize);
+    static constexpr std::uint32_t kAcross = 2; ///< bins along a line in the range
+
+    void place(std::span<const Body> bodies, float range);
     void fill(std::span<const Body> bodies);
 
     float m_lowX = 0.0F;
     float m_lowZ = 0.0F;
-    float m_perMetre = 1.0F;
+    float m_perMetreX = 1.0F; ///< bins
+    float m_perMetreZ = 1.0F;
     std::uint32_t m_width = 1;
     std::uint32_t m_depth = 1;
     std::vector<std::uint32_t> m_start;      ///< first row of each bin, and the end of the last
@@ -65,8 +69,8 @@ private:
         line.first = line.number * m_width;
     }
     const std::uint32_t column = bin - line.first;
-    const std::uint32_t left = column > 0 ? column - 1 : 0;
-    const std::uint32_t right = std::min(column + 1, m_width - 1);
+    const std::uint32_t left = std::max(column, kAcross) - kAcross;
+    const std::uint32_t right = std::min(column + kAcross, m_width - 1);
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t other = line.number + i; // one too high, so that it cannot be negative
         spans[i] = {};

@@ -17,7 +17,7 @@ namespace crowd::behavior {
 struct ForceJob
 {
     AgentRows& agents;
-    const BinLattice& lattice; ///< of bins at least ForceParameters::range wide
+    const BinLattice& lattice; ///< reaches at least as far as ForceParameters::range
     const WallField& walls;
     const ForceParameters& parameters;
     float seconds = 0.0F;   ///< length of the step
