@@ -184,6 +184,9 @@ void RuleEngine::setBusy(std::uint32_t agent, std::uint32_t rule)
 
 std::uint32_t RuleEngine::nextBusy(std::uint32_t agent) const
 {
+    if (agent >= m_isBusy.size()) {
+        return static_cast<std::uint32_t>(m_isBusy.size()); // nobody at all, perhaps
+    }
     const std::uint8_t* from = m_isBusy.data() + agent;
     const void* found = std::memchr(from, 1, m_isBusy.size() - agent);
     return found == nullptr
