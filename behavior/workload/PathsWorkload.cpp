@@ -13,7 +13,9 @@ namespace crowd::behavior {
 namespace {
 
 constexpr float kMesh = 25.0F; ///< metres between places
-constexpr float kPlaceRadius = 4.0F;
+/// So wide that people walk everywhere, half a person per square metre as in "square": narrow paths
+/// would be a denser crowd and another question.
+constexpr float kPlaceRadius = 0.5F * kMesh;
 
 class PathsWorkload : public Workload
 {
@@ -24,14 +26,14 @@ public:
     void step() override
     {
         m_session.step();
-        m_frame = m_session.frame();
+        m_pose = m_session.pose(); // as for a player
     }
     [[nodiscard]] CrowdSimulation& crowd() override { return m_session.crowd(); }
     [[nodiscard]] std::size_t outsideWalls() const override { return 0; }
 
 private:
     Session m_session;
-    model::CrowdFramePtr m_frame;
+    SessionPosePtr m_pose;
 };
 
 /// People with clips to stand, walk and run with.

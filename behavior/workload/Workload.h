@@ -53,9 +53,9 @@ protected:
 /// square and a new one on arrival. "corridor": two directions in a corridor 10 m wide, two people
 /// per square metre, turning round at the ends; its length follows the count. "city": four-way
 /// streets between blocks of houses, half a person per square metre, everybody from crossing to
-/// crossing. "paths": a session of people on cyclic paths in the open, half a person per square
-/// metre, with gaits and the ready-made rules for pedestrians, and with a frame published after
-/// every step.
+/// crossing. "paths": a session of people on wide cyclic paths in the open, half a person per
+/// square metre, with gaits and the ready-made rules for pedestrians, and with a pose published
+/// after every step.
 [[nodiscard]] model::Result<std::unique_ptr<Workload>>
 makeWorkload(std::string_view name, std::size_t count, std::uint64_t seed);
 
