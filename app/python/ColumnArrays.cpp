@@ -321,7 +321,8 @@ GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,
     }
     GivenColumns columns{count.value_or(longest), {}};
     // Templates first: clip names are theirs.
-    std::ranges::stable_partition(given, [](const auto& item) { return item.first == "template"; });
+    std::stable_partition(given.begin(), given.end(),
+                          [](const auto& item) { return item.first == "template"; });
     for (const auto& [name, object] : given) {
         if (name == "tint") {
             addTints(object, columns.count, columns.values);

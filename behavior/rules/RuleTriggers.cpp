@@ -173,9 +173,10 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
         float nearest = trigger.metres;
         std::uint32_t who = kNone;
         for (int side = 0; side < 9 && !cells.empty(); ++side) {
-            const auto cell =
-                cells.find(tagCellOf(at.x + static_cast<float>(side % 3 - 1) * size,
-                                     at.z + static_cast<float>(side / 3 - 1) * size, size));
+            const int across = side % 3 - 1;
+            const int along = side / 3 - 1;
+            const auto cell = cells.find(tagCellOf(at.x + static_cast<float>(across) * size,
+                                                   at.z + static_cast<float>(along) * size, size));
             if (cell == cells.end()) {
                 continue;
             }

@@ -253,7 +253,8 @@ void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
     warnOfPaths();
 }
 
-void Session::send(const std::string& event, float payload, std::vector<model::IndividualId> ids)
+void Session::send(const std::string& event, float payload,
+                   const std::vector<model::IndividualId>& ids)
 {
     if (!std::isfinite(payload)) {
         warn({"Event \"" + event +
@@ -283,7 +284,7 @@ void Session::sendTagged(const std::string& event, float payload, std::uint8_t t
             ids.push_back(m_population.ids()[agent]);
         }
     }
-    send(event, payload, std::move(ids));
+    send(event, payload, ids);
 }
 
 void Session::step()

@@ -68,7 +68,7 @@ public:
     /// What there is to walk on, and its walls; null: open ground.
     void setSurface(std::shared_ptr<const WalkSurface> surface);
     /// An event happens to these people at the next step.
-    void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
+    void send(const std::string& event, float payload, const std::vector<model::IndividualId>& ids);
     /// To those who have a tag in this session.
     void sendTagged(const std::string& event, float payload, std::uint8_t tag);
 

@@ -254,11 +254,15 @@ std::vector<glm::vec2> scatter(std::size_t count, glm::vec2 low, glm::vec2 high,
     const glm::ivec2 cells = glm::ivec2(size / apart) + 1;
     std::vector<std::vector<glm::vec2>> taken(static_cast<std::size_t>(cells.x) *
                                               static_cast<std::size_t>(cells.y));
+    const auto at = [&taken, &cells](int x, int z) -> std::vector<glm::vec2>& {
+        return taken[static_cast<std::size_t>(z) * static_cast<std::size_t>(cells.x) +
+                     static_cast<std::size_t>(x)];
+    };
     const auto isFree = [&](const glm::vec2& place, float distance) {
         const glm::ivec2 cell((place - low) / apart);
         for (int z = std::max(cell.y - 1, 0); z <= std::min(cell.y + 1, cells.y - 1); ++z) {
             for (int x = std::max(cell.x - 1, 0); x <= std::min(cell.x + 1, cells.x - 1); ++x) {
-                for (const glm::vec2& other : taken[static_cast<std::size_t>(z * cells.x + x)]) {
+                for (const glm::vec2& other : at(x, z)) {
                     if (glm::distance(place, other) < distance) {
                         return false;
                     }
@@ -273,13 +277,14 @@ std::vector<glm::vec2> scatter(std::size_t count, glm::vec2 low, glm::vec2 high,
         for (int attempt = 0; attempt < 10 * kTries; ++attempt) {
             place = low + size * glm::vec2(model::unitFloat(model::hashKeys(seed, 1, i, attempt)),
                                            model::unitFloat(model::hashKeys(seed, 2, i, attempt)));
-            const float closer = std::pow(0.9F, static_cast<float>(attempt / kTries));
+            const int rounds = attempt / kTries;
+            const float closer = std::pow(0.9F, static_cast<float>(rounds));
             if (isFree(place, apart * closer)) {
                 break;
             }
         }
         const glm::ivec2 cell((place - low) / apart);
-        taken[static_cast<std::size_t>(cell.y * cells.x + cell.x)].push_back(place);
+        at(cell.x, cell.y).push_back(place);
         places.push_back(place);
     }
     return places;
