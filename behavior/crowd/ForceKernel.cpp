@@ -5,16 +5,10 @@
 #include <bit>
 #include <cmath>
 
+#include "behavior/crowd/Avx2.h"
 #include "behavior/crowd/FastExp.h"
 #include "behavior/crowd/PackOrders.h"
 #include "behavior/crowd/WallForce.h"
-
-// GCC compiles the kernel a second time for newer processors. (Not by function clones: the choice
-// between those is made before a sanitizer is ready.)
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define CROWD_HAS_AVX2
-#include <immintrin.h>
-#endif
 
 namespace crowd::behavior {
 
@@ -87,25 +81,8 @@ void leave(const AgentRows& agents, std::size_t row, std::size_t other, float le
     }
 }
 
-namespace any_processor {
-#include "behavior/crowd/ForceKernelBody.h"
-}
-
-#ifdef CROWD_HAS_AVX2
-#pragma GCC push_options
-#pragma GCC target("avx2,bmi,bmi2,popcnt")
-#define CROWD_KERNEL_AVX2
-namespace with_avx2 {
-#include "behavior/crowd/ForceKernelBody.h"
-}
-#pragma GCC pop_options
-
-bool hasAvx2()
-{
-    static const bool isThere = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
-    return isThere;
-}
-#endif
+#define CROWD_KERNEL_BODY "behavior/crowd/ForceKernelBody.h"
+#include "behavior/crowd/KernelCopies.h"
 
 using Advance = float (*)(const ForceJob&, std::size_t, std::size_t);
 using Separate = Separated (*)(const ForceJob&, std::size_t, std::size_t, float, std::uint32_t*);

@@ -6,12 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "behavior/crowd/Avx2.h"
 #include "behavior/crowd/PackOrders.h"
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define CROWD_HAS_AVX2
-#include <immintrin.h>
-#endif
 
 namespace crowd::behavior {
 
@@ -29,25 +25,8 @@ struct Turned
     float heading[kStrideBlock];
 };
 
-namespace any_processor {
-#include "behavior/session/StrideKernelBody.h"
-}
-
-#ifdef CROWD_HAS_AVX2
-#pragma GCC push_options
-#pragma GCC target("avx2,bmi,bmi2,popcnt")
-#define CROWD_KERNEL_AVX2
-namespace with_avx2 {
-#include "behavior/session/StrideKernelBody.h"
-}
-#pragma GCC pop_options
-
-bool hasAvx2()
-{
-    static const bool isThere = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
-    return isThere;
-}
-#endif
+#define CROWD_KERNEL_BODY "behavior/session/StrideKernelBody.h"
+#include "behavior/crowd/KernelCopies.h"
 
 } // namespace
 
