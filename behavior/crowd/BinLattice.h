@@ -48,6 +48,19 @@ private:
 
     void place(std::span<const Body> bodies, float range);
     void fill(std::span<const Body> bodies);
+    void countStrips(std::span<const Body> bodies);
+    void sortIntoStrips();
+    void sortStrip(std::size_t strip);
+
+    struct Binned
+    {
+        std::uint32_t bin = 0;
+        std::uint32_t agent = 0;
+    };
+
+    /// A strip is a range of successive bins, a power of two of them.
+    static constexpr int kStripBits = 6;
+    static constexpr std::size_t kStrips = std::size_t{1} << kStripBits;
 
     float m_lowX = 0.0F;
     float m_lowZ = 0.0F;
@@ -59,6 +72,12 @@ private:
     std::vector<std::uint32_t> m_binOfAgent; ///< before the sort
     std::vector<std::uint32_t> m_binOfRow;   ///< and after it
     std::vector<std::uint32_t> m_agents;
+    // While sorting:
+    std::uint32_t m_stripShift = 0; ///< a bin's strip is its number without so many bits
+    std::uint32_t m_stripStart[kStrips + 1] = {}; ///< first row of each, and the end of the last
+    std::vector<Binned> m_byStrip;                ///< people of each strip, ascending by agent
+    /// Of each chunk of agents: how many are in each strip, then where the next of them goes.
+    std::vector<std::uint32_t> m_inStrip;
 };
 
 [[gnu::always_inline]] inline void BinLattice::neighbourhood(std::uint32_t bin, Line& line,
