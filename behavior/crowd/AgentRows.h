@@ -21,7 +21,7 @@ struct alignas(32) Seen
     float radius = 0.0F;
     float facingX = 0.0F; ///< unit vector of where he wants to go; zero: nowhere
     float facingZ = 0.0F;
-    float unused = 0.0F;
+    float preferredSpeed = 0.0F; ///< see Body
 };
 
 /// Everybody during a step, in the order of the bins; units as in Body. Columns where many are
@@ -31,13 +31,8 @@ struct AgentRows
     std::vector<float> x;
     std::vector<float> z;
     std::vector<float> y; ///< height of the ground underfoot
-    std::vector<float> velocityX;
-    std::vector<float> velocityZ;
-    std::vector<float> desiredX;
-    std::vector<float> desiredZ;
-    std::vector<float> preferredSpeed;
-    std::vector<float> radius;
-    std::vector<Seen> seen; ///< and, behind the last, somebody too far away to matter
+    std::vector<float> desiredSpeed;
+    std::vector<Seen> seen;
 
     [[nodiscard]] std::size_t size() const { return m_size; }
     void resize(std::size_t rows)
@@ -46,9 +41,7 @@ struct AgentRows
         for (std::vector<float> AgentRows::*column : kFloats) {
             (this->*column).resize(rows + kLanes);
         }
-        constexpr float kNowhere = 3e9F;
         seen.resize(rows + kLanes);
-        seen[rows] = {kNowhere, kNowhere};
     }
     [[nodiscard]] std::size_t bytes() const
     {
@@ -56,11 +49,7 @@ struct AgentRows
     }
 
     static constexpr std::vector<float> AgentRows::*kFloats[] = {
-        &AgentRows::x,         &AgentRows::z,
-        &AgentRows::y,         &AgentRows::velocityX,
-        &AgentRows::velocityZ, &AgentRows::desiredX,
-        &AgentRows::desiredZ,  &AgentRows::preferredSpeed,
-        &AgentRows::radius};
+        &AgentRows::x, &AgentRows::z, &AgentRows::y, &AgentRows::desiredSpeed};
 
 private:
     std::size_t m_size = 0;

@@ -63,8 +63,17 @@ void CrowdSimulation::step(float seconds)
     seconds = std::min(seconds, kLongestStep);
     m_lattice.sort(m_bodies, parameters.range);
     gather();
-    const ForceJob job{m_rows,      m_lattice,      m_walls,        parameters,    seconds,
-                       m_hasLevels, m_nextX.data(), m_nextZ.data(), m_slack.data()};
+    const ForceJob job{.agents = m_rows,
+                       .lattice = m_lattice,
+                       .walls = m_walls,
+                       .parameters = parameters,
+                       .seconds = seconds,
+                       .hasLevels = m_hasLevels,
+                       .x = m_nextX.data(),
+                       .z = m_nextZ.data(),
+                       .velocityX = m_velocityX.data(),
+                       .velocityZ = m_velocityZ.data(),
+                       .slack = m_slack.data()};
     std::atomic<float> aside{0.0F};
     overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
         raise(aside, advanceRows(job, begin, end));
@@ -81,6 +90,8 @@ void CrowdSimulation::gather()
     m_rows.resize(rows);
     m_nextX.resize(rows + kLanes);
     m_nextZ.resize(rows + kLanes);
+    m_velocityX.resize(rows + kLanes);
+    m_velocityZ.resize(rows + kLanes);
     m_slack.resize(rows + kLanes);
     m_moved.resize(rows);
     m_movedIn.resize(rows / kRowsAtOnce + 1);
@@ -131,14 +142,16 @@ void CrowdSimulation::takeMoved()
 
 void CrowdSimulation::scatter()
 {
+    constexpr std::size_t kSoon = 24; // rows that take as long as memory does to answer
     const std::span<const std::uint32_t> agents = m_lattice.agents();
     overRows(m_rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
+            __builtin_prefetch(&m_bodies[agents[std::min(row + kSoon, end - 1)]], 1);
             Body& body = m_bodies[agents[row]];
             body.x = m_rows.x[row];
             body.z = m_rows.z[row];
-            body.velocityX = m_rows.velocityX[row];
-            body.velocityZ = m_rows.velocityZ[row];
+            body.velocityX = m_velocityX[row];
+            body.velocityZ = m_velocityZ[row];
         }
     });
 }
@@ -146,7 +159,8 @@ void CrowdSimulation::scatter()
 std::size_t CrowdSimulation::bytes() const
 {
     return m_bodies.size() * (sizeof(Body) + sizeof(float)) + m_rows.bytes() +
-           (m_nextX.size() + m_nextZ.size()) * sizeof(float) + m_slack.size() * sizeof(float) +
+           (m_nextX.size() + m_nextZ.size()) * sizeof(float) +
+           (m_velocityX.size() + m_velocityZ.size() + m_slack.size()) * sizeof(float) +
            m_moved.size() * sizeof(std::uint32_t) + m_lattice.bytes();
 }
 

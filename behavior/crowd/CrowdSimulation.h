@@ -67,6 +67,8 @@ private:
     AgentRows m_rows;             ///< the same people while they step
     std::vector<float> m_nextX;   ///< of the rows
     std::vector<float> m_nextZ;
+    std::vector<float> m_velocityX;
+    std::vector<float> m_velocityZ;
     std::vector<float> m_slack;         ///< see ForceJob
     std::vector<std::uint32_t> m_moved; ///< rows that separate() moved, from where a chunk begins
     std::vector<std::size_t> m_movedIn; ///< how many of each chunk

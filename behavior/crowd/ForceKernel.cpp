@@ -25,7 +25,7 @@ constexpr std::size_t kGathered = 2 * kMostNeighbours; ///< so that all fit the 
 /// lie a power of two apart, which the cache would not like.
 using NeighbourColumn = float[kGathered + kLanes];
 
-/// Those within range of each of some successive rows, padded to whole blocks of lanes.
+/// Those within range of each of some successive rows.
 struct Neighbours
 {
     std::size_t start[kBatch + 1]; ///< of each row of the batch
@@ -70,7 +70,7 @@ void leave(const AgentRows& agents, std::size_t row, std::size_t other, float le
 {
     const float x = agents.x[row] - agents.x[other];
     const float z = agents.z[row] - agents.z[other];
-    const float share = agents.preferredSpeed[other] != 0.0F ? 0.5F : 1.0F;
+    const float share = agents.seen[other].preferredSpeed != 0.0F ? 0.5F : 1.0F;
     const float distance = std::sqrt(x * x + z * z);
     if (distance > 1e-4F) {
         wayX += share * x * (least - distance) / distance;

@@ -12,11 +12,10 @@
 
 namespace crowd::behavior {
 
-/// One step of some rows: reads everybody as they were, writes only these rows: their velocities
-/// in place, for others see those in AgentRows::seen, and the outputs.
+/// One step of some rows: reads everybody as they were, writes only these rows' outputs.
 struct ForceJob
 {
-    AgentRows& agents;
+    const AgentRows& agents;
     const BinLattice& lattice; ///< reaches at least as far as ForceParameters::range
     const WallField& walls;
     const ForceParameters& parameters;
@@ -24,6 +23,8 @@ struct ForceJob
     bool hasLevels = false; ///< whether people may stand above each other
     float* x = nullptr;     ///< outputs, by row
     float* z = nullptr;
+    float* velocityX = nullptr;
+    float* velocityZ = nullptr;
     /// Output and input, by row, metres: how much others may differ from the way that they were on
     /// before somebody comes too close. Those who stand have no end of it: they are not moved.
     float* slack = nullptr;

@@ -13,8 +13,14 @@ CROWD_INLINE unsigned bitsOfOthers(std::size_t first, std::size_t end, std::size
     return own < kLanes ? bits & ~(1U << own) : bits;
 }
 
+/// True in as many of the first lanes.
+CROWD_INLINE I8 lanesBelow(std::size_t count)
+{
+    return I8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<std::int32_t>(count);
+}
+
 /// Rows of everybody within range of a row, ascending, from near.row[at] on; returns where the next
-/// row's begin. The last block is filled up with somebody too far away to matter.
+/// row's begin.
 template<bool kHasLevels>
 CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
                                  const BinLattice::Span (&spans)[3], Neighbours& near,
@@ -41,17 +47,15 @@ CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
             count = std::min(count + static_cast<std::size_t>(std::popcount(bits)), most);
         }
     }
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        near.row[count + i] = static_cast<std::uint32_t>(agents.size());
-    }
-    return at + (count - at + kLanes - 1) / kLanes * kLanes;
+    return count;
 }
 
 // What neighbours do is reckoned in several short loops over the neighbours of many rows, since in
 // a short loop the processor works on many of them at once; in one long loop the roots, divisions
 // and exponentials of each would wait for each other.
 
-/// Neighbours of a row as seen from there.
+/// Neighbours of a row as seen from there. Those of all rows lie next to each other without gaps:
+/// what is written beyond a row's is put right by the next.
 template<bool kSlows>
 CROWD_INLINE void meet(const ForceJob& job, std::size_t row, Neighbours& near, std::size_t at)
 {
@@ -158,12 +162,17 @@ CROWD_INLINE void total(const Neighbours& near, Sums& sums, std::size_t at)
     F8 closest = all(1e3F);
     const std::size_t end = near.start[at + 1];
     for (std::size_t first = near.start[at]; first < end; first += kLanes) {
-        x += load(near.x + first);
-        z += load(near.z + first);
-        presence += load(near.counted + first);
-        closest = lesser(closest, load(near.radius + first));
+        const I8 isMet = lanesBelow(end - first);
+        const auto ofMet = [ isMet, first ](const float* column) __attribute__((always_inline))
+        {
+            return isMet ? load(column + first) : F8{};
+        };
+        x += ofMet(near.x);
+        z += ofMet(near.z);
+        presence += ofMet(near.counted);
+        closest = lesser(closest, isMet ? load(near.radius + first) : closest);
         if constexpr (kSlows) {
-            backward += load(near.soonAhead + first);
+            backward += ofMet(near.soonAhead);
         }
     }
     const F4 all = sumsOf(x, z, backward, presence);
@@ -194,21 +203,6 @@ CROWD_INLINE void storeSome(float* to, F8 value, std::size_t lanes)
     }
 }
 
-struct Facing
-{
-    F8 x;
-    F8 z;
-};
-
-/// Unit vectors of where people want to go; zero: nowhere.
-CROWD_INLINE Facing facingOf(F8 desiredX, F8 desiredZ)
-{
-    const F8 squared = squaredDistances(desiredX, desiredZ);
-    const F8 perWish =
-        squared > kSmallest ? 1.0F / squareRoot(greater(squared, all(kSmallest))) : F8{};
-    return {desiredX * perWish, desiredZ * perWish};
-}
-
 /// Velocity and place of a block of rows after the step, walls apart. Returns how far each got away
 /// from the way that it was on.
 template<bool kSlows>
@@ -216,7 +210,14 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
                           std::size_t at)
 {
     const ForceParameters& p = job.parameters;
-    AgentRows& agents = job.agents;
+    const float* records[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        records[i] = &job.agents.seen[row + i].x;
+    }
+    F8 self[kLanes]; // in the order of Seen
+    transpose(records, self);
+    const auto& [atX, atZ, beforeX, beforeZ, radius, facingX, facingZ, preferred] = self;
+    const F8 desiredSpeed = load(job.agents.desiredSpeed.data() + row);
     // The mean over a disk of the nearness is a third of it.
     const float perDisk = 1.0F / (3.14159265F / 3.0F * p.range * p.range);
     const F8 wallX = load(sums.wallX + at);
@@ -229,8 +230,6 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
     F8 forceZ = load(sums.z + at) + wallZ;
     if constexpr (kSlows) {
         pace *= 1.0F + p.slowing * (weidmann(around) - 1.0F);
-        const auto [facingX, facingZ] =
-            facingOf(load(agents.desiredX.data() + row), load(agents.desiredZ.data() + row));
         // What density does to the pace is known; repulsion must not do it once more.
         const F8 wallsAhead = lesser(wallX * facingX + wallZ * facingZ, all(0.0F));
         const F8 eased =
@@ -239,11 +238,8 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
         forceZ += eased * facingZ;
     }
     const float perSecond = 1.0F / p.relaxationSeconds;
-    const F8 beforeX = load(agents.velocityX.data() + row);
-    const F8 beforeZ = load(agents.velocityZ.data() + row);
-    forceX += (load(agents.desiredX.data() + row) * pace - beforeX) * perSecond;
-    forceZ += (load(agents.desiredZ.data() + row) * pace - beforeZ) * perSecond;
-    const F8 preferred = load(agents.preferredSpeed.data() + row);
+    forceX += (facingX * (desiredSpeed * pace) - beforeX) * perSecond;
+    forceZ += (facingZ * (desiredSpeed * pace) - beforeZ) * perSecond;
     const I8 isBraking = preferred < 0.0F;
     F8 velocityX = isBraking ? beforeX : beforeX + forceX * job.seconds;
     F8 velocityZ = isBraking ? beforeZ : beforeZ + forceZ * job.seconds;
@@ -256,21 +252,20 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
     const F8 share = lesser(top / speed, all(1.0F));
     velocityX *= share;
     velocityZ *= share;
-    const F8 atX = load(agents.x.data() + row);
-    const F8 atZ = load(agents.z.data() + row);
     const F8 x = atX + velocityX * job.seconds;
     const F8 z = atZ + velocityZ * job.seconds;
     // Those who stand stay, and so does who would get nowhere.
     const F8 furthest = greater(greater(x, -x), greater(z, -z));
     const I8 isMoving = (preferred != 0.0F) & (x == x) & (z == z) & (furthest < 1e9F);
-    storeSome(job.x + row, isMoving ? x : atX, lanes);
-    storeSome(job.z + row, isMoving ? z : atZ, lanes);
-    storeSome(agents.velocityX.data() + row, isMoving ? velocityX : all(0.0F), lanes);
-    storeSome(agents.velocityZ.data() + row, isMoving ? velocityZ : all(0.0F), lanes);
-    const F8 aside = squareRoot(squaredDistances((isMoving ? velocityX : all(0.0F)) - beforeX,
-                                                 (isMoving ? velocityZ : all(0.0F)) - beforeZ)) *
-                     job.seconds;
-    const I8 isThere = I8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<std::int32_t>(lanes);
+    const F8 motion[4] = {isMoving ? x : atX, isMoving ? z : atZ, isMoving ? velocityX : all(0.0F),
+                          isMoving ? velocityZ : all(0.0F)};
+    storeSome(job.x + row, motion[0], lanes);
+    storeSome(job.z + row, motion[1], lanes);
+    storeSome(job.velocityX + row, motion[2], lanes);
+    storeSome(job.velocityZ + row, motion[3], lanes);
+    const F8 aside =
+        squareRoot(squaredDistances(motion[2] - beforeX, motion[3] - beforeZ)) * job.seconds;
+    const I8 isThere = lanesBelow(lanes);
     storeSome(job.slack + row, preferred != 0.0F ? load(sums.closest + at) - aside : all(kAnyReach),
               lanes);
     return isThere ? aside : all(0.0F);
@@ -295,6 +290,8 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
             }
             near.start[i + 1] = collect<kHasLevels>(job, row, spans, near, near.start[i]);
         }
+        // The last block is filled up with anybody.
+        std::fill_n(near.row + near.start[i], kLanes, static_cast<std::uint32_t>(begin));
         for (std::size_t met = done; met < i; ++met) {
             meet<kSlows>(job, begin + met, near, met);
         }
@@ -308,7 +305,7 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
 
 CROWD_INLINE BodyPlace placeOf(const ForceJob& job, std::size_t row)
 {
-    return {job.agents.x[row], job.agents.z[row], job.agents.y[row], job.agents.radius[row]};
+    return {job.agents.x[row], job.agents.z[row], job.agents.y[row], job.agents.seen[row].radius};
 }
 
 inline void addWalls(const ForceJob& job, std::size_t begin, std::size_t count, Sums& sums)
@@ -326,7 +323,7 @@ inline float keepOut(const ForceJob& job, std::size_t begin, std::size_t end)
 {
     float furthest = 0.0F;
     for (std::size_t row = begin; row < end; ++row) {
-        if (job.agents.preferredSpeed[row] == 0.0F) {
+        if (job.agents.seen[row].preferredSpeed == 0.0F) {
             continue;
         }
         const float x = job.x[row];
@@ -363,6 +360,15 @@ float advance(const ForceJob& job, std::size_t begin, std::size_t end)
     return -leastOf(-aside) + outOfWalls;
 }
 
+CROWD_INLINE F8 radii(const Seen* seen)
+{
+    F8 radius;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+        radius[l] = seen[l].radius;
+    }
+    return radius;
+}
+
 /// Way of one row out of those too close to it; false: none is.
 template<bool kHasLevels>
 CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, float& wayZ)
@@ -377,7 +383,7 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
         for (std::size_t first = span.begin; first < span.end; first += kLanes) {
             const F8 x = agents.x[row] - load(agents.x.data() + first);
             const F8 z = agents.z[row] - load(agents.z.data() + first);
-            const F8 least = share * (agents.radius[row] + load(agents.radius.data() + first));
+            const F8 least = share * (agents.seen[row].radius + radii(&agents.seen[first]));
             F8 squared = squaredDistances(x, z);
             if constexpr (kHasLevels) {
                 const F8 above = load(agents.y.data() + first) - agents.y[row];
@@ -423,36 +429,33 @@ Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, floa
     return separated;
 }
 
-inline void gather(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentRows& rows,
+inline void gather(const Body* bodies, const std::uint32_t* agentOfRow, AgentRows& rows,
                    std::size_t begin, std::size_t end)
 {
     for (std::size_t row = begin; row < end; row += kLanes) {
         const std::size_t lanes = std::min(kLanes, end - row);
         const float* records[kLanes];
         for (std::size_t i = 0; i < kLanes; ++i) {
-            records[i] = &bodyOfAgent[agentOfRow[row + std::min(i, lanes - 1)]].x;
+            records[i] = &bodies[agentOfRow[row + std::min(i, lanes - 1)]].x;
         }
         F8 body[kLanes]; // in the order of Body
         transpose(records, body);
-        float* const columns[kLanes] = {rows.x.data(),
-                                        rows.z.data(),
-                                        rows.velocityX.data(),
-                                        rows.velocityZ.data(),
-                                        rows.desiredX.data(),
-                                        rows.desiredZ.data(),
-                                        rows.preferredSpeed.data(),
-                                        rows.radius.data()};
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            storeSome(columns[i] + row, body[i], lanes);
-        }
-        const auto [facingX, facingZ] = facingOf(body[4], body[5]);
-        const F8 seen[kLanes] = {body[0], body[1], body[2], body[3],
-                                 body[7], facingX, facingZ, F8{}};
-        F8 seenBy[kLanes];
+        const auto& [x, z, velocityX, velocityZ, desiredX, desiredZ, preferred, radius] = body;
+        storeSome(rows.x.data() + row, x, lanes);
+        storeSome(rows.z.data() + row, z, lanes);
+        const F8 squared = squaredDistances(desiredX, desiredZ);
+        const F8 speed = squareRoot(greater(squared, all(kSmallest)));
+        const F8 perSpeed = squared > kSmallest ? 1.0F / speed : F8{};
+        const F8 facingX = desiredX * perSpeed;
+        const F8 facingZ = desiredZ * perSpeed;
+        storeSome(rows.desiredSpeed.data() + row, speed, lanes);
+        const F8 seen[kLanes] = {x,      z,       velocityX, velocityZ,
+                                 radius, facingX, facingZ,   preferred}; // in the order of Seen
         const float* parts[kLanes];
         for (std::size_t i = 0; i < kLanes; ++i) {
             parts[i] = reinterpret_cast<const float*>(&seen[i]);
         }
+        F8 seenBy[kLanes];
         transpose(parts, seenBy);
         for (std::size_t i = 0; i < lanes; ++i) {
             store(&rows.seen[row + i].x, seenBy[i]);
