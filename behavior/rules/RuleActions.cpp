@@ -109,7 +109,7 @@ bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action
     mind.isTravelling = true;
     mind.goal = *place;
     hold(agent, *place);
-    host.sendTo(agent, pointIn(host, agent, *m_places.find(*place)));
+    host.sendTo(agent, pointIn(host, agent, *m_places.find(*place)), 0.0F);
     return false;
 }
 

@@ -18,8 +18,16 @@ constexpr float kLeastDistance = 0.6F;       ///< metres between two who stand t
 constexpr float kAimsAnew = 0.3F;            ///< metres that the other one has gone on
 constexpr float kSetsOutAgain = 0.5F;        ///< metres beyond the distance that is kept
 constexpr float kBeside = 0.35F;             ///< metres: not all to the same point
+constexpr float kFarBehind = 4.0F;           ///< metres at which one hurries most
+constexpr float kHaste = 0.4F;               ///< share of the other one's speed on top of it
 constexpr double kPatienceSeconds = 5.0;     ///< without getting on
 constexpr float kGetsOnAbove = 0.15F;        ///< m/s
+
+/// m/s of who follows somebody of that speed from `behind` (metres) further away than he is to.
+float catchingUp(float speed, float behind)
+{
+    return speed * (1.0F + kHaste * std::clamp(behind / kFarBehind, 0.0F, 1.0F));
+}
 
 } // namespace
 
@@ -90,7 +98,7 @@ void RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::Action& 
     away = length > 0.05F ? away / length : glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
     m_minds[agent].goal = 0;
     hold(agent, 0);
-    host.sendTo(agent, at + away * action.metres);
+    host.sendTo(agent, at + away * action.metres, 0.0F);
 }
 
 /// Whom somebody goes to: the one that he began with, as long as it can be he.
@@ -176,8 +184,10 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
     if (mind.isNear || flatDistance(mind.aimedAt, aim->point) > kAimsAnew) {
         const float angle =
             kAllRound * model::unitFloat(model::hashKeys(m_seed, host.id(agent), 84));
-        host.sendTo(agent,
-                    aim->point + kBeside * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
+        const float atLeast =
+            isFollowing ? catchingUp(host.speed(aim->agent), away - distance) : 0.0F;
+        host.sendTo(agent, aim->point + kBeside * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)),
+                    atLeast);
         mind.aimedAt = aim->point;
         mind.isNear = false;
     }

@@ -42,7 +42,8 @@ public:
     virtual void endClip(std::uint32_t agent) = 0;
     /// False: there is no such path.
     virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
-    virtual void sendTo(std::uint32_t agent, const glm::vec3& point) = 0;
+    /// At his own pace, or at `atLeast` (m/s) where that is faster.
+    virtual void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) = 0;
     virtual void stop(std::uint32_t agent) = 0;
     virtual void goOn(std::uint32_t agent) = 0;
     virtual void setPace(std::uint32_t agent, float metresPerSecond) = 0;

@@ -196,13 +196,14 @@ void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
     touchAll();
 }
 
-void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point)
+void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast)
 {
     Walk& walk = touch(agent);
     walk.hasErrand = true;
     walk.isErrandDone = false;
     walk.isHeld = false;
     walk.errand = point;
+    walk.errandPace = atLeast;
 }
 
 void PathFollower::goOn(std::uint32_t agent)

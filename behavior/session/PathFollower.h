@@ -56,8 +56,9 @@ public:
     /// Joins the path where it is nearest, and goes on along it. False: there is no such path, and
     /// the agent stands.
     bool follow(const Assignment& assignment);
-    /// To a point, before anything else; stays there until told to go on.
-    void sendTo(std::uint32_t agent, const glm::vec3& point);
+    /// To a point, before anything else; stays there until told to go on. At his own pace, or at
+    /// `atLeast` (m/s) where that is faster.
+    void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast);
     void stop(std::uint32_t agent) { touch(agent).isHeld = true; }
     void goOn(std::uint32_t agent);
     /// He is somewhere else now: the way is looked for anew.
@@ -123,6 +124,7 @@ private:
         bool hasErrand = false;
         bool isErrandDone = false;
         glm::vec3 errand{0.0F};
+        float errandPace = 0.0F; ///< m/s at least
         model::PlaceId reached = 0;
         // Around what stands in the way: corners still to come, the last one the aim.
         std::vector<glm::vec2> corners;
@@ -162,6 +164,11 @@ private:
     [[nodiscard]] float slowness(float x, float z) const;
     void gatherParties(std::span<const Body> bodies);
     [[nodiscard]] const Party* partyOf(const Walk& walk) const;
+    /// On his own, m/s.
+    [[nodiscard]] static float paceOf(const Walk& walk)
+    {
+        return walk.hasErrand ? std::max(walk.pace, walk.errandPace) : walk.pace;
+    }
     static void keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
                              float& speed, glm::vec2& sideways);
 

@@ -223,7 +223,7 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     const float squared = glm::length2(way);
     const Party* party = partyOf(walk);
     const float slow = slowness(body.x, body.z);
-    float speed = (party != nullptr ? party->pace : walk.pace) * slow;
+    float speed = (party != nullptr ? party->pace : paceOf(walk)) * slow;
     if (squared > 1e-8F) {
         const glm::vec2 ahead = way / std::sqrt(squared);
         glm::vec2 sideways(0.0F);
@@ -248,7 +248,7 @@ void PathFollower::setAim(std::uint32_t agent)
         const glm::vec3 target = targetOf(walk);
         m_aims.x[agent] = target.x;
         m_aims.z[agent] = target.z;
-        m_aims.pace[agent] = walk.pace;
+        m_aims.pace[agent] = paceOf(walk);
     }
     m_aims.course[agent] = static_cast<std::int32_t>(course);
 }

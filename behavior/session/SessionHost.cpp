@@ -89,10 +89,10 @@ bool Session::follow(std::uint32_t agent, model::PathId path)
     return m_follower.follow(walk);
 }
 
-void Session::sendTo(std::uint32_t agent, const glm::vec3& point)
+void Session::sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast)
 {
     leaveSeat(agent);
-    m_follower.sendTo(agent, point);
+    m_follower.sendTo(agent, point, std::min(atLeast, model::kMaxWalkingSpeed));
 }
 
 void Session::stop(std::uint32_t agent)

@@ -84,7 +84,7 @@ bool Session::sit(std::uint32_t agent, float metres)
         return false;
     }
     m_isSeatTaken[best] = true;
-    m_follower.sendTo(agent, m_seats[best].seat.position);
+    m_follower.sendTo(agent, m_seats[best].seat.position, 0.0F);
     Shown& shown = enliven(agent);
     shown.seat = m_seats[best].id;
     shown.sitting = Sitting::Goes;

@@ -83,6 +83,7 @@ class TestRuleAims : public QObject
 
 private Q_SLOTS:
     void whoSentTheEventIsFollowed();
+    void whoFallsBehindHurries();
     void followingEndsInTime();
     void theNearestTaggedOneIsFollowedAndKept();
     void nobodyToFollowIsSaid();
@@ -118,6 +119,37 @@ void TestRuleAims::whoSentTheEventIsFollowed()
     const glm::vec3 rest = placeOf(session, 0);
     run(session, 90);
     QVERIFY(glm::distance(rest, placeOf(session, 0)) < 0.05F);
+}
+
+void TestRuleAims::whoFallsBehindHurries()
+{
+    model::Scene scene = rowOf(2);
+    scene.places.push_back({1, "far", {2.0F, 0.0F, 60.0F}, 0.1F});
+    scene.places.push_back({2, "home", {0.0F, 0.0F, 0.0F}, 0.1F});
+    Action fast = action(ActionKind::SetSpeed);
+    fast.value = 2.5F;
+    Rule off = walkOff();
+    off.actions.insert(off.actions.begin(), fast);
+    Rule come = onEvent("come", {about(ActionKind::Follow, ActionAim::Sender)});
+    come.id = 2;
+    Action goHome = action(ActionKind::GoToPlace);
+    goHome.place = 2;
+    Rule home = onEvent("home", {goHome});
+    home.id = 3;
+    scene.rules = {home, off, come}; // the first has priority
+    Session session(scene);
+    session.send("go", 0.0F, {2});
+    run(session, 400);
+    const float away = between(session, 0, 1);
+    QVERIFY2(placeOf(session, 1).z > 25.0F && away < 5.0F,
+             QByteArray::number(static_cast<double>(away)));
+    // With something else to do he walks as he did before.
+    session.send("home", 0.0F, {1});
+    run(session, 90);
+    const glm::vec3 from = placeOf(session, 0);
+    run(session, 30);
+    const float speed = glm::distance(from, placeOf(session, 0));
+    QVERIFY2(speed > 1.0F && speed < 1.8F, QByteArray::number(static_cast<double>(speed)));
 }
 
 void TestRuleAims::followingEndsInTime()
