@@ -107,6 +107,8 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     command->add_option("--threads", options.threads, "Threads at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    command->add_flag("--against-one-thread", options.againstOneThread,
+                      "Take every other ten steps on one thread and compare");
     command
         ->add_option("--slowing", options.slowing,
                      "How much density slows walkers: 0 not at all, 1 as observed")

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -74,7 +75,9 @@ struct WorkloadFigures
 };
 
 /// Steps the workload and watches. `clockMs` tells the time in milliseconds; null: none is taken.
-[[nodiscard]] WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)());
+/// `beforeStep` hears the number of each step, from 0 on, before it is timed.
+[[nodiscard]] WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)(),
+                                          const std::function<void(int)>& beforeStep = {});
 
 /// Random places in a rectangle, at least `apart` from each other (as far as they fit: later ones
 /// come as close as they must), `margin` from its sides.

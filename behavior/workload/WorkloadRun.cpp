@@ -98,11 +98,15 @@ private:
 
 } // namespace
 
-WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)())
+WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)(),
+                            const std::function<void(int)>& beforeStep)
 {
     Watch watch(workload);
     std::vector<double> stepMs;
     for (int step = 1; step <= steps; ++step) {
+        if (beforeStep) {
+            beforeStep(step - 1);
+        }
         const double start = clockMs != nullptr ? clockMs() : 0.0;
         workload.step();
         if (clockMs != nullptr) {

@@ -131,6 +131,9 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
                               "overlaps_per_1000 efficiency rms_acceleration bytes_per_agent "
                               "outside_walls");
     }
+    QTest::newRow("simulating on one thread and on two")
+        << QStringLiteral("bench simulate --count 100 --steps 20 --threads 2 --against-one-thread")
+        << QStringLiteral("median_step_ms one_thread_median_step_ms times_one_thread");
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
                            << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
                                              "cast_templates cast_bytes cast_load_ms "
