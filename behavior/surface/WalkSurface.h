@@ -4,34 +4,16 @@
 #include <atomic>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "behavior/crowd/WallField.h"
+#include "behavior/surface/SurfacePlan.h"
 #include "model/base/Result.h"
-#include "model/scene/Scene.h"
 
 namespace crowd::behavior {
-
-using model::SurfaceSettings;
-
-/// All that a surface is made from.
-struct SurfacePlan
-{
-    std::vector<model::StageEntry> stages;
-    std::vector<glm::vec3> points; ///< also reached, where they are beside the stages
-    SurfaceSettings settings;
-    std::vector<model::Place> areas; ///< those that change ways, and obstacles
-
-    [[nodiscard]] static SurfacePlan of(const model::Scene& scene);
-    /// Whether it is anything but open ground.
-    [[nodiscard]] bool isWorthwhile() const;
-    /// Whether ways lead the same where the stages are the same.
-    [[nodiscard]] bool hasSameWays(const SurfacePlan& other) const;
-};
 
 /// What can be walked on: made by Recast from the stages and the ground (the plane y = 0), asked
 /// through Detour. Immutable once built; all queries are thread-safe. World frame, metres.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/surface/TriangleSoup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kAround = 15.0F;     ///< open ground about the stages, metres
+constexpr float kFarthest = 2000.0F; ///< of places to reach, from the middle of the world
+
+void addStage(const model::StageEntry& entry, TriangleSoup& soup)
+{
+    const glm::mat4 matrix = entry.worldFromStage();
+    for (const model::StageMesh& mesh : entry.asset->meshes) {
+        const auto first = static_cast<int>(soup.vertices.size() / 3);
+        for (const glm::vec3& position : mesh.positions) {
+            const glm::vec3 point = glm::vec3(matrix * glm::vec4(position, 1.0F));
+            soup.add(point);
+            soup.bounds.add(point);
+        }
+        for (const std::uint32_t index : mesh.indices) {
+            soup.triangles.push_back(first + static_cast<int>(index));
+        }
+    }
+}
+
+/// The plane y = 0, in squares so that no triangle is far larger than the rest.
+void addGround(TriangleSoup& soup)
+{
+    const glm::vec3 low = soup.bounds.low;
+    const glm::vec3 high = soup.bounds.high;
+    const auto first = static_cast<int>(soup.vertices.size() / 3);
+    for (const glm::vec2& corner : {glm::vec2(low.x, low.z), glm::vec2(low.x, high.z),
+                                    glm::vec2(high.x, high.z), glm::vec2(high.x, low.z)}) {
+        soup.add({corner.x, 0.0F, corner.y});
+    }
+    for (const int index : {0, 1, 2, 0, 2, 3}) {
+        soup.triangles.push_back(first + index);
+    }
+}
+
+} // namespace
+
+TriangleSoup soupOf(const SurfacePlan& plan)
+{
+    TriangleSoup soup;
+    for (const model::StageEntry& entry : plan.stages) {
+        if (entry.asset) {
+            addStage(entry, soup);
+        }
+    }
+    for (const glm::vec3& point : plan.points) {
+        if (std::fabs(point.x) < kFarthest && std::fabs(point.z) < kFarthest) {
+            soup.bounds.addPlace({point.x, std::clamp(point.y, -100.0F, 100.0F), point.z});
+        }
+    }
+    if (!soup.bounds.isEmpty()) {
+        soup.bounds.low -= glm::vec3(kAround, 0.5F, kAround);
+        soup.bounds.high += glm::vec3(kAround, 2.5F, kAround);
+        soup.bounds.low.y = std::min(soup.bounds.low.y, -0.5F);
+        soup.bounds.high.y = std::max(soup.bounds.high.y, 2.5F);
+        addGround(soup);
+    }
+    return soup;
+}
+
+} // namespace crowd::behavior
