@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/python/ScriptSceneParts.h"
+#include "model/project/EnvironmentText.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+template<class Entry>
+bool isAmong(const std::vector<Entry>& entries, const Entry& wanted)
+{
+    const auto found = std::ranges::find(entries, wanted.id, &Entry::id);
+    return found != entries.end() && *found == wanted;
+}
+
+/// Ids in `now` that `wanted` lacks.
+template<class Entry>
+auto missingIds(const std::vector<Entry>& now, const std::vector<Entry>& wanted)
+{
+    std::vector<decltype(Entry::id)> ids;
+    for (const Entry& each : now) {
+        if (std::ranges::find(wanted, each.id, &Entry::id) == wanted.end()) {
+            ids.push_back(each.id);
+        }
+    }
+    return ids;
+}
+
+void putPaths(SceneEdit& edit, const Scene& wanted)
+{
+    for (const Path& each : wanted.paths) {
+        if (!isAmong(edit.scene().paths, each)) {
+            edit.changePath(each);
+        }
+    }
+}
+
+void putEnvironment(SceneEdit& edit, const Scene& wanted)
+{
+    for (const Place& each : wanted.places) {
+        if (!isAmong(edit.scene().places, each)) {
+            edit.changePlace(each);
+        }
+    }
+    putPaths(edit, wanted);
+    for (const PathId id : missingIds(edit.scene().paths, wanted.paths)) {
+        edit.removePath(id);
+    }
+    for (const PlaceId id : missingIds(edit.scene().places, wanted.places)) {
+        edit.removePlace(id);
+    }
+    putPaths(edit, wanted); // who lost a place or a branch with those
+    edit.setRules(wanted.rules);
+    edit.setTags(wanted.tags);
+    edit.setNumbers(wanted.numbers);
+    edit.setCues(wanted.cues);
+    if (wanted.surface != edit.scene().surface) {
+        edit.setSurface(wanted.surface);
+    }
+    edit.setStepsPerSecond(wanted.stepsPerSecond);
+}
+
+} // namespace
+
+Result<void> ScriptScene::setCamera(const std::string& name, const Camera& camera)
+{
+    return onDocument([&] {
+        std::vector<NamedCamera> cameras = m_host.document->scene().cameras;
+        const auto found = std::ranges::find(cameras, name, &NamedCamera::name);
+        if (found == cameras.end()) {
+            cameras.push_back({name, camera});
+        } else {
+            found->camera = camera;
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Camera")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::removeCamera(const std::string& name)
+{
+    if (const auto known = camera(name); !known) {
+        return known.error();
+    }
+    return onDocument([&] {
+        std::vector<NamedCamera> cameras = m_host.document->scene().cameras;
+        std::erase_if(cameras, [&name](const NamedCamera& each) { return each.name == name; });
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Camera")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::setCameras(std::vector<NamedCamera> cameras)
+{
+    return onDocument([&] {
+        for (NamedCamera& each : cameras) {
+            const auto& known = m_host.document->scene().cameras;
+            const auto same = std::ranges::find(known, each.name, &NamedCamera::name);
+            if (same != known.end()) {
+                each.unknownMembers = same->unknownMembers;
+            }
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Cameras")),
+                    [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> ScriptScene::setLighting(Lighting lighting)
+{
+    return onDocument([&] {
+        lighting.unknownMembers = m_host.document->scene().lighting.unknownMembers;
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Lighting")),
+                    [&](SceneEdit& open) { open.setLighting(lighting); });
+    });
+}
+
+Result<void> ScriptScene::setEnvironment(const std::string& text)
+{
+    return onDocument([&]() -> Result<void> {
+        Scene wanted = m_host.document->scene();
+        if (auto read = readEnvironmentText(text, wanted); !read) {
+            return read;
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Environment")),
+                    [&](SceneEdit& open) { putEnvironment(open, wanted); });
+    });
+}
+
+Result<Camera> ScriptScene::camera(const std::string& name) const
+{
+    const auto now = scene();
+    const auto found = std::ranges::find(now->cameras, name, &NamedCamera::name);
+    if (found != now->cameras.end()) {
+        return found->camera;
+    }
+    std::string names;
+    for (const NamedCamera& each : now->cameras) {
+        names += (names.empty() ? "" : ", ") + each.name;
+    }
+    return Error{"There is no camera named \"" + name + "\". " +
+                 (names.empty() ? "The scene has none." : "The scene has: " + names + ".")};
+}
+
+} // namespace crowd::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/ColumnRules.h"
+#include "app/python/ScriptSceneParts.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+Result<std::vector<IndividualId>> ScriptScene::create(std::size_t n,
+                                                      std::span<const ColumnValues> values)
+{
+    std::vector<IndividualId> ids;
+    const auto done = onDocument([&]() -> Result<void> {
+        auto rows = newRows(m_host.document->scene(), n, values);
+        if (!rows) {
+            return rows.error();
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create People")),
+                    [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
+    });
+    if (!done) {
+        return done.error();
+    }
+    return ids;
+}
+
+Result<void> ScriptScene::remove(std::span<const IndividualId> ids)
+{
+    return onDocument([&]() -> Result<void> {
+        if (auto alive = checkAlive(m_host.document->scene(), ids); !alive) {
+            return alive;
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove People")),
+                    [&](SceneEdit& open) { open.removeIndividuals(ids); });
+    });
+}
+
+Result<void> ScriptScene::change(std::span<const IndividualId> ids,
+                                 std::span<const ColumnValues> values)
+{
+    return onDocument([&]() -> Result<void> {
+        if (auto alive = checkAlive(m_host.document->scene(), ids); !alive) {
+            return alive;
+        }
+        if (auto valid = checkChange(m_host.document->scene(), ids, values); !valid) {
+            return valid;
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change People")), [&](SceneEdit& open) {
+            for (const ColumnValues& each : values) {
+                open.setColumn(each.column, ids, each.bytes);
+            }
+        });
+    });
+}
+
+} // namespace crowd::app
