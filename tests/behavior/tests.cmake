@@ -1,11 +1,15 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
     tst_FootSlide
+    tst_PlaceRooms
     tst_Problems
     tst_RuleActions
     tst_RuleAims
     tst_RuleLooks
+    tst_RuleNumbers
+    tst_RuleSeats
     tst_RuleSequences
+    tst_RuleTriggers
     tst_Rules
     tst_Session
     tst_SessionPlayer
