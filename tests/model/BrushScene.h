@@ -20,6 +20,8 @@ namespace crowd::test {
 
 using namespace model;
 
+using Ids = std::vector<IndividualId>;
+
 inline void addBox(Mesh& mesh, const glm::vec3& low, const glm::vec3& high)
 {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -218,6 +220,32 @@ inline BrushSettings brush(BrushKind kind, BrushSelection selection)
     settings.selection = selection;
     settings.create.mix = {{1, 1.0F}};
     return settings;
+}
+
+inline BrushSettings colourBrush(BrushSelection selection)
+{
+    BrushSettings settings = brush(BrushKind::Colour, selection);
+    settings.colour.colors = {{200, 100, 0}, {0, 100, 200}};
+    return settings;
+}
+
+/// 10 × 6 people a metre apart around the origin.
+inline std::vector<glm::vec3> crowdGrid()
+{
+    std::vector<glm::vec3> positions;
+    for (int z = 0; z < 6; ++z) {
+        for (int x = 0; x < 10; ++x) {
+            positions.emplace_back(static_cast<float>(x) - 4.5F, 0.0F,
+                                   static_cast<float>(z) - 2.5F);
+        }
+    }
+    return positions;
+}
+
+/// A person's colour in a slot.
+inline Tint tintOf(const BrushScene& scene, IndividualId id, int slot)
+{
+    return scene.people().column(columns::tint(slot))[scene.people().rowOf(id)];
 }
 
 } // namespace crowd::test

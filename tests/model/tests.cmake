@@ -4,9 +4,14 @@ crowd_add_tests(ROOM model
     tst_Autosave
     tst_Bake
     tst_BakeAgainstBlender
+    tst_BrushAnimation
+    tst_BrushColour
     tst_BrushCreate
     tst_BrushIndividuals
+    tst_BrushOrientation
+    tst_BrushReach
     tst_BrushSampler
+    tst_BrushSettings
     tst_BrushStroke
     tst_BrushTheatre
     tst_CollectAssets

@@ -13,8 +13,6 @@ using namespace crowd::test;
 
 namespace {
 
-using Ids = std::vector<IndividualId>;
-
 const std::vector<glm::dvec2> kEverything{{1.0, 1.0}, {1279.0, 767.0}};
 
 /// A plate from (-2, 0) to (2, rise) over 4 m in X.

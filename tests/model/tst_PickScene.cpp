@@ -15,8 +15,6 @@ using namespace crowd::test;
 
 namespace {
 
-using Ids = std::vector<IndividualId>;
-
 StageEntry wallAt(float z)
 {
     return stageOf({plate({glm::vec3(-5.0F, 0.0F, z), glm::vec3(5.0F, 0.0F, z),
