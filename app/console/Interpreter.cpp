@@ -101,6 +101,13 @@ Interpreter::Python::Python(Interpreter& owner)
                         if (!owner.m_gate.run(work)) {
                             throw ScriptError("The editor is closing.");
                         }
+                    },
+                    [&owner](const ScriptEvent& event) {
+                        widgets::SessionControl& session = owner.m_state.session();
+                        if (session.isRunning()) {
+                            session.send({.name = event.name, .payload = event.number}, event.ids);
+                        }
+                        return session.isRunning();
                     }};
     try {
         const char* const name = "crowdbrush/console.py";

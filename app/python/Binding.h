@@ -66,6 +66,14 @@ using Point3 = std::array<float, 3>;
 
 using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
 
+/// For these, or for everybody. Raises where the name is empty, the number none, or somebody dead.
+[[nodiscard]] ScriptEvent eventOf(const model::Scene& scene, const std::string& name,
+                                  const py::object& ids, float number);
+/// crowdbrush.Picture of the scene at a time, or of this frame.
+[[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
+                                   const CameraKey& camera, const std::string& look, double time,
+                                   model::CrowdFramePtr frame);
+
 void bindTemplates(py::module_& module);
 void bindBrushes(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
@@ -77,5 +85,6 @@ void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& 
 void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
 void bindScene(py::module_& module);
+void bindSession(py::module_& module); ///< after the scene
 
 } // namespace crowd::app

@@ -287,9 +287,8 @@ std::optional<std::size_t> rowsIn(const std::string& name, const py::object& giv
 
 } // namespace
 
-py::array columnArray(const Scene& scene, const std::string& name)
+py::array columnArray(const Population& population, const std::string& name)
 {
-    const Population& population = scene.population;
     if (name == "id") {
         return copied(py::dtype::of<IndividualId>(), {static_cast<py::ssize_t>(population.size())},
                       std::as_bytes(population.ids()));

@@ -12,7 +12,7 @@ namespace crowd::app {
 /// A copy of a column for all individuals, rows by ascending id: N for numbers, N×3 float32 for
 /// positions, N×4 uint8 for tint0 … tint7 (red, green, blue, strength), N×8×4 for "tint", N×8 uint8
 /// for "choices". "id" is a column too. Unknown names raise.
-[[nodiscard]] py::array columnArray(const model::Scene& scene, const std::string& name);
+[[nodiscard]] py::array columnArray(const model::Population& population, const std::string& name);
 
 /// Column values by keyword for so many individuals (nothing: as many as the longest argument).
 /// One value stands for all. Clips given by name are looked up in each one's template: the one

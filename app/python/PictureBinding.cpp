@@ -65,21 +65,10 @@ render::Look lookNamed(const std::string& name)
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
                    double time, const std::string& look)
 {
-    constexpr int kMost = 16384;
-    if (width < 1 || height < 1 || width > kMost || height > kMost) {
-        throw ScriptError("A picture is 1 to 16384 pixels wide and high.");
-    }
     if (!std::isfinite(time)) {
         throw ScriptError("time must be a finite number of seconds.");
     }
-    ScriptPicture request;
-    request.size = {width, height};
-    request.camera = cameraOf(*scene, camera);
-    request.seconds = time;
-    request.look = lookNamed(look);
-    const std::vector<std::uint8_t> pixels = valueOrRaise(scene->picture(request));
-    const py::array_t<std::uint8_t> array({height, width, 4}, pixels.data());
-    return py::module_::import("crowdbrush").attr("Picture")(array);
+    return pictureOf(*scene, {width, height}, camera, look, time, nullptr);
 }
 
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
@@ -171,6 +160,24 @@ void bindCamera(py::module_& module)
 }
 
 } // namespace
+
+py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
+                     const std::string& look, double time, CrowdFramePtr frame)
+{
+    constexpr int kMost = 16384;
+    if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
+        throw ScriptError("A picture is 1 to 16384 pixels wide and high.");
+    }
+    ScriptPicture request;
+    request.size = size;
+    request.camera = cameraOf(scene, camera);
+    request.seconds = time;
+    request.frame = std::move(frame);
+    request.look = lookNamed(look);
+    const std::vector<std::uint8_t> pixels = valueOrRaise(scene.picture(request));
+    const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
+    return py::module_::import("crowdbrush").attr("Picture")(array);
+}
 
 void bindPictures(py::module_& module, SceneClass& scene)
 {

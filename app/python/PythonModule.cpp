@@ -29,6 +29,7 @@ void registerModule(py::module_& module)
     bindBrushes(module);
     bindScriptBrushes(module);
     bindScene(module);
+    bindSession(module);
 }
 
 } // namespace crowd::app

@@ -56,6 +56,11 @@ void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs
     valueOrRaise(scene->change(ids, given.values));
 }
 
+void send(const ScenePtr& scene, const std::string& event, const py::object& ids, float number)
+{
+    valueOrRaise(scene->send(eventOf(*scene->scene(), event, ids, number)));
+}
+
 py::dict seats(const ScenePtr& scene)
 {
     const auto now = scene->scene();
@@ -146,12 +151,12 @@ void bindPopulation(SceneClass& scene)
 {
     scene.def("__len__", [](const ScenePtr& s) { return s->scene()->population.size(); })
         .def_property_readonly(
-            "ids", [](const ScenePtr& s) { return columnArray(*s->scene(), "id"); },
+            "ids", [](const ScenePtr& s) { return columnArray(s->scene()->population, "id"); },
             "N uint32, ascending.")
         .def(
             "column",
             [](const ScenePtr& s, const std::string& name) {
-                return columnArray(*s->scene(), name);
+                return columnArray(s->scene()->population, name);
             },
             py::arg("name"),
             "A copy of a column for everybody, rows by ascending id: N numbers, N×3 float32 for "
@@ -170,6 +175,11 @@ void bindPopulation(SceneClass& scene)
              "change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one "
              "each, in the order of ids. Raises Error, and changes nothing, for dead ids, wrong "
              "shapes and values that are not finite.")
+        .def("send", &send, py::arg("event"), py::arg("ids") = py::none(), py::kw_only(),
+             py::arg("number") = 0.0F,
+             "An event happens to those who play in the editor's window: to these, or to "
+             "everybody. Raises Error where nobody plays; without a window a Session is what "
+             "plays.")
         .def_property_readonly(
             "seats", &seats,
             "Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and "

@@ -76,6 +76,25 @@ std::shared_ptr<const Scene> ScriptScene::scene() const
     return onDocument([this] { return std::make_shared<const Scene>(m_host.document->scene()); });
 }
 
+std::uint64_t ScriptScene::revision() const
+{
+    return onDocument([this] { return m_host.document->revision(); });
+}
+
+Result<void> ScriptScene::send(const ScriptEvent& event)
+{
+    if (!m_host.send) {
+        return Error{"Nothing plays here: make a session and send it the event, as in "
+                     "crowdbrush.Session(scene).send(\"" +
+                     event.name + "\")."};
+    }
+    if (!onDocument([&] { return m_host.send(event); })) {
+        return Error{"The event \"" + event.name +
+                     "\" is not sent, since nobody plays: press play first."};
+    }
+    return {};
+}
+
 std::string ScriptScene::path() const
 {
     return onDocument([this] { return m_host.document->path().toStdString(); });

@@ -14,6 +14,7 @@
 
 #include "app/pictures/PictureMaker.h"
 #include "app/python/ScriptStroke.h"
+#include "behavior/session/SessionPose.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
@@ -45,7 +46,16 @@ struct ScriptPicture
     glm::ivec2 size{1280, 720};
     std::optional<model::Camera> camera; ///< the scene's first one without
     double seconds = 0.0;                ///< of the transport
+    model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     render::Look look = render::Look::Lit;
+};
+
+/// An event as a script sends it.
+struct ScriptEvent
+{
+    std::string name;
+    float number = 0.0F; ///< finite
+    std::vector<model::IndividualId> ids;
 };
 
 /// A document that belongs to somebody else: the editor's. All of it outlives the ScriptScene.
@@ -56,6 +66,8 @@ struct ScriptHost
     model::StageRays* stage;         ///< of the host for scripts alone; set before each stroke
     /// Runs work on the thread that the document belongs to, and waits for it.
     std::function<void(const std::function<void()>& work)> run;
+    /// To those who play in the host's window, on the document's thread; false: nothing plays.
+    std::function<bool(const ScriptEvent& event)> send{};
 };
 
 /// What a script works on: a document with all that painting and drawing need, without a window.
@@ -74,8 +86,12 @@ public:
 
     /// The scene as it is now, for reading: a snapshot where a host could change it meanwhile.
     [[nodiscard]] std::shared_ptr<const model::Scene> scene() const;
+    /// Grows with every change.
+    [[nodiscard]] std::uint64_t revision() const;
     [[nodiscard]] std::string path() const;
     [[nodiscard]] bool isModified() const;
+    /// To the session that the host plays.
+    [[nodiscard]] model::Result<void> send(const ScriptEvent& event);
 
     [[nodiscard]] model::Result<void> open(const std::string& path);
     [[nodiscard]] model::Result<void> save(const std::string& path); ///< empty: where it was opened
@@ -116,6 +132,11 @@ public:
     [[nodiscard]] model::Result<void> change(std::span<const model::IndividualId> ids,
                                              std::span<const ColumnValues> values);
 
+    /// People become as a session shows them: as part of the open edit, or as a step of its own.
+    /// How many are another way than before.
+    [[nodiscard]] model::Result<int> keepPose(const model::Population& shown,
+                                              const behavior::SessionPose& pose);
+
     /// Of brush kind Script: `paint` gets the dabs, on the calling thread; what it throws takes the
     /// stroke back and goes on.
     using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;
@@ -130,6 +151,7 @@ public:
 private:
     using Work = std::function<void(model::SceneEdit&)>;
     struct OwnParts;
+    struct Motion;
 
     template<class Action>
     [[nodiscard]] auto onDocument(const Action& work) const;
@@ -141,11 +163,13 @@ private:
     scriptStroke(const model::RecordedStroke& recording, const PaintWork& paint);
     void dropEdits();
     [[nodiscard]] model::Result<bool> step(bool isUndo);
+    [[nodiscard]] model::CrowdFramePtr frameAt(double seconds);
 
     std::unique_ptr<OwnParts> m_own; ///< null with a host
     ScriptHost m_host;
     model::KeyframeStore m_pictureKeyframes; ///< pictures wait for all of it, whatever else goes on
     std::unique_ptr<PictureMaker> m_pictures; ///< made when first asked for
+    std::unique_ptr<Motion> m_motion;         ///< of the pictures, where the scene has behaviour
     std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
     QString m_editText;
     ScriptStrokeLinkPtr m_link;              ///< while a script brush paints

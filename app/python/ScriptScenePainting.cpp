@@ -121,6 +121,23 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
     });
 }
 
+/// As crowdbrush render has it: simulated up to that time where there is behaviour.
+CrowdFramePtr ScriptScene::frameAt(double seconds)
+{
+    const std::uint64_t now = revision();
+    if (m_motion && m_motion->revision != now) {
+        m_motion.reset();
+    }
+    const auto known = scene();
+    if (!(seconds > 0.0) || !known->hasBehaviour()) {
+        return onDocument([&] { return m_host.document->frame(seconds); });
+    }
+    if (!m_motion) {
+        m_motion = std::make_unique<Motion>(known, now);
+    }
+    return m_motion->motion.at(seconds);
+}
+
 Result<std::vector<std::uint8_t>> ScriptScene::picture(const ScriptPicture& picture)
 {
     const auto now = scene();
@@ -137,7 +154,7 @@ Result<std::vector<std::uint8_t>> ScriptScene::picture(const ScriptPicture& pict
     }
     const std::vector<WorldSeat> seats = now->worldSeats();
     PictureRequest request;
-    request.frame = onDocument([&] { return m_host.document->frame(picture.seconds); });
+    request.frame = picture.frame ? picture.frame : frameAt(picture.seconds);
     request.stages = now->stages;
     request.seats = seats;
     request.seatsVersion = ++m_pictureCount;

@@ -8,6 +8,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "app/python/ScriptScene.h"
+#include "behavior/session/SceneMotion.h"
 
 namespace crowd::app {
 
@@ -18,6 +19,19 @@ inline QString stepText(const char* text)
 {
     return QCoreApplication::translate("Script", text);
 }
+
+/// What moves in pictures of a later time.
+struct ScriptScene::Motion
+{
+    Motion(std::shared_ptr<const model::Scene> now, std::uint64_t nowRevision)
+        : scene(std::move(now)), revision(nowRevision), motion(*scene)
+    {
+    }
+
+    std::shared_ptr<const model::Scene> scene;
+    std::uint64_t revision;
+    behavior::SceneMotion motion;
+};
 
 /// The result of the work, done on the thread that the document belongs to.
 template<class Action>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/ColumnRules.h"
 #include "app/python/ScriptSceneParts.h"
+#include "behavior/session/PoseKeeping.h"
 
 namespace crowd::app {
 
@@ -51,6 +52,19 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
             }
         });
     });
+}
+
+Result<int> ScriptScene::keepPose(const Population& shown, const behavior::SessionPose& pose)
+{
+    int people = 0;
+    const auto done = onDocument([&] {
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Keep the Pose")),
+                    [&](SceneEdit& open) { people = behavior::keepPose(open, shown, &pose); });
+    });
+    if (!done) {
+        return done.error();
+    }
+    return people;
 }
 
 } // namespace crowd::app

@@ -632,6 +632,9 @@ class Scene:
         """change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one each,
         in the order of ids. Raises Error, and changes nothing, for dead ids, wrong shapes and
         values that are not finite."""
+    def send(self, event: str, ids: Optional[Ids] = ..., *, number: float = ...) -> None:
+        """An event happens to those who play in the editor's window: to these, or to everybody.
+        Raises Error where nobody plays; without a window a Session is what plays."""
     @property
     def seats(self) -> Dict[Any, Any]:
         """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
@@ -806,6 +809,54 @@ class StrokeOutcome:
     @property
     def message(self) -> str:
         """Why nothing happened; empty otherwise."""
+
+
+class Session:
+    """A run of the simulation: people walk, rules fire. Never changes the scene by itself; edits
+    of the scene reach it at its next step. The same scene, edits, events and steps give the
+    same crowd."""
+    def __init__(self, scene: Scene) -> None:
+        """Begins where the scene is now. Where there are stages and somebody walks, what can be
+        walked on is found first, which takes seconds."""
+    @property
+    def scene(self) -> Scene:
+        """That it runs."""
+    def step(self, count: int = ...) -> None:
+        """So many steps on, each as long as the scene says (1/30 s where it says nothing)."""
+    def run(self, seconds: float) -> None:
+        """So long on, in whole steps."""
+    @property
+    def seconds(self) -> float:
+        """That it has run."""
+    @property
+    def steps(self) -> int:
+        """That it has made."""
+    def send(self, event: str, ids: Optional[Ids] = ..., *, number: float = ...) -> None:
+        """An event happens at the next step: to these, or to everybody. Raises Error for ids
+        that are dead, an empty name and a number that is not finite."""
+    def send_tagged(self, event: str, tag: Union[int, str], *, number: float = ...) -> None:
+        """To those who have a tag at that time; tag: its name, or its number from 0 to 63."""
+    @property
+    def fired(self) -> Dict[int, int]:
+        """How often each rule has fired, by its id; those that have not are left out."""
+    def take_log(self) -> list:
+        """(seconds, rule's id, individual's id) of what fired since the last call, at most some
+        thousand."""
+    @property
+    def problems(self) -> List[str]:
+        """What could not be followed or came to grief, in sentences."""
+    def __len__(self) -> int:
+        ...
+    @property
+    def ids(self) -> _Array:
+        """N uint32, ascending."""
+    def column(self, name: str) -> _Array:
+        """As Scene.column, but as everybody is after the last step."""
+    def keep_pose(self) -> int:
+        """Where everybody is now becomes where the scene has them: one undo step. How many
+        people stand or sit another way than before."""
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ...) -> Picture:
+        """As Scene.render, but as everybody is after the last step."""
 
 
 def register_brush(brush: _B, name: Optional[str] = ...) -> _B:

@@ -51,6 +51,8 @@ TYPES = [
 ARGUMENTS = {
     ("Scene", "remove", "ids"): "Ids",
     ("Scene", "change", "ids"): "Ids",
+    ("Scene", "send", "ids"): "Optional[Ids]",
+    ("Session", "send", "ids"): "Optional[Ids]",
     ("Scene", "set_environment", "environment"): "Union[str, Dict[str, Any]]",
     ("Scene", "stroke", "points"): "Array",
     ("Scene", "stroke", "brush"): "Union[Brush, Any]",
@@ -60,7 +62,7 @@ ARGUMENTS = {
     ("Scene", "remove_stage", "stage"): "Union[Stage, int]",
 }
 ERROR_DOC = "What is wrong, as the editor would say it. Nothing has changed."
-RESULTS = {("Scene", "render"): "Picture", ("Edit", "__enter__"): "Scene"}
+RESULTS = {("Scene", "render"): "Picture", ("Session", "render"): "Picture", ("Edit", "__enter__"): "Scene"}
 
 
 def typed(text):
@@ -239,6 +241,10 @@ What is wrong raises `crowdbrush.Error` with the message that the editor would s
 changes. `with scene.edit("name"):` makes one undo step of what is in it, or none at all when an
 exception leaves it. `Array` stands for whatever NumPy makes an array of; a single value stands for
 all individuals.
+
+`crowdbrush.Session(scene)` runs the crowd without a clock: `session.run(5)` lets people walk for five
+seconds, `session.send("clap", ids)` sends them an event. In the console `scene.send("clap")` goes to
+those who play in the window.
 
 *Script > Record Script* in the editor writes down as Python what is done by hand.
 

@@ -7,6 +7,21 @@
 
 namespace crowd::behavior {
 
+std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::string& problem)
+{
+    const SurfacePlan plan = SurfacePlan::of(scene);
+    if (!plan.isWorthwhile()) {
+        return nullptr;
+    }
+    WalkSurface::Progress progress;
+    auto built = WalkSurface::build(plan, progress);
+    if (!built) {
+        problem = built.error().message;
+        return nullptr;
+    }
+    return built.value();
+}
+
 SceneMotion::SceneMotion(const model::Scene& scene)
     : m_scene(scene),
       m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates))
@@ -14,16 +29,7 @@ SceneMotion::SceneMotion(const model::Scene& scene)
     if (!scene.hasBehaviour()) {
         return;
     }
-    const SurfacePlan plan = SurfacePlan::of(scene);
-    if (plan.isWorthwhile()) {
-        WalkSurface::Progress progress;
-        auto built = WalkSurface::build(plan, progress);
-        if (built) {
-            m_surface = built.value();
-        } else {
-            m_surfaceProblem = built.error().message;
-        }
-    }
+    m_surface = surfaceOf(scene, m_surfaceProblem);
     begin();
 }
 

@@ -8,6 +8,11 @@
 
 namespace crowd::behavior {
 
+/// What can be walked on in a scene; null: open ground, or `problem` says why it could not be
+/// found. Takes seconds for large stages.
+[[nodiscard]] std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene,
+                                                           std::string& problem);
+
 /// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
 /// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
 class SceneMotion

@@ -46,6 +46,7 @@ private Q_SLOTS:
     void filesRunWithTheScene();
     void anExceptionInAnEditTakesItBack();
     void otherScenesOpenBesideTheWindows();
+    void eventsReachThoseWhoPlay();
     void closingStopsTheScript();
 
 private:
@@ -287,6 +288,23 @@ void ConsoleTest::otherScenesOpenBesideTheWindows()
     QVERIFY(run(QStringLiteral("crowdbrush.open('builtin:scenes/theatre.crowd')")));
     QCOMPARE(people(), std::size_t{2});
     QVERIFY2(!output().contains(QStringLiteral("Error")), qPrintable(output()));
+}
+
+void ConsoleTest::eventsReachThoseWhoPlay()
+{
+    QVERIFY(
+        run(QStringLiteral("scene.set_environment({'rules': [{'id': 1, 'when': {'kind': 'event', "
+                           "'event': 'show'}, 'do': [{'kind': 'tag', 'tag': 5}]}]})")));
+    QVERIFY(run(QStringLiteral("scene.send('show')")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("press play first")), kPatienceMs);
+    widgets::SessionControl& session = m_window->state().session();
+    m_window->state().transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(session.isRunning(), kPatienceMs);
+    QVERIFY(run(QStringLiteral("scene.send('show', scene.ids[:1])")));
+    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{1}, kPatienceMs);
+    QVERIFY(run(QStringLiteral("scene.send('show')")));
+    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{3}, kPatienceMs);
+    session.stop();
 }
 
 void ConsoleTest::closingStopsTheScript()

@@ -8,10 +8,10 @@
 
 #include <QtCore/QMetaObject>
 
+#include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/document/SceneEdit.h"
-#include "widgets/state/PoseKeeping.h"
 
 namespace crowd::widgets {
 
@@ -388,13 +388,7 @@ bool SessionControl::keepPose()
     const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
     m_isKeepingPose = true;
     auto edit = m_document.beginEdit();
-    const int people = keepPlaces(*edit, shown->population);
-    if (pose && pose->looks) {
-        keepLooks(*edit, *pose->looks);
-    }
-    if (pose && pose->numbers) {
-        keepNumbers(*edit, *pose->numbers);
-    }
+    const int people = behavior::keepPose(*edit, shown->population, pose.get());
     const bool isKept = edit->commit(tr("Keep the pose of %n individual(s)", nullptr, people));
     m_isKeepingPose = false;
     m_player->adopt(m_document.scene(), true);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/state/PoseKeeping.h"
+#include "behavior/session/PoseKeeping.h"
 
 #include <map>
 #include <optional>
 #include <utility>
 
-namespace crowd::widgets {
+namespace crowd::behavior {
 
 namespace keys = model::columns;
-using behavior::SetLook;
 
 namespace {
 
@@ -46,8 +45,7 @@ void keepSet(model::SceneEdit& edit, const std::vector<SetLook>& looks, model::C
     kept.write(edit, key);
 }
 
-} // namespace
-
+/// How many people are elsewhere, or look another way.
 int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
 {
     const model::Population before = edit.scene().population;
@@ -97,13 +95,13 @@ void keepLooks(model::SceneEdit& edit, const std::vector<SetLook>& looks)
     keepSet(edit, looks, keys::phase, [](const SetLook& look) { return look.phase; });
 }
 
-void keepNumbers(model::SceneEdit& edit, const std::vector<behavior::OwnNumber>& numbers)
+void keepNumbers(model::SceneEdit& edit, const std::vector<OwnNumber>& numbers)
 {
     const model::Population& people = edit.scene().population;
     std::vector<model::NumberName> kept = edit.scene().numbers;
     for (model::NumberName& named : kept) {
         std::map<model::IndividualId, float> values(named.values.begin(), named.values.end());
-        for (const behavior::OwnNumber& own : numbers) {
+        for (const OwnNumber& own : numbers) {
             if (own.number == named.id) {
                 values[own.id] = own.value;
             }
@@ -116,4 +114,18 @@ void keepNumbers(model::SceneEdit& edit, const std::vector<behavior::OwnNumber>&
     edit.setNumbers(std::move(kept));
 }
 
-} // namespace crowd::widgets
+} // namespace
+
+int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose)
+{
+    const int people = keepPlaces(edit, shown);
+    if (pose != nullptr && pose->looks) {
+        keepLooks(edit, *pose->looks);
+    }
+    if (pose != nullptr && pose->numbers) {
+        keepNumbers(edit, *pose->numbers);
+    }
+    return people;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "app/python/Binding.h"
+#include "app/python/ColumnArrays.h"
+#include "app/python/ColumnRules.h"
+#include "app/python/ScriptSession.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+/// An edit of the scene has reached it when it is used. Only the scene needs Python's lock.
+ScriptSession& upToDate(ScriptSession& session)
+{
+    session.follow();
+    return session;
+}
+
+void makeSteps(ScriptSession& session, std::int64_t count)
+{
+    if (count < 0) {
+        throw ScriptError("count is the number of steps, 0 or more.");
+    }
+    upToDate(session);
+    for (std::int64_t i = 0; i < count; ++i) {
+        {
+            const py::gil_scoped_release others;
+            session.step();
+        }
+        if (PyErr_CheckSignals() != 0) {
+            throw py::error_already_set();
+        }
+    }
+}
+
+void runFor(ScriptSession& session, double seconds)
+{
+    constexpr double kMost = 1e6;
+    if (!(seconds >= 0.0 && seconds <= kMost)) {
+        throw ScriptError("seconds is from 0 to 1 000 000.");
+    }
+    makeSteps(session, std::llround(seconds * session.stepsPerSecond()));
+}
+
+std::uint8_t tagNamed(const Scene& scene, const std::variant<int, std::string>& tag)
+{
+    constexpr int kTags = 64;
+    if (const int* bit = std::get_if<int>(&tag)) {
+        if (*bit < 0 || *bit >= kTags) {
+            throw ScriptError("A tag is a number from 0 to 63 or the name of one.");
+        }
+        return static_cast<std::uint8_t>(*bit);
+    }
+    const auto& name = std::get<std::string>(tag);
+    const auto found = std::ranges::find(scene.tags, name, &TagName::name);
+    if (found == scene.tags.end()) {
+        throw ScriptError("There is no tag \"" + name + "\" in the scene.");
+    }
+    return found->bit;
+}
+
+void sendEvent(ScriptSession& session, const std::string& event, const py::object& ids,
+               float number)
+{
+    upToDate(session);
+    const ScriptEvent made = eventOf(*session.scene()->scene(), event, ids, number);
+    session.send(made.name, made.number, made.ids);
+}
+
+void sendTagged(ScriptSession& session, const std::string& event,
+                const std::variant<int, std::string>& tag, float number)
+{
+    upToDate(session);
+    const auto scene = session.scene()->scene();
+    const ScriptEvent made = eventOf(*scene, event, py::none(), number);
+    session.sendTagged(made.name, made.number, tagNamed(*scene, tag));
+}
+
+py::list takeLog(ScriptSession& session)
+{
+    py::list log;
+    for (const behavior::RuleFired& fired : session.takeLog()) {
+        log.append(py::make_tuple(fired.seconds, fired.rule, fired.who));
+    }
+    return log;
+}
+
+py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
+                      const std::string& look)
+{
+    return pictureOf(*session.scene(), {width, height}, camera, look, session.seconds(),
+                     upToDate(session).frame());
+}
+
+using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
+
+void bindTime(SessionClass& session)
+{
+    session
+        .def(py::init<ScenePtr>(), py::arg("scene"),
+             "Begins where the scene is now. Where there are stages and somebody walks, what can "
+             "be walked on is found first, which takes seconds.")
+        .def_property_readonly(
+            "scene", [](const ScriptSession& s) { return s.scene(); }, "That it runs.")
+        .def("step", &makeSteps, py::arg("count") = 1,
+             "So many steps on, each as long as the scene says (1/30 s where it says nothing).")
+        .def("run", &runFor, py::arg("seconds"), "So long on, in whole steps.")
+        .def_property_readonly(
+            "seconds", [](const ScriptSession& s) { return s.seconds(); }, "That it has run.")
+        .def_property_readonly(
+            "steps", [](const ScriptSession& s) { return s.steps(); }, "That it has made.");
+}
+
+void bindEvents(SessionClass& session)
+{
+    session
+        .def("send", &sendEvent, py::arg("event"), py::arg("ids") = py::none(), py::kw_only(),
+             py::arg("number") = 0.0F,
+             "An event happens at the next step: to these, or to everybody. Raises Error for ids "
+             "that are dead, an empty name and a number that is not finite.")
+        .def("send_tagged", &sendTagged, py::arg("event"), py::arg("tag"), py::kw_only(),
+             py::arg("number") = 0.0F,
+             "To those who have a tag at that time; tag: its name, or its number from 0 to 63.")
+        .def_property_readonly(
+            "fired", [](const ScriptSession& s) { return s.fired(); },
+            "How often each rule has fired, by its id; those that have not are left out.")
+        .def("take_log", &takeLog,
+             "(seconds, rule's id, individual's id) of what fired since the last call, at most "
+             "some thousand.")
+        .def_property_readonly(
+            "problems", [](const ScriptSession& s) { return s.problems(); },
+            "What could not be followed or came to grief, in sentences.");
+}
+
+void bindPeople(SessionClass& session)
+{
+    session.def("__len__", [](ScriptSession& s) { return upToDate(s).frame()->population.size(); })
+        .def_property_readonly(
+            "ids",
+            [](ScriptSession& s) { return columnArray(upToDate(s).frame()->population, "id"); },
+            "N uint32, ascending.")
+        .def(
+            "column",
+            [](ScriptSession& s, const std::string& name) {
+                return columnArray(upToDate(s).frame()->population, name);
+            },
+            py::arg("name"), "As Scene.column, but as everybody is after the last step.")
+        .def(
+            "keep_pose", [](ScriptSession& s) { return valueOrRaise(s.keepPose()); },
+            "Where everybody is now becomes where the scene has them: one undo step. How many "
+            "people stand or sit another way than before.")
+        .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
+             py::arg("camera") = CameraKey(), py::arg("look") = "lit",
+             "As Scene.render, but as everybody is after the last step.");
+}
+
+} // namespace
+
+ScriptEvent eventOf(const Scene& scene, const std::string& name, const py::object& ids,
+                    float number)
+{
+    if (name.empty()) {
+        throw ScriptError("An event needs a name.");
+    }
+    if (!std::isfinite(number)) {
+        throw ScriptError("The number of event \"" + name + "\" is not finite.");
+    }
+    ScriptEvent event{name, number, {}};
+    if (ids.is_none()) {
+        const auto all = scene.population.ids();
+        event.ids.assign(all.begin(), all.end());
+        return event;
+    }
+    std::vector<std::size_t> order;
+    event.ids = idsFrom(scene, ids, order);
+    valueOrRaise(checkAlive(scene, event.ids));
+    return event;
+}
+
+void bindSession(py::module_& module)
+{
+    SessionClass session(module, "Session",
+                         "A run of the simulation: people walk, rules fire. Never changes the "
+                         "scene by itself; edits of the scene reach it at its next step. The same "
+                         "scene, edits, events and steps give the same crowd.");
+    bindTime(session);
+    bindEvents(session);
+    bindPeople(session);
+}
+
+} // namespace crowd::app
