@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "widgets/docks/BrushFormParts.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+using model::BrushSettings;
+using model::ValueRange;
+
+/// Names of all slots of the scene's templates, each once; the first is empty: all tintable.
+std::vector<std::string> slotNames(const model::Scene& scene)
+{
+    std::vector<std::string> names{std::string()};
+    std::set<std::string> known;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
+            if (known.insert(entry.asset->slots[i].name).second) {
+                names.push_back(entry.asset->slots[i].name);
+            }
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+void addColour(BrushForm& form, const EditorState& state)
+{
+    const std::vector<std::string> names = slotNames(state.scene());
+    QStringList texts{BrushForm::tr("All tintable")};
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        texts << QString::fromStdString(names[i]);
+    }
+    form.beginSection(BrushForm::tr("Paint"), QStringLiteral("paint"));
+    form.addChoice(
+        BrushForm::tr("Slot"), texts,
+        [names](const BrushSettings& s) {
+            const auto found = std::ranges::find(names, s.colour.slot);
+            return found == names.end() ? 0 : static_cast<int>(found - names.begin());
+        },
+        [names](BrushSettings& s, int i) { s.colour.slot = names[static_cast<std::size_t>(i)]; });
+    addFloat(form, BrushForm::tr("Strength"), kPercent, 100.0,
+             [](BrushSettings& s) -> float& { return s.colour.strength; });
+    addFlag(
+        form, BrushForm::tr("Blend the colours"),
+        BrushForm::tr("Also what lies between the colours, not only one of them"),
+        [](BrushSettings& s) -> bool& { return s.colour.blends; }, isRandom);
+    addFlag(
+        form, BrushForm::tr("Each slot its own"),
+        BrushForm::tr("Another colour for each slot of a person"),
+        [](BrushSettings& s) -> bool& { return s.colour.eachSlotApart; }, isRandom);
+}
+
+void addAnimation(BrushForm& form)
+{
+    form.beginSection(BrushForm::tr("Clips (none: as they are)"), QStringLiteral("clips"));
+    form.addClips([](BrushSettings & s) -> auto& { return s.animation.clips; });
+    form.beginSection(BrushForm::tr("Timing"), QStringLiteral("timing"));
+    addFlag(form, BrushForm::tr("Change the phase"), {},
+            [](BrushSettings& s) -> bool& { return s.animation.setsPhase; });
+    form.addRange(
+        BrushForm::tr("Phase"), {0.0, 1.0, 0.05, 2, {}, false},
+        [](BrushSettings& s) -> ValueRange& { return s.animation.phase; },
+        [](const BrushSettings& s) { return s.animation.setsPhase; });
+    addFlag(form, BrushForm::tr("Change the speed"), {},
+            [](BrushSettings& s) -> bool& { return s.animation.setsSpeed; });
+    form.addRange(
+        BrushForm::tr("Speed"), {0.0, 4.0, 0.05, 2, {}, false},
+        [](BrushSettings& s) -> ValueRange& { return s.animation.speed; },
+        [](const BrushSettings& s) { return s.animation.setsSpeed; });
+}
+
+} // namespace crowd::widgets
