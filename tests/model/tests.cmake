@@ -17,10 +17,14 @@ crowd_add_tests(ROOM model
     tst_CollectAssets
     tst_Environment
     tst_GltfAssets
+    tst_GltfClips
     tst_GltfDraco
     tst_GltfFuzz
     tst_GltfHostile
     tst_GltfImport
+    tst_GltfMaterials
+    tst_GltfMeshes
+    tst_GltfSkins
     tst_GltfSpecClips
     tst_GltfSpecFiles
     tst_GltfSpecMeshes

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include "model/bake/ClipBaker.h"
-#include "model/gltf/GltfImport.h"
+#include "tests/model/GltfFolder.h"
 #include "tests/model/GltfSamples.h"
 #include "tests/program/Test.h"
 
@@ -40,17 +39,7 @@ private Q_SLOTS:
     void acceptsSkeletonRoots();
 
 private:
-    TemplatePtr load(const GltfBuilder& builder)
-    {
-        const Result<TemplatePtr> asset =
-            importTemplate(writeFile(m_folder.filePath(QStringLiteral("test.glb")), builder.glb()));
-        if (!asset) {
-            qFatal("%s", asset.error().message.c_str());
-        }
-        return asset.value();
-    }
-
-    QTemporaryDir m_folder;
+    GltfFolder m_folder;
 };
 
 namespace {
@@ -82,7 +71,8 @@ glm::vec3 xAt(const Template& asset, float seconds)
 void tst_GltfSpecClips::interpolatesLinearly()
 {
     // It comes back, so that this is no motion of the root.
-    const TemplatePtr asset = load(moving("translation", {0, 1, 4}, {0, 0, 0, 2, 4, 6, 0, 0, 0}));
+    const TemplatePtr asset =
+        m_folder.load(moving("translation", {0, 1, 4}, {0, 0, 0, 2, 4, 6, 0, 0, 0}));
     QVERIFY(near(originAt(*asset, 0.5F), {1, 2, 3}));
     QVERIFY(near(originAt(*asset, 2.5F), {1, 2, 3}));
     QVERIFY(near(originAt(*asset, 1.0F), {2, 4, 6}));
@@ -90,7 +80,8 @@ void tst_GltfSpecClips::interpolatesLinearly()
 
 void tst_GltfSpecClips::interpolatesInSteps()
 {
-    const TemplatePtr asset = load(moving("scale", {0, 1, 2}, {1, 1, 1, 2, 1, 1, 3, 1, 1}, "STEP"));
+    const TemplatePtr asset =
+        m_folder.load(moving("scale", {0, 1, 2}, {1, 1, 1, 2, 1, 1, 3, 1, 1}, "STEP"));
     QVERIFY(near(xAt(*asset, 0.99F), {1, 0, 0}));
     QVERIFY(near(xAt(*asset, 1.0F), {2, 0, 0}));
     QVERIFY(near(xAt(*asset, 1.99F), {2, 0, 0}));
@@ -100,9 +91,9 @@ void tst_GltfSpecClips::interpolatesInSteps()
 void tst_GltfSpecClips::interpolatesCubically()
 {
     // In-tangent, value, out-tangent of each of two keys, two seconds apart.
-    const TemplatePtr moved =
-        load(moving("translation", {1, 3}, {9, 9, 9, 0, 0, 0, 0, 3, 0, 0, 1, 0, 0, 2, 0, 9, 9, 9},
-                    "CUBICSPLINE"));
+    const TemplatePtr moved = m_folder.load(
+        moving("translation", {1, 3}, {9, 9, 9, 0, 0, 0, 0, 3, 0, 0, 1, 0, 0, 2, 0, 9, 9, 9},
+               "CUBICSPLINE"));
     QCOMPARE(moved->clips[0].startSeconds, 1.0F);
     for (const float at : {0.0F, 0.5F, 1.0F, 1.7F, 2.0F}) {
         const float t = at / 2.0F;
@@ -113,15 +104,15 @@ void tst_GltfSpecClips::interpolatesCubically()
     }
     const float half = std::sqrt(0.5F);
     const TemplatePtr turned =
-        load(moving("rotation", {0, 1},
-                    {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, half, half, 0, 0, 0, 0},
-                    "CUBICSPLINE"));
+        m_folder.load(moving("rotation", {0, 1}, {0, 0, 0, 0, 0, 0, 0,    1,    0, 0, 0, 0,
+                                                  0, 0, 0, 0, 0, 0, half, half, 0, 0, 0, 0},
+                             "CUBICSPLINE"));
     QVERIFY(near(xAt(*turned, 0.0F), {1, 0, 0}));
     QVERIFY(near(xAt(*turned, 0.5F), {half, half, 0}));
     QVERIFY(near(xAt(*turned, 1.0F), {0, 1, 0}));
     // A single key has nothing between.
     const TemplatePtr still =
-        load(moving("translation", {2}, {9, 9, 9, 4, 5, 6, 9, 9, 9}, "CUBICSPLINE"));
+        m_folder.load(moving("translation", {2}, {9, 9, 9, 4, 5, 6, 9, 9, 9}, "CUBICSPLINE"));
     QVERIFY(near(originAt(*still, 0.0F), {4, 5, 6}));
 }
 
@@ -129,7 +120,8 @@ void tst_GltfSpecClips::turnsTheShorterWay()
 {
     const float half = std::sqrt(0.5F);
     // The second is a quarter turn about Z with all signs turned over.
-    const TemplatePtr asset = load(moving("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half}));
+    const TemplatePtr asset =
+        m_folder.load(moving("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half}));
     QVERIFY(near(xAt(*asset, 0.5F), {half, half, 0}));
     QVERIFY(near(xAt(*asset, 1.0F), {0, 1, 0}));
 }
@@ -146,7 +138,7 @@ void tst_GltfSpecClips::readsRotationsAsFractions()
             "animations",
             {{"samplers", {{{"input", times}, {"output", values}}}},
              {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}});
-        QVERIFY(near(xAt(*load(builder), 0.0F), {0, 1, 0}));
+        QVERIFY(near(xAt(*m_folder.load(builder), 0.0F), {0, 1, 0}));
     }
 }
 
@@ -159,7 +151,7 @@ void tst_GltfSpecClips::holdsTheEnds()
     Json& clip = builder.root["animations"][0];
     clip["samplers"].push_back({{"input", times}, {"output", values}});
     clip["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "scale"}}}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->clips[0].seconds, 5.0F);
     QVERIFY(near(originAt(*asset, 0.0F), {0, 1, 0}));
     QVERIFY(near(originAt(*asset, 1.5F), {0, 1.5F, 0}));
@@ -183,7 +175,7 @@ void tst_GltfSpecClips::bakesClipsWithoutLength()
     std::vector<float> values(static_cast<std::size_t>(keys) * 3, 0.0F);
     values[keys == 3 ? 4 : 1] = 2.0F;
     const TemplatePtr asset =
-        load(moving("translation", {0.75F}, values, interpolation.toLatin1().constData()));
+        m_folder.load(moving("translation", {0.75F}, values, interpolation.toLatin1().constData()));
     const Clip& clip = asset->clips[0];
     QCOMPARE(clip.seconds, 0.0F);
     QVERIFY(clip.keyframeCount() >= 1);
@@ -210,7 +202,7 @@ void tst_GltfSpecClips::movesSeveralSkeletonsAtOnce()
         "animations",
         {{"samplers", {{{"input", times}, {"output", man}}, {{"input", times}, {"output", horse}}}},
          {"channels", {channel(0, 2), channel(1, 4)}}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->jointCount, 4);
     const std::vector<glm::vec3> p = posed(*asset, 0, 1.0F);
     QVERIFY(near(p[1], {1, 3, 0}));
@@ -231,12 +223,12 @@ void tst_GltfSpecClips::ignoresChannelsThatMoveNothing()
           Json{{"node", 0}, {"path", "soul"}}}) {
         clip["channels"].push_back({{"sampler", 0}, {"target", target}});
     }
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->clips[0].channels.size(), std::size_t{1});
     QVERIFY(near(originAt(*asset, 1.0F), {0, 1, 0}));
     // A clip may have none at all.
     clip["channels"] = Json::array();
-    QCOMPARE(load(builder)->clips[0].seconds, 0.0F);
+    QCOMPARE(m_folder.load(builder)->clips[0].seconds, 0.0F);
 }
 
 void tst_GltfSpecClips::ignoresTheSkinnedNodesOwnPlace()
@@ -247,7 +239,7 @@ void tst_GltfSpecClips::ignoresTheSkinnedNodesOwnPlace()
     builder.root["nodes"][2]["children"] = {0};
     builder.root["scenes"][0]["nodes"] = {1};
     animate(builder, {{"name", "float"}}, 0, "translation", {0, 1}, {0, 0, 0, 0, 9, 0});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, 0, 1.0F);
     QVERIFY(near(p[0], {0, 0, 0}) && near(p[1], {1, 1, 0}) && near(p[2], {0, 1.75F, 0}));
     QCOMPARE(asset->levels.front().indices, (std::vector<std::uint32_t>{0, 1, 2}));
@@ -264,7 +256,7 @@ void tst_GltfSpecClips::takesJointsFromAnywhere()
                              {{"name", "head"}, {"translation", {7, 0, 0}}}};
     builder.root["skins"][0]["joints"] = {3, 2};
     builder.root["scenes"][0]["nodes"] = {0};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
     QVERIFY(near(p[0], {7, 0, 0}) && near(p[1], {1, 0, 6}));
     QVERIFY(near(p[2], {0.25F * 7, 1, 0.75F * 6}));
@@ -272,14 +264,14 @@ void tst_GltfSpecClips::takesJointsFromAnywhere()
     // The skinned node as a joint of its own skin.
     builder.root["skins"][0]["joints"] = {0, 3};
     builder.root["nodes"][0]["translation"] = {0, 2, 0};
-    QVERIFY(near(posed(*load(builder), -1, 0.0F)[1], {8, 2, 0}));
+    QVERIFY(near(posed(*m_folder.load(builder), -1, 0.0F)[1], {8, 2, 0}));
 }
 
 void tst_GltfSpecClips::keepsUnskinnedUsesOfSkinnedMeshes()
 {
     GltfBuilder builder = skinned();
     builder.root["nodes"][0].erase("skin");
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QVERIFY(near(posed(*asset, -1, 0.0F)[1], {51, 0, 0}));
     QCOMPARE(asset->jointCount, 0);
     // And a skin on a mesh that follows no joints.
@@ -287,7 +279,7 @@ void tst_GltfSpecClips::keepsUnskinnedUsesOfSkinnedMeshes()
     stiff.root["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {2, 0, 0}}},
                            {{"name", "joint"}}};
     stiff.add("skins", {{"joints", {1}}});
-    QVERIFY(near(posed(*load(stiff), -1, 0.0F)[1], {3, 0, 0}));
+    QVERIFY(near(posed(*m_folder.load(stiff), -1, 0.0F)[1], {3, 0, 0}));
 }
 
 void tst_GltfSpecClips::drawsASkinForEachOfItsNodes()
@@ -295,7 +287,7 @@ void tst_GltfSpecClips::drawsASkinForEachOfItsNodes()
     GltfBuilder builder = skinned();
     builder.add("nodes", {{"mesh", 0}, {"skin", 0}, {"translation", {3, 3, 3}}});
     builder.root["scenes"][0]["nodes"] = {0, 1, 3};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
     QCOMPARE(p.size(), std::size_t{6});
     QVERIFY(near(p[1], p[4]) && near(p[1], {1, 1, 0}));
@@ -310,7 +302,7 @@ void tst_GltfSpecClips::readsInverseBindMatrices()
         {1, 0, 0, 0, 0, 1,  0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 2, 0, 0,
          0, 0, 2, 0, 0, -2, 0, 1, 5, 0, 0, 0, 0, 5, 0, 0, 0, 0, 5, 0, 0, 0, 0, 1},
         "MAT4");
-    const std::vector<glm::vec3> p = posed(*load(builder), -1, 0.0F);
+    const std::vector<glm::vec3> p = posed(*m_folder.load(builder), -1, 0.0F);
     QVERIFY(near(p[0], {0, 0, 0}) && near(p[1], {2, -1, 0}));
 }
 
@@ -323,7 +315,7 @@ void tst_GltfSpecClips::readsJointsOfEverySize()
     attributes["WEIGHTS_0"] = builder.accessor<std::uint16_t>(
         {65535, 0, 0, 0, 65535, 0, 0, 0, 16384, 49151, 0, 0}, "VEC4");
     builder.root["accessors"][attributes["WEIGHTS_0"].get<std::size_t>()]["normalized"] = true;
-    const std::vector<glm::vec3> p = posed(*load(builder), -1, 0.0F);
+    const std::vector<glm::vec3> p = posed(*m_folder.load(builder), -1, 0.0F);
     QVERIFY(near(p[1], {1, 1, 0}));
     QVERIFY(glm::length(p[2] - glm::vec3(0, 1.75F, 0)) < 1e-4F);
 }
@@ -336,7 +328,7 @@ void tst_GltfSpecClips::ignoresInfluencesPastTheFourthSet()
         attributes["JOINTS_" + std::to_string(set)] = attributes["JOINTS_0"];
         attributes["WEIGHTS_" + std::to_string(set)] = attributes["WEIGHTS_0"];
     }
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->levels.front().influencesPerVertex, 16);
     QVERIFY(near(posed(*asset, -1, 0.0F)[2], {0, 1.75F, 0}));
 }
@@ -345,7 +337,7 @@ void tst_GltfSpecClips::turnsMirroredSkinsOver()
 {
     GltfBuilder builder = skinned();
     builder.root["nodes"][1]["scale"] = {-1, 1, 1};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
     const std::vector<std::uint32_t>& i = asset->levels.front().indices;
     QVERIFY(near(p[1], {-1, 1, 0}));
@@ -357,7 +349,7 @@ void tst_GltfSpecClips::acceptsSkeletonRoots()
     GltfBuilder builder = skinned();
     for (const int root : {0, 1, 2}) {
         builder.root["skins"][0]["skeleton"] = root;
-        QVERIFY(near(posed(*load(builder), -1, 0.0F)[1], {1, 1, 0}));
+        QVERIFY(near(posed(*m_folder.load(builder), -1, 0.0F)[1], {1, 1, 0}));
     }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <QtCore/QBuffer>
 #include <QtCore/QDir>
-#include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
 #include <QtGui/QImageWriter>
 #include <QtTest/QTest>
 
 #include "model/gltf/GltfImport.h"
+#include "tests/model/GltfFolder.h"
 #include "tests/model/GltfSamples.h"
 #include "tests/program/Test.h"
 
@@ -46,16 +46,7 @@ private:
         return importTemplate(writeFile(m_folder.filePath(name), content));
     }
 
-    TemplatePtr load(const GltfBuilder& builder)
-    {
-        const Result<TemplatePtr> asset = read(builder.glb(), QStringLiteral("test.glb"));
-        if (!asset) {
-            qFatal("%s", asset.error().message.c_str());
-        }
-        return asset.value();
-    }
-
-    QTemporaryDir m_folder;
+    GltfFolder m_folder;
 };
 
 namespace {
@@ -266,7 +257,7 @@ void tst_GltfSpecFiles::decodesPicturesOfEveryKind()
     GltfBuilder builder = textured();
     addImage(builder, bytes, "image/wrong"); // what it says of itself does not count
     builder.add("textures", {{"source", 0}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QVERIFY2(asset->warnings.empty(), asset->warnings.empty() ? "" : asset->warnings[0].c_str());
     QCOMPARE(imageOf(asset), 0);
     const Image& image = asset->images[0];
@@ -311,7 +302,7 @@ void tst_GltfSpecFiles::showsThePictureThatItCan()
     }
     builder.root["extensionsUsed"] = {name};
     builder.add("textures", texture);
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(imageOf(asset), image);
     QCOMPARE(asset->images.size(), static_cast<std::size_t>(image + 1));
     QCOMPARE(asset->warnings.size(), static_cast<std::size_t>(warnings));
@@ -325,7 +316,7 @@ void tst_GltfSpecFiles::usesPlainPicturesBeforeOthers()
     addImage(builder, encoded(picture(), "webp"), "image/webp");
     builder.add("textures",
                 {{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(imageOf(asset), 0);
     QCOMPARE(asset->warnings.size(), std::size_t{1});
 }
@@ -341,7 +332,7 @@ void tst_GltfSpecFiles::acceptsExtensionsThatAreNotDemanded()
                               "/meshes/0/primitives/0", "/bufferViews/0"}) {
         builder.root[Json::json_pointer(std::string(place) + "/extensions")] = extension;
     }
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->levels.front().triangleCount(), std::size_t{1});
     QCOMPARE(asset->warnings.size(), std::size_t{1});
     QVERIFY(asset->warnings[0].starts_with("KHR_animation_pointer is not read"));
@@ -383,7 +374,7 @@ void tst_GltfSpecFiles::acceptsDemandedExtensions()
     GltfBuilder builder = GltfBuilder::triangle();
     builder.root["extensionsUsed"] = {name.toStdString()};
     builder.root["extensionsRequired"] = {name.toStdString()};
-    QVERIFY(load(builder)->warnings.empty());
+    QVERIFY(m_folder.load(builder)->warnings.empty());
 }
 
 void tst_GltfSpecFiles::refusesUnknownDemands_data()
@@ -415,7 +406,7 @@ void tst_GltfSpecFiles::readsUnlitAndGlowingMaterials()
                                {{"KHR_materials_unlit", Json::object()},
                                 {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
     primitive(builder)["material"] = 0;
-    const MaterialChoice choice = load(builder)->slots.front().choices.front();
+    const MaterialChoice choice = m_folder.load(builder)->slots.front().choices.front();
     QVERIFY(choice.unlit);
     QCOMPARE(choice.emissive, glm::vec3(4, 2, 0));
 }
@@ -428,7 +419,7 @@ void tst_GltfSpecFiles::readsTheOtherWorkflow()
     const Json diffuse = {{"diffuseFactor", {0.5, 0.25, 1, 1}}, {"diffuseTexture", {{"index", 0}}}};
     builder.root["materials"][0] = {
         {"extensions", {{"KHR_materials_pbrSpecularGlossiness", diffuse}}}};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->slots.front().choices.front().baseColor, glm::vec4(0.5F, 0.25F, 1, 1));
     QCOMPARE(imageOf(asset), 0);
 }
@@ -442,9 +433,9 @@ void tst_GltfSpecFiles::warnsOfVariantsWithOtherCoordinates()
     builder.root["extensions"]["KHR_materials_variants"] = {{"variants", {{{"name", "night"}}}}};
     primitive(builder)["extensions"]["KHR_materials_variants"] = {
         {"mappings", {{{"material", 1}, {"variants", {0}}}}}};
-    QVERIFY(load(builder)->warnings.empty());
+    QVERIFY(m_folder.load(builder)->warnings.empty());
     builder.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->slots.front().choices[1].image, 0);
     QCOMPARE(asset->warnings.size(), std::size_t{1});
     QVERIFY(asset->warnings[0].find("variant \"night\"") != std::string::npos);

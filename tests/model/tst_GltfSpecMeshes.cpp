@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include "model/gltf/GltfImport.h"
+#include "tests/model/GltfFolder.h"
 #include "tests/model/GltfSamples.h"
 #include "tests/program/Test.h"
 
@@ -41,21 +41,7 @@ private Q_SLOTS:
     void toleratesExtrasOfEveryKind();
 
 private:
-    TemplatePtr load(const GltfBuilder& builder)
-    {
-        const Result<TemplatePtr> asset = importTemplate(save(builder));
-        if (!asset) {
-            qFatal("%s", asset.error().message.c_str());
-        }
-        return asset.value();
-    }
-
-    std::string save(const GltfBuilder& builder)
-    {
-        return writeFile(m_folder.filePath(QStringLiteral("test.glb")), builder.glb());
-    }
-
-    QTemporaryDir m_folder;
+    GltfFolder m_folder;
 };
 
 namespace {
@@ -92,7 +78,7 @@ void tst_GltfSpecMeshes::interleavesAttributes()
         attributes[name] = accessor;
         offset += 12;
     }
-    const Mesh mesh = load(builder)->levels.front();
+    const Mesh mesh = m_folder.load(builder)->levels.front();
     QCOMPARE(mesh.positions, kTriangle);
     QCOMPARE(mesh.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
     QCOMPARE(mesh.uv, (std::vector<glm::vec2>{{0.5F, 0.25F}, {0, 0.75F}, {1, 1}}));
@@ -108,7 +94,7 @@ void tst_GltfSpecMeshes::readsSparseValuesOverDenseOnes()
         const int values = builder.view<float>({9, 9, 9, 8, 8, 8});
         Json& positions = accessorAt(builder, primitive(builder)["attributes"]["POSITION"]);
         positions["sparse"] = sparse(2, at, type, values);
-        const Mesh mesh = load(builder)->levels.front();
+        const Mesh mesh = m_folder.load(builder)->levels.front();
         QCOMPARE(mesh.positions, (std::vector<glm::vec3>{{9, 9, 9}, {1, 0, 0}, {8, 8, 8}}));
     }
 }
@@ -119,7 +105,7 @@ void tst_GltfSpecMeshes::readsSparseIndices()
     const int at = builder.view<std::uint8_t>({0, 1});
     const int values = builder.view<std::uint16_t>({1, 2});
     accessorAt(builder, primitive(builder)["indices"])["sparse"] = sparse(2, at, 5121, values);
-    QCOMPARE(load(builder)->levels.front().indices, (std::vector<std::uint32_t>{1, 2, 2}));
+    QCOMPARE(m_folder.load(builder)->levels.front().indices, (std::vector<std::uint32_t>{1, 2, 2}));
 }
 
 void tst_GltfSpecMeshes::readsQuantisedMeshes()
@@ -139,7 +125,7 @@ void tst_GltfSpecMeshes::readsQuantisedMeshes()
     attributes["WEIGHTS_0"] =
         builder.accessor<std::uint8_t>({255, 0, 0, 0, 255, 0, 0, 0, 51, 204, 0, 0}, "VEC4");
     accessorAt(builder, attributes["WEIGHTS_0"])["normalized"] = true;
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const Mesh& mesh = asset->levels.front();
     QCOMPARE(mesh.positions, (std::vector<glm::vec3>{{0, 0, 0}, {200, 0, 0}, {0, 100, 0}}));
     QCOMPARE(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}}));
@@ -152,11 +138,11 @@ void tst_GltfSpecMeshes::readsVertexColoursOfEveryKind()
     GltfBuilder builder = GltfBuilder::triangle();
     Json& color = primitive(builder)["attributes"]["COLOR_0"];
     color = builder.accessor<float>({1, 0.5F, 0, 0.25F, 2, -1, 0, 1, 0, 0, 0, 0}, "VEC4");
-    QCOMPARE(load(builder)->levels.front().colors,
+    QCOMPARE(m_folder.load(builder)->levels.front().colors,
              (std::vector<glm::u8vec4>{{255, 128, 0, 64}, {255, 0, 0, 255}, {0, 0, 0, 0}}));
     color = builder.accessor<std::uint8_t>({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, "VEC4");
     accessorAt(builder, color)["normalized"] = true;
-    QCOMPARE(load(builder)->levels.front().colors,
+    QCOMPARE(m_folder.load(builder)->levels.front().colors,
              (std::vector<glm::u8vec4>{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}));
 }
 
@@ -171,9 +157,10 @@ void tst_GltfSpecMeshes::readsTheSetOfCoordinatesThatTheTextureNames()
     attributes["TEXCOORD_0"] = builder.accessor<float>({9, 9, 9, 9, 9, 9}, "VEC2");
     attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
     attributes["TEXCOORD_2"] = builder.accessor<float>({1, 2, 3, 4, 5, 6}, "VEC2");
-    QCOMPARE(load(builder)->levels.front().uv, (std::vector<glm::vec2>{{1, 2}, {3, 4}, {5, 6}}));
+    QCOMPARE(m_folder.load(builder)->levels.front().uv,
+             (std::vector<glm::vec2>{{1, 2}, {3, 4}, {5, 6}}));
     attributes.erase("TEXCOORD_2");
-    QCOMPARE(load(builder)->levels.front().uv, std::vector<glm::vec2>(3, glm::vec2(0)));
+    QCOMPARE(m_folder.load(builder)->levels.front().uv, std::vector<glm::vec2>(3, glm::vec2(0)));
 }
 
 void tst_GltfSpecMeshes::skipsPointsAndLines()
@@ -186,7 +173,7 @@ void tst_GltfSpecMeshes::skipsPointsAndLines()
         primitives.push_back(other);
     }
     primitives.push_back({{"attributes", Json::object()}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->levels.front().triangleCount(), std::size_t{2});
     QCOMPARE(asset->slots.size(), std::size_t{1});
     QCOMPARE(asset->warnings.size(), std::size_t{1});
@@ -211,7 +198,7 @@ void tst_GltfSpecMeshes::keepsMorphsAtTheirRestingWeights()
                 {{"name", "smile"},
                  {"samplers", {{{"input", times}, {"output", weights}}}},
                  {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const Mesh& mesh = asset->levels.front();
     QCOMPARE(mesh.positions[1], glm::vec3(1, 1, 0));
     QCOMPARE(mesh.normals[1], glm::vec3(0, 0, -1));
@@ -232,7 +219,7 @@ void tst_GltfSpecMeshes::readsMorphsThatAreSparse()
     accessorAt(builder, zeros)["sparse"] = sparse(1, at, 5121, values);
     primitive(builder)["targets"] = {{{"POSITION", zeros}}};
     builder.root["meshes"][0]["weights"] = {0.25};
-    QCOMPARE(load(builder)->levels.front().positions,
+    QCOMPARE(m_folder.load(builder)->levels.front().positions,
              (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}}));
 }
 
@@ -260,8 +247,9 @@ void tst_GltfSpecMeshes::readsScenesOfEveryShape()
     builder.root.erase("scene");
     builder.root.erase("scenes");
     builder.root.update(Json::parse(scenes.toStdString()));
-    QCOMPARE(load(builder)->levels.front().triangleCount(), static_cast<std::size_t>(triangles));
-    const Result<StagePtr> stage = importStage(save(builder));
+    QCOMPARE(m_folder.load(builder)->levels.front().triangleCount(),
+             static_cast<std::size_t>(triangles));
+    const Result<StagePtr> stage = importStage(m_folder.save(builder));
     QVERIFY2(stage.isOk(), stage ? "" : stage.error().message.c_str());
     QCOMPARE(stage.value()->triangleCount(), static_cast<std::size_t>(triangles));
 }
@@ -310,7 +298,7 @@ void tst_GltfSpecMeshes::ignoresCamerasAndLights()
     builder.add("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
     builder.root["scenes"][0]["nodes"] = {0, 1};
     builder.root["scenes"][0]["extensions"] = {{"KHR_xmp_json_ld", {{"packet", 0}}}};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     QCOMPARE(asset->levels.front().triangleCount(), std::size_t{1});
     QVERIFY(asset->warnings.empty());
 }
@@ -322,7 +310,7 @@ void tst_GltfSpecMeshes::drawsAMeshForEachOfItsNodes()
                              {{"mesh", 0}, {"translation", {1, 0, 0}}},
                              {{"mesh", 0}, {"scale", {2, 2, 2}}}};
     builder.root["scenes"][0]["nodes"] = {0, 2};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
     QCOMPARE(p.size(), std::size_t{9});
     QVERIFY(near(p[0], {1, 0, 0}) && near(p[3], {2, 0, 0}) && near(p[7], {2, 0, 0}));
@@ -341,7 +329,7 @@ void tst_GltfSpecMeshes::drawsAMeshForEachInstance()
     accessorAt(builder, turns)["normalized"] = true;
     Json& extension = builder.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"];
     extension["attributes"] = {{"TRANSLATION", places}, {"SCALE", sizes}, {"ROTATION", turns}};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     const std::vector<glm::vec3> p = posed(*asset, -1, 0.0F);
     QCOMPARE(p.size(), std::size_t{6});
     QVERIFY(near(p[1], {1, 10, 0}));
@@ -349,7 +337,7 @@ void tst_GltfSpecMeshes::drawsAMeshForEachInstance()
     QVERIFY(near(p[5], {5, 9, 0}));
     for (const Json& wrong : {Json(99), Json("x"), Json(places + 100), Json(0.5)}) {
         extension["attributes"]["TRANSLATION"] = wrong;
-        const Result<TemplatePtr> refused = importTemplate(save(builder));
+        const Result<TemplatePtr> refused = importTemplate(m_folder.save(builder));
         QVERIFY(!refused.isOk());
         QVERIFY2(refused.error().message.find("nodes[0].extensions.EXT_mesh_gpu_instancing") !=
                      std::string::npos,
@@ -367,7 +355,7 @@ void tst_GltfSpecMeshes::shearsUnderScaledParents()
     const double angle = std::atan(1.0) / 2.0;
     builder.root["nodes"] = {{{"scale", {4, 1, 1}}, {"children", {1}}},
                              {{"mesh", 0}, {"rotation", {0, 0, std::sin(angle), std::cos(angle)}}}};
-    const TemplatePtr asset = load(builder);
+    const TemplatePtr asset = m_folder.load(builder);
     Pose pose;
     evaluatePose(*asset, -1, 0.0F, pose);
     std::vector<glm::vec3> p(3);
@@ -393,7 +381,7 @@ void tst_GltfSpecMeshes::turnsOverOnlyWhatIsMirroredOddly()
         builder.root["nodes"] = {
             {{"scale", {row.parent.x, row.parent.y, row.parent.z}}, {"children", {1}}},
             {{"mesh", 0}, {"scale", {row.own.x, row.own.y, row.own.z}}}};
-        const TemplatePtr asset = load(builder);
+        const TemplatePtr asset = m_folder.load(builder);
         const Mesh& mesh = asset->levels.front();
         Pose pose;
         evaluatePose(*asset, -1, 0.0F, pose);
@@ -415,7 +403,7 @@ void tst_GltfSpecMeshes::readsNodesAsMatrices()
     builder.root["nodes"] = {
         {{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1}}, {"children", {1}}},
         {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1}}}};
-    const std::vector<glm::vec3> p = posed(*load(builder), -1, 0.0F);
+    const std::vector<glm::vec3> p = posed(*m_folder.load(builder), -1, 0.0F);
     QVERIFY(near(p[0], {3, 0, 0}));
     QVERIFY(near(p[1], {3, 1, 0}));
     QVERIFY(near(p[2], {2, 0.5F, 0}));
@@ -431,7 +419,7 @@ void tst_GltfSpecMeshes::readsDeepTrees()
     }
     builder.root["nodes"].back()["children"] = {2};
     builder.root["nodes"][1]["children"] = {3};
-    const std::vector<glm::vec3> p = posed(*load(builder), -1, 0.0F);
+    const std::vector<glm::vec3> p = posed(*m_folder.load(builder), -1, 0.0F);
     QVERIFY(glm::length(p[1] - glm::vec3(1, 4, 0)) < 1e-3F);
 }
 
@@ -451,10 +439,10 @@ void tst_GltfSpecMeshes::toleratesExtrasOfEveryKind()
               "/animations/0/channels/0/extras", "/animations/0/samplers/0/extras"}) {
             builder.root[Json::json_pointer(place)] = extras;
         }
-        const TemplatePtr asset = load(builder);
+        const TemplatePtr asset = m_folder.load(builder);
         QCOMPARE(asset->slots[0].name, std::string("cloth"));
         QCOMPARE(asset->clips[0].seconds, 1.0F);
-        QVERIFY(importStage(save(builder)).isOk());
+        QVERIFY(importStage(m_folder.save(builder)).isOk());
     }
 }
 

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <QtCore/QBuffer>
+#include <QtGui/QImage>
+#include <QtTest/QTest>
+
+#include "tests/model/GltfFolder.h"
+#include "tests/model/GltfSamples.h"
+#include "tests/program/Test.h"
+
+using namespace crowd::model;
+using namespace gltf_samples;
+
+class tst_GltfMaterials : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void makesSlotsOfMaterials();
+    void offersVariantsAsChoices();
+    void readsTexturesWithTheirTransform();
+
+private:
+    GltfFolder m_folder;
+};
+
+void tst_GltfMaterials::makesSlotsOfMaterials()
+{
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.root["materials"] = {
+        {{"name", "unused"}},
+        {{"name", "cloth"}, {"extras", {{"slot", "top"}}}, {"doubleSided", true}},
+        {{"name", "face"}, {"extras", {{"slot", "skin"}, {"tintable", false}}}},
+        {{"name", "cloth far"}, {"extras", {{"slot", "top"}}}, {"doubleSided", true}},
+        {{"name", "face"},
+         {"alphaMode", "MASK"},
+         {"alphaCutoff", 0.25},
+         {"emissiveFactor", {1, 0, 0.5}},
+         {"extensions", {{"KHR_materials_unlit", Json::object()}}},
+         {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 0.75}}}}},
+        {{"name", "face"}}};
+    const Json attributes = primitive(builder)["attributes"];
+    builder.root["meshes"][0]["primitives"] = Json::array();
+    for (const int material : {5, 4, 3, 2, 1, -1}) {
+        Json part{{"attributes", attributes}};
+        if (material >= 0) {
+            part["material"] = material;
+        }
+        builder.root["meshes"][0]["primitives"].push_back(part);
+    }
+    const TemplatePtr asset = m_folder.load(builder);
+    std::vector<std::string> names;
+    for (const Slot& slot : asset->slots) {
+        names.push_back(slot.name);
+    }
+    QCOMPARE(names, (std::vector<std::string>{"top", "skin", "face", "face 2", "default"}));
+    QVERIFY(asset->slots[0].tintable && !asset->slots[1].tintable);
+    QVERIFY(asset->slots[0].choices[0].doubleSided);
+    const MaterialChoice& face = asset->slots[2].choices.front();
+    QCOMPARE(face.baseColor, glm::vec4(0.5F, 0.25F, 1.0F, 0.75F));
+    QCOMPARE(face.alphaMode, AlphaMode::Mask);
+    QCOMPARE(face.alphaCutoff, 0.25F);
+    QCOMPARE(face.emissive, glm::vec3(1.0F, 0.0F, 0.5F));
+    QVERIFY(face.unlit);
+    std::vector<int> used;
+    for (const Submesh& submesh : asset->levels.front().submeshes) {
+        used.push_back(submesh.slot);
+    }
+    QCOMPARE(used, (std::vector<int>{3, 2, 0, 1, 0, 4}));
+}
+
+void tst_GltfMaterials::offersVariantsAsChoices()
+{
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.root["extensions"] = {
+        {"KHR_materials_variants", {{"variants", {{{"name", "day"}}, {{"name", "night"}}}}}}};
+    builder.root["materials"] = {{{"name", "a"}}, {{"name", "b"}, {"doubleSided", true}}};
+    primitive(builder)["material"] = 0;
+    primitive(builder)["extensions"] = {
+        {"KHR_materials_variants", {{"mappings", {{{"material", 1}, {"variants", {1}}}}}}}};
+    const TemplatePtr asset = m_folder.load(builder);
+    QCOMPARE(asset->slots.size(), std::size_t{1});
+    QCOMPARE(asset->slots[0].choices.size(), std::size_t{2});
+    QCOMPARE(asset->slots[0].choices[1].name, std::string("night"));
+    QVERIFY(asset->slots[0].choices[1].doubleSided && !asset->slots[0].choices[0].doubleSided);
+}
+
+void tst_GltfMaterials::readsTexturesWithTheirTransform()
+{
+    QImage picture(2, 1, QImage::Format_RGBA8888);
+    picture.setPixelColor(0, 0, QColor(10, 20, 30, 40));
+    picture.setPixelColor(1, 0, QColor(255, 0, 0));
+    QByteArray png;
+    QBuffer buffer(&png);
+    QVERIFY(picture.save(&buffer, "PNG"));
+    GltfBuilder builder = GltfBuilder::triangle();
+    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
+    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    builder.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
+    builder.add("textures", {{"source", 0}, {"sampler", 0}});
+    const double quarter = std::numbers::pi / 2.0;
+    const Json transform = {
+        {"KHR_texture_transform",
+         {{"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"rotation", quarter}, {"texCoord", 1}}}};
+    const Json texture = {{"index", 0}, {"extensions", transform}};
+    builder.add("materials", {{"name", "m"},
+                              {"extras", {{"tintMask", 0}}},
+                              {"pbrMetallicRoughness", {{"baseColorTexture", texture}}}});
+    primitive(builder)["material"] = 0;
+    primitive(builder)["attributes"]["TEXCOORD_1"] =
+        builder.accessor<float>({0, 0, 1, 0, 0, 1}, "VEC2");
+    const TemplatePtr asset = m_folder.load(builder);
+    QCOMPARE(asset->images.size(), std::size_t{1});
+    QCOMPARE(asset->images[0].rgba, (std::vector<std::uint8_t>{10, 20, 30, 40, 255, 0, 0, 255}));
+    const MaterialChoice& choice = asset->slots[0].choices[0];
+    QCOMPARE(choice.image, 0);
+    QCOMPARE(choice.tintMask, 0);
+    QCOMPARE(choice.wrapU, Wrap::Clamp);
+    QCOMPARE(choice.wrapV, Wrap::Mirror);
+    QVERIFY(choice.nearest);
+    const std::array<float, 6> expected{0, 3, 0.5F, -2, 0, 0.25F};
+    for (std::size_t i = 0; i < 6; ++i) {
+        QVERIFY(std::abs(choice.uvTransform[i] - expected[i]) < 1e-6F);
+    }
+    QCOMPARE(asset->levels.front().uv[1], glm::vec2(1, 0));
+}
+
+CROWD_TEST(tst_GltfMaterials)
+#include "tst_GltfMaterials.moc"
