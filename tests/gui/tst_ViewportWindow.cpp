@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include <QtGui/QCursor>
 #include <QtGui/QImage>
 #include <QtGui/QPointingDevice>
 #include <QtGui/QTabletEvent>
@@ -11,6 +12,7 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
 #include "tests/gui/Studio.h"
@@ -53,6 +55,7 @@ private Q_SLOTS:
     void quickClicksAllPaint();
     void paintsAtOnceAfterTypingElsewhere();
     void keysAreTheBrushsOverThePicture();
+    void spacePlaysOverThePictureWhateverListHasTheFocus();
     void penPressureReachesTheBrush();
     void survivesANewContext();
     void rightButtonOpensThePaletteAndItChoosesTools();
@@ -171,6 +174,43 @@ void TestViewportWindow::keysAreTheBrushsOverThePicture()
     studio.edit->setFocus();
     QApplication::sendEvent(studio.view, &enter);
     QVERIFY(studio.edit->hasFocus());
+}
+
+/// Of a list that was opened over the picture, or of a tree of names: nobody moves the pointer to
+/// the picture, it is there.
+void TestViewportWindow::spacePlaysOverThePictureWhateverListHasTheFocus()
+{
+    Studio studio;
+    QVERIFY(studio.isReady());
+    auto* list = new QComboBox(&studio.window);
+    list->addItems({QStringLiteral("One"), QStringLiteral("Two")});
+    studio.layout->addWidget(list);
+    list->show();
+    const auto& transport = studio.state.transport();
+    QCursor::setPos(studio.view->mapToGlobal(kCenter));
+    QTRY_COMPARE(QCursor::pos(), studio.view->mapToGlobal(kCenter));
+    list->setFocus();
+    QTest::keyClick(studio.window.windowHandle(), Qt::Key_Space);
+    QVERIFY(studio.view->hasFocus());
+    QVERIFY(transport.isPlaying());
+    // Away from the picture it is the list's.
+    QCursor::setPos(list->mapToGlobal(list->rect().center()));
+    QTRY_COMPARE(QCursor::pos(), list->mapToGlobal(list->rect().center()));
+    list->setFocus();
+    QTest::keyClick(studio.window.windowHandle(), Qt::Key_Space);
+    QVERIFY(transport.isPlaying());
+    list->hidePopup();
+    // Names that can be edited take texts only while they are.
+    auto* names = new QTreeWidget(&studio.window);
+    studio.layout->addWidget(names);
+    auto* item = new QTreeWidgetItem(names, {QStringLiteral("Path 1")});
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    names->show();
+    names->setFocus();
+    names->setCurrentItem(item);
+    QEnterEvent enter(kCenter, kCenter, studio.view->mapToGlobal(kCenter));
+    QApplication::sendEvent(studio.view, &enter);
+    QVERIFY(studio.view->hasFocus());
 }
 
 void TestViewportWindow::penPressureReachesTheBrush()

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void middleAndAltNavigateWithAnyTool();
     void escapeGoesBackToTheViewBefore();
     void spaceTappedPlaysAndHeldNavigates();
+    void spaceWithAModifierIsTheWindows();
     void orbitStaysAboveTheGround();
     void wheelGoesTowardsThePointUnderTheCursor();
     void flyingNeedsItsModeForKeys();
@@ -494,6 +495,20 @@ void TestToolController::spaceTappedPlaysAndHeldNavigates()
     QVERIFY(hand.state.transport().isPlaying());
 }
 
+void TestToolController::spaceWithAModifierIsTheWindows()
+{
+    Hand hand;
+    hand.hover(kCenter);
+    QVERIFY(hand.tools.claimsKey(Qt::Key_Space, Qt::NoModifier));
+    QVERIFY(!hand.tools.claimsKey(Qt::Key_Space, Qt::ControlModifier));
+    QVERIFY(!hand.tools.claimsKey(Qt::Key_Space, Qt::ShiftModifier));
+    QVERIFY(!hand.key(Qt::Key_Space, Qt::ControlModifier));
+    QVERIFY(!hand.state.transport().isPlaying());
+    // Held already, it stays the tool's whatever else is pressed.
+    hand.tools.keyDown({Qt::Key_Space, Qt::NoModifier, false, hand.now()});
+    QVERIFY(hand.tools.claimsKey(Qt::Key_Space, Qt::ControlModifier));
+}
+
 void TestToolController::orbitStaysAboveTheGround()
 {
     Hand hand;
@@ -556,14 +571,14 @@ void TestToolController::keysDoNothingElseInTheMiddleOfADrag()
     const auto ids = testing::addPeople(hand.document, 3);
     hand.state.selection().set(ids);
     hand.press(kCenter);
-    QVERIFY(hand.tools.claimsKey(Qt::Key_Delete));
+    QVERIFY(hand.tools.claimsKey(Qt::Key_Delete, Qt::NoModifier));
     hand.key(Qt::Key_Delete);
     hand.key(Qt::Key_Z, Qt::ControlModifier);
     hand.key(Qt::Key_V);
     QVERIFY(hand.tools.isDragging());
     QVERIFY(hand.document.scene().population.size() >= 3);
     hand.release(kCenter);
-    QVERIFY(!hand.tools.claimsKey(Qt::Key_Delete));
+    QVERIFY(!hand.tools.claimsKey(Qt::Key_Delete, Qt::NoModifier));
 }
 
 void TestToolController::lateEventsNeverTurnTimeBack()

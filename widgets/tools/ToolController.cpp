@@ -63,9 +63,9 @@ Tool& ToolController::activeTool() const
     return *m_tools[static_cast<std::size_t>(m_state.tool())];
 }
 
-bool ToolController::claimsKey(int key) const
+bool ToolController::claimsKey(int key, Qt::KeyboardModifiers modifiers) const
 {
-    return m_session || key == Qt::Key_Space;
+    return m_session || (key == Qt::Key_Space && (m_isSpaceHeld || modifiers == Qt::NoModifier));
 }
 
 ToolInput ToolController::monotonic(ToolInput input)

@@ -36,7 +36,7 @@ public:
     /// A frame is wanted: a session runs, or the preview under the cursor is out of date.
     [[nodiscard]] bool needsTick() const { return m_session || m_isPreviewStale; }
     /// Whether the viewport takes a key before any shortcut of the window does.
-    [[nodiscard]] bool claimsKey(int key) const;
+    [[nodiscard]] bool claimsKey(int key, Qt::KeyboardModifiers modifiers) const;
 
     void press(const ToolInput& input);
     void move(const ToolInput& input);

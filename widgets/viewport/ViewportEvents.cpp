@@ -8,7 +8,11 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QTabletEvent>
 #include <QtGui/QWheelEvent>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+
+#include "widgets/tools/ToolKeys.h"
 
 /// The translation of the window system's events into tool input, and nothing else.
 namespace crowd::widgets {
@@ -44,6 +48,21 @@ std::uint8_t modifiersOf(Qt::KeyboardModifiers modifiers)
 KeyInput keyOf(const QKeyEvent& event)
 {
     return {event.key(), event.modifiers(), event.isAutoRepeat(), secondsOf(event)};
+}
+
+/// Of the hand that does not hold the mouse: play, look around, more and less.
+bool isHandKey(const QKeyEvent& event)
+{
+    const KeyInput input = keyOf(event);
+    return (input.key == Qt::Key_Space && input.modifiers == Qt::NoModifier) ||
+           numberSteps(input) != 0;
+}
+
+/// A list of names is no text, though its names can be edited: then a field has the focus.
+bool takesText(const QWidget& widget)
+{
+    return widget.testAttribute(Qt::WA_InputMethodEnabled) &&
+           qobject_cast<const QAbstractItemView*>(&widget) == nullptr;
 }
 
 } // namespace
@@ -86,6 +105,7 @@ void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const ToolInput input = inputOf(*event, 1.0);
+    takeKeys();
     m_tools.move(input);
     if (m_tools.isHandsFree()) {
         keepPointerInside(input);
@@ -140,10 +160,12 @@ void ViewportWidget::keepPointerInside(const ToolInput& input)
 
 bool ViewportWidget::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride &&
-        m_tools.claimsKey(static_cast<QKeyEvent*>(event)->key())) {
-        event->accept(); // comes back as a key press instead of a shortcut
-        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (m_tools.claimsKey(key.key(), key.modifiers())) {
+            event->accept(); // comes back as a key press instead of a shortcut
+            return true;
+        }
     }
     return QOpenGLWidget::event(event);
 }
@@ -151,7 +173,7 @@ bool ViewportWidget::event(QEvent* event)
 void ViewportWidget::keyPressEvent(QKeyEvent* event)
 {
     // During a drag all keys are the tool's, also those that mean nothing to it.
-    const bool isClaimed = m_tools.claimsKey(event->key());
+    const bool isClaimed = m_tools.claimsKey(event->key(), event->modifiers());
     if (!m_tools.keyDown(keyOf(*event)) && !isClaimed) {
         QOpenGLWidget::keyPressEvent(event);
     }
@@ -164,16 +186,40 @@ void ViewportWidget::keyReleaseEvent(QKeyEvent* event)
     }
 }
 
+/// Keys that mean something to a list with the focus are the brush's while the pointer is over the
+/// picture, even if it has not moved since the list was left.
+bool ViewportWidget::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey =
+        event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (!isKey || !isHandKey(*static_cast<QKeyEvent*>(event)) || hasFocus()) {
+        return QOpenGLWidget::eventFilter(watched, event);
+    }
+    const auto* list = qobject_cast<QComboBox*>(watched);
+    const QPoint pointer = QCursor::pos();
+    if (list == nullptr || !list->hasFocus() || QApplication::activePopupWidget() != nullptr ||
+        !rect().contains(mapFromGlobal(pointer)) || QApplication::widgetAt(pointer) != this) {
+        return QOpenGLWidget::eventFilter(watched, event);
+    }
+    takeKeys();
+    return hasFocus() && QApplication::sendEvent(this, event);
+}
+
 /// Over the picture keys are the brush's, also after a choice from a list, which would keep `+` and
 /// `-` to itself; only who types a text goes on typing.
+void ViewportWidget::takeKeys()
+{
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused != nullptr && focused != this && focused->window() == window() &&
+        !takesText(*focused)) {
+        setFocus(Qt::MouseFocusReason);
+    }
+}
+
 void ViewportWidget::enterEvent(QEnterEvent* event)
 {
     QOpenGLWidget::enterEvent(event);
-    const QWidget* focused = QApplication::focusWidget();
-    if (focused != nullptr && focused != this && focused->window() == window() &&
-        !focused->testAttribute(Qt::WA_InputMethodEnabled)) {
-        setFocus(Qt::MouseFocusReason);
-    }
+    takeKeys();
 }
 
 void ViewportWidget::leaveEvent(QEvent* event)

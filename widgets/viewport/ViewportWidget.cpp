@@ -7,6 +7,7 @@
 
 #include <QtCore/QEvent>
 #include <QtGui/QOpenGLContext>
+#include <QtWidgets/QApplication>
 
 #include "render/Renderer.h"
 #include "widgets/tools/ScriptPainter.h"
@@ -59,6 +60,7 @@ ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
     setMouseTracking(true);
     setTabletTracking(true);
     setAcceptDrops(false); // the main window takes what is dropped
+    QApplication::instance()->installEventFilter(this);
     m_sinceInput.start();
     m_sincePublished.start();
     m_sinceSwap.start();

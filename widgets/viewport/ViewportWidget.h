@@ -65,6 +65,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -96,6 +97,7 @@ private:
     void markPeople(const model::CrowdFrame& frame);
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const QString& problem);
+    void takeKeys();
     void keepPointerInside(const ToolInput& input);
     [[nodiscard]] render::RenderInput renderInput();
     [[nodiscard]] ToolInput inputOf(const QSinglePointEvent& event, double pressure);
