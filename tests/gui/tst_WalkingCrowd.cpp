@@ -8,6 +8,7 @@
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/state/Cues.h"
+#include "widgets/tools/BrushTool.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -93,6 +94,7 @@ class TestWalkingCrowd : public QObject
 private Q_SLOTS:
     void aPathIsPaintedPlaceByPlace();
     void placesAreMovedResizedAndDeleted();
+    void keysResizeTheSelectedPlaces();
     void paintWalkPlayStopAndKeep();
     void brushesReachPeopleWhoWalk();
     void anEventMakesPeopleRun();
@@ -168,6 +170,39 @@ void TestWalkingCrowd::placesAreMovedResizedAndDeleted()
     studio.document.undoStack().undo();
     studio.document.undoStack().undo();
     QCOMPARE(studio.document.scene().places[0], before);
+}
+
+void TestWalkingCrowd::keysResizeTheSelectedPlaces()
+{
+    Studio studio(ground());
+    QVERIFY(studio.isReady());
+    paintPath(studio);
+    key(studio, Qt::Key_V);
+    const std::vector<model::Place> before = studio.document.scene().places;
+    const int steps = studio.document.undoStack().count();
+    key(studio, Qt::Key_Plus); // none is selected
+    QCOMPARE(studio.document.undoStack().count(), steps);
+    studio.state.paths().select({before[0].id, before[2].id});
+    key(studio, Qt::Key_Plus);
+    const auto& places = studio.document.scene().places;
+    model::BrushSettings brush = studio.state.brush(model::BrushKind::Path);
+    brush.place.radiusMetres = before[0].radius;
+    QCOMPARE(places[0].radius, steppedMainNumber(brush, 1).place.radiusMetres);
+    QCOMPARE(places[1], before[1]);
+    QVERIFY(places[2].radius > before[2].radius);
+    QCOMPARE(studio.document.undoStack().count(), steps + 1);
+    key(studio, Qt::Key_Minus);
+    key(studio, Qt::Key_Minus);
+    QVERIFY(places[0].radius < before[0].radius);
+    for (int i = 0; i < 3; ++i) {
+        studio.document.undoStack().undo();
+    }
+    QCOMPARE(places, before);
+    // The path brush goes on sizing the next place.
+    key(studio, Qt::Key_P);
+    key(studio, Qt::Key_Plus);
+    QCOMPARE(places, before);
+    QVERIFY(studio.state.brush(model::BrushKind::Path) != brush);
 }
 
 void TestWalkingCrowd::paintWalkPlayStopAndKeep()

@@ -10,6 +10,8 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "widgets/state/BrushTexts.h"
+#include "widgets/tools/BrushTool.h"
 
 namespace crowd::widgets {
 
@@ -209,6 +211,26 @@ std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput
         context.queries.picker(input.pointer.shownSeconds).surfaceAt(input.pointer.pixels());
     const bool isGround = hit && hit->normal.y > kLeastUpright;
     return isGround ? std::optional<glm::vec3>(hit->point) : std::nullopt;
+}
+
+void resizePlaces(EditorState& state, int steps)
+{
+    if (state.document().isEditOpen()) {
+        return;
+    }
+    const std::vector<model::PlaceId> places = state.paths().places();
+    model::BrushSettings size = state.brush(model::BrushKind::Path);
+    auto edit = state.document().beginEdit();
+    for (const model::PlaceId id : places) {
+        model::Place place = *state.scene().findPlace(id);
+        size.place.radiusMetres = place.radius;
+        size = steppedMainNumber(size, steps);
+        place.radius = size.place.radiusMetres;
+        edit->changePlace(place);
+    }
+    edit->commit(places.size() == 1 ? PlaceHandlesText::tr("Resize a place")
+                                    : PlaceHandlesText::tr("Resize places"));
+    state.showStatus(mainNumberText(size));
 }
 
 void makePathOfPlaces(EditorState& state)

@@ -31,6 +31,8 @@ struct PlaceHit
 [[nodiscard]] std::optional<glm::vec3> groundUnder(const ToolContext& context,
                                                    const ToolInput& input);
 
+/// The selected places become larger or smaller, in the steps of the path brush: one undo step.
+void resizePlaces(EditorState& state, int steps);
 /// A path over the selected places, which is the current one from then on.
 void makePathOfPlaces(EditorState& state);
 

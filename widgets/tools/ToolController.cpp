@@ -7,6 +7,7 @@
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/tools/FlySession.h"
+#include "widgets/tools/PlaceHandles.h"
 #include "widgets/tools/PlaceTool.h"
 #include "widgets/tools/SelectTool.h"
 #include "widgets/tools/ToolKeys.h"
@@ -308,6 +309,11 @@ bool ToolController::runShortcut(const KeyInput& input)
     }
     if (const int steps = numberSteps(input); steps != 0 && brush != nullptr) {
         changeBrush(steppedMainNumber(*brush, steps), true);
+        return true;
+    }
+    if (const int steps = numberSteps(input);
+        steps != 0 && brush == nullptr && !m_state.paths().places().empty()) {
+        resizePlaces(m_state, steps);
         return true;
     }
     return m_hasShortcuts && runStateKey(m_state, input);
