@@ -44,8 +44,8 @@ void WallField::setWalls(std::span<const Wall> walls, float reach)
     std::ranges::copy_if(walls, std::back_inserter(usable), isUsable);
     for (const Wall& wall : usable) {
         const float length = glm::distance(wall.a, wall.b);
-        m_pieces.push_back(
-            {wall.a, (wall.b - wall.a) / length, glm::vec2(0.0F), length, wall.low, wall.high});
+        m_pieces.push_back({wall.a, (wall.b - wall.a) / length, glm::vec2(0.0F), length, wall.low,
+                            wall.high, wall.isOneSided});
     }
     addCorners(usable);
     layOut(reach);

@@ -18,6 +18,9 @@ struct Wall
     glm::vec2 b{0.0F};
     float low = -1e9F;
     float high = 1e9F;
+    /// Stops only who comes from the side that (-z, x) of its way from a to b points to. Whoever is
+    /// on the other side, behind it, gets past.
+    bool isOneSided = false;
 };
 
 /// What of a wall can be nearest to a body: its side, or a corner where sides meet. Kept apart so
@@ -30,6 +33,13 @@ struct WallPiece
     float length = 0.0F;    ///< of the side; 0: a corner
     float low = 0.0F;
     float high = 0.0F;
+    bool isOneSided = false; ///< of a side: see Wall
+
+    /// Whether somebody so far away from the side is behind it.
+    [[nodiscard]] bool letsOut(float awayX, float awayZ) const
+    {
+        return isOneSided && awayX * -along.y + awayZ * along.x < 0.0F;
+    }
 };
 
 /// All walls, found by where one stands. Immutable between setWalls(); read on any thread.

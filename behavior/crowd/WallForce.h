@@ -40,7 +40,7 @@ struct WallPull
         float awayX = 0.0F;
         float awayZ = 0.0F;
         if (self.y < piece.low || self.y > piece.high ||
-            !awayFrom(piece, self.x, self.z, awayX, awayZ)) {
+            !awayFrom(piece, self.x, self.z, awayX, awayZ) || piece.letsOut(awayX, awayZ)) {
             continue;
         }
         const float distance = std::sqrt(std::max(awayX * awayX + awayZ * awayZ, kSmallest));
@@ -63,7 +63,8 @@ inline void keepOutOfWalls(const WallField& walls, const BodyPlace& self, float&
         const WallPiece& piece = walls.piece(index);
         float awayX = 0.0F;
         float awayZ = 0.0F;
-        if (self.y < piece.low || self.y > piece.high || !awayFrom(piece, x, z, awayX, awayZ)) {
+        if (self.y < piece.low || self.y > piece.high || !awayFrom(piece, x, z, awayX, awayZ) ||
+            piece.letsOut(awayX, awayZ)) {
             continue;
         }
         const float squared = awayX * awayX + awayZ * awayZ;
@@ -83,7 +84,7 @@ inline void keepOutOfWalls(const WallField& walls, const BodyPlace& self, float&
         const float normalZ = piece.along.x;
         const float before = (self.x - piece.at.x) * normalX + (self.z - piece.at.y) * normalZ;
         const float after = (x - piece.at.x) * normalX + (z - piece.at.y) * normalZ;
-        if ((before > 0.0F) == (after > 0.0F)) {
+        if ((before > 0.0F) == (after > 0.0F) || (piece.isOneSided && before <= 0.0F)) {
             continue;
         }
         const float share = before / (before - after);

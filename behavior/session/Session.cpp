@@ -236,8 +236,8 @@ void Session::setWalls(const std::vector<model::Place>& places)
                 return glm::vec2(place.position.x, place.position.z) +
                        place.radius * glm::vec2(std::sin(angle), std::cos(angle));
             };
-            walls.push_back(
-                {corner(side), corner(side + 1), place.position.y - 1.0F, place.position.y + 2.0F});
+            walls.push_back({corner(side), corner(side + 1), place.position.y - 1.0F,
+                             place.position.y + 2.0F, true});
         }
     }
     m_crowd.setWalls(walls);
@@ -249,8 +249,7 @@ void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
     m_follower.setSurface(m_surface);
     m_crowd.setLevels(m_surface != nullptr);
     setWalls(m_places);
-    warnOfPlaces();
-    warnOfPaths();
+    warnOfWays();
 }
 
 void Session::send(const std::string& event, float payload,

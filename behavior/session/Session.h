@@ -198,6 +198,8 @@ private:
     void addPeople(const SessionPlan& plan);
     void addBodies();
     void setWalls(const std::vector<model::Place>& places);
+    void warnOfWays();
+    void warnOfWay(const Problem& problem);
     void warnOfPlaces();
     void warnOfPaths();
     void warnOfLeg(const model::Path& path, const model::Place& from, const model::Place& to);
@@ -262,6 +264,7 @@ private:
     std::shared_ptr<const std::vector<OwnNumber>> m_ownNumbers; ///< as of the last step
     bool m_hasSat = false; ///< somebody's seat is not the scene's
     std::vector<Problem> m_warnings;
+    std::vector<Problem> m_saidOfWays; ///< those of them that another surface may change
     std::uint32_t m_seed = 1;
     std::uint64_t m_steps = 0;
     std::uint32_t m_stepsPerSecond = 30;

@@ -73,8 +73,7 @@ void Session::adoptPaths(const model::Scene& scene)
     m_paths = scene.paths;
     m_warnings = m_follower.setPaths(m_places, m_paths);
     setWalls(m_places);
-    warnOfPlaces();
-    warnOfPaths();
+    warnOfWays();
 }
 
 /// People came or went.

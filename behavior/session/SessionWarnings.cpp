@@ -38,6 +38,23 @@ void Session::warn(Problem problem)
     }
 }
 
+/// As what can be walked on is now, in place of what was said of it before.
+void Session::warnOfWays()
+{
+    std::erase_if(m_warnings, [this](const Problem& problem) {
+        return std::ranges::find(m_saidOfWays, problem) != m_saidOfWays.end();
+    });
+    m_saidOfWays.clear();
+    warnOfPlaces();
+    warnOfPaths();
+}
+
+void Session::warnOfWay(const Problem& problem)
+{
+    m_saidOfWays.push_back(problem);
+    warn(problem);
+}
+
 /// Places that nobody can get to.
 void Session::warnOfPlaces()
 {
@@ -47,10 +64,11 @@ void Session::warnOfPlaces()
         const glm::vec3 below(place.position.x, 0.0F, place.position.z);
         if (!isOn && (m_surface->reaches(place.position, kSearchMetres) ||
                       m_surface->reaches(below, kSearchMetres))) {
-            warn({"Place \"" + place.name +
-                      "\" is not on ground that people can walk on; they go as near as they can. "
-                      "Move it.",
-                  0, place.id});
+            warnOfWay(
+                {"Place \"" + place.name +
+                     "\" is not on ground that people can walk on; they go as near as they can. "
+                     "Move it.",
+                 0, place.id});
         }
     }
 }
@@ -87,13 +105,15 @@ void Session::warnOfLeg(const model::Path& path, const model::Place& from, const
     const float straight = glm::distance(start, end);
     const float length = lengthOf(way, start);
     if (glm::distance(way.back(), end) > std::max(to.radius, kLeastReach)) {
-        warn({between + "no way leads; people go as near as they can. Move one of them, or lead "
-                        "the path around what is between.",
-              0, 0, path.id});
+        warnOfWay({between +
+                       "no way leads; people go as near as they can. Move one of them, or lead "
+                       "the path around what is between.",
+                   0, 0, path.id});
     } else if (way.size() > 1 && length > straight * kDetourShare &&
                length > straight + kDetourMetres) {
-        warn({between + "there is a wall; people go around it. Add places where they should go.", 0,
-              0, path.id});
+        warnOfWay({between + "something is in the way; people go around it. Add places where they "
+                             "should go.",
+                   0, 0, path.id});
     }
 }
 

@@ -43,8 +43,9 @@ std::vector<Wall> wallsOf(const rcPolyMesh& mesh, const model::SurfaceSettings& 
                 continue;
             }
             const glm::vec2 out = glm::vec2(along.y, -along.x) / length * settings.radius;
-            walls.push_back({glm::vec2(a.x, a.z) - out, glm::vec2(b.x, b.z) - out,
-                             std::min(a.y, b.y) - 1.0F, std::max(a.y, b.y) + 1.0F});
+            // Whoever stands beyond it may come back.
+            walls.push_back({glm::vec2(b.x, b.z) - out, glm::vec2(a.x, a.z) - out,
+                             std::min(a.y, b.y) - 1.0F, std::max(a.y, b.y) + 1.0F, true});
         }
     }
     return walls;

@@ -104,9 +104,14 @@ void TestProblems::aPathThroughAWallIsSaid()
     Session session(scene);
     session.setSurface(surfaceOf(scene));
     QCOMPARE(session.warnings().size(), std::size_t{1});
-    QVERIFY(
-        isSaid(session.warnings(), "between \"here\" and \"there\" there is a wall", ofPath(7)));
+    QVERIFY(isSaid(session.warnings(), "between \"here\" and \"there\" something is in the way",
+                   ofPath(7)));
     run(session, 30);
+    QCOMPARE(session.warnings().size(), std::size_t{1});
+    // Nor once the wall is gone, and again when it is back.
+    session.setSurface(nullptr);
+    QVERIFY(session.warnings().empty());
+    session.setSurface(surfaceOf(scene));
     QCOMPARE(session.warnings().size(), std::size_t{1});
     // It is said no more once the path leads around.
     model::Scene mended = scene;

@@ -92,6 +92,8 @@ private Q_SLOTS:
     void waysLeadAroundForbiddenGround();
     void waysPreferLikedGroundAndAvoidSlow();
     void obstaclesOnOpenGroundAreWalkedAround();
+    void whoIsInANewObstacleStepsOut_data();
+    void whoIsInANewObstacleStepsOut();
     void bodiesAndSlopesAreAsSet();
     void nothingToWalkOnIsSaid();
     void canBeCancelled();
@@ -233,6 +235,39 @@ void TestWalkSurface::obstaclesOnOpenGroundAreWalkedAround()
         QVERIFY(flatLength(shownAt(session)) > 3.8F);
     }
     QVERIFY(std::abs(shownAt(session).x - 9.0F) < 0.6F);
+}
+
+void TestWalkSurface::whoIsInANewObstacleStepsOut_data()
+{
+    QTest::addColumn<float>("ahead");
+    QTest::newRow("in its middle") << 0.0F;
+    QTest::newRow("where he came in") << 2.0F;
+    QTest::newRow("where he wants out") << -2.0F;
+}
+
+void TestWalkSurface::whoIsInANewObstacleStepsOut()
+{
+    QFETCH(const float, ahead);
+    model::Scene scene = walkerFrom({-9.0F, 0.0F, 0.0F}, {12.0F, 0.0F, 0.0F});
+    Session session(scene);
+    for (int step = 0; step < 30 * 5; ++step) {
+        session.step();
+    }
+    const float middle = shownAt(session).x + ahead;
+    scene.places.push_back(area(2, middle, 0.0F, 2.5F, model::PlaceRole::Obstacle));
+    session.adopt(scene);
+    session.setSurface(surfaceOf(scene));
+    const auto isInside = [&] {
+        return flatLength(shownAt(session) - glm::vec3(middle, 0.0F, 0.0F)) < 2.3F;
+    };
+    int stepsInside = 0;
+    for (int step = 0; step < 30 * 25; ++step) {
+        session.step();
+        QVERIFY(!isInside() || stepsInside == step); // nor comes back
+        stepsInside += isInside() ? 1 : 0;
+    }
+    QVERIFY2(stepsInside < 30 * 5, QByteArray::number(stepsInside));
+    QVERIFY(std::abs(shownAt(session).x - 12.0F) < 0.6F);
 }
 
 void TestWalkSurface::bodiesAndSlopesAreAsSet()
