@@ -7,6 +7,9 @@
 
 namespace crowd::testing {
 
+/// Of the view that the hand works in, pixels.
+inline constexpr QPointF kCenter(320.0, 240.0);
+
 /// A hand with a mouse over the small theatre, without any window.
 class Hand
 {
@@ -85,7 +88,7 @@ public:
 
 private:
     double m_time = 100.0;
-    QPointF m_last{320.0, 240.0};
+    QPointF m_last = kCenter;
 };
 
 } // namespace crowd::testing

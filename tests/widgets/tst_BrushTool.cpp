@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+
+#include "model/brush/Stroke.h"
+#include "tests/program/Test.h"
+#include "tests/widgets/Hand.h"
+#include "widgets/tools/BrushTool.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::Hand;
+using crowd::testing::kCenter;
+
+class TestBrushTool : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aStrokeIsOneUndoStep();
+    void escapeTakesTheStrokeBack();
+    void aStillButtonGoesOnSpraying();
+    void anEmptyStrokeSaysWhy();
+    void aRectangleFollowsThePointerFrameByFrame();
+    void theGhostGoesWhenItsTemplateDoes();
+    void ghostStandsUnderTheCreationBrush();
+    void paperMappingGivesEachButtonItsSelection_data();
+    void paperMappingGivesEachButtonItsSelection();
+    void keysChangeSizeAndMainNumber();
+    void wheelWithControlResizes();
+    void shiftDragResizesAndEscapeRestores();
+};
+
+void TestBrushTool::aStrokeIsOneUndoStep()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushCreate);
+    hand.press(kCenter);
+    QVERIFY(hand.tools.isDragging());
+    for (int step = 0; step < 40; ++step) {
+        hand.move(kCenter + QPointF(step * 3.0, 0.0));
+    }
+    hand.release(kCenter + QPointF(120.0, 0.0));
+    QVERIFY(!hand.tools.isDragging());
+    QVERIFY(!hand.document.isEditOpen());
+    const std::size_t created = hand.document.scene().population.size();
+    QVERIFY(created > 3);
+    QCOMPARE(hand.document.undoStack().count(), 1);
+    hand.document.undoStack().undo();
+    QVERIFY(hand.document.scene().population.isEmpty());
+    hand.document.undoStack().redo();
+    QCOMPARE(hand.document.scene().population.size(), created);
+}
+
+void TestBrushTool::escapeTakesTheStrokeBack()
+{
+    Hand hand;
+    hand.press(kCenter);
+    for (int step = 0; step < 20; ++step) {
+        hand.move(kCenter + QPointF(step * 3.0, 0.0));
+    }
+    QVERIFY(!hand.document.scene().population.isEmpty());
+    QVERIFY(hand.key(Qt::Key_Escape));
+    QVERIFY(hand.document.scene().population.isEmpty());
+    QCOMPARE(hand.document.undoStack().count(), 0);
+    // The button that is still down paints no more.
+    hand.move(kCenter);
+    hand.release(kCenter);
+    QVERIFY(hand.document.scene().population.isEmpty());
+    QVERIFY(!hand.document.isEditOpen());
+}
+
+void TestBrushTool::aStillButtonGoesOnSpraying()
+{
+    Hand hand;
+    hand.hover(kCenter);
+    hand.press(kCenter);
+    const std::size_t atOnce = hand.document.scene().population.size();
+    hand.rest(1.0);
+    QVERIFY(hand.document.scene().population.size() > atOnce + 2);
+    hand.release(kCenter);
+    QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestBrushTool::anEmptyStrokeSaysWhy()
+{
+    Hand hand;
+    QSignalSpy remarks(&hand.state, &EditorState::statusMessage);
+    hand.state.setTool(ToolId::BrushDelete);
+    hand.drag(kCenter, kCenter + QPointF(20.0, 0.0));
+    QCOMPARE(remarks.count(), 1);
+    QCOMPARE(remarks.last().front().toString(),
+             model::reasonText(model::StrokeReason::NobodyUnderBrush));
+    QCOMPARE(hand.document.undoStack().count(), 0);
+}
+
+void TestBrushTool::aRectangleFollowsThePointerFrameByFrame()
+{
+    Hand hand;
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
+    brush.selection = model::BrushSelection::Rectangle;
+    hand.state.setBrush(brush);
+    hand.press({200.0, 150.0});
+    hand.hover({440.0, 330.0});
+    const std::size_t large = hand.document.scene().population.size();
+    QVERIFY(large > 10);
+    hand.hover({300.0, 240.0});
+    const std::size_t small = hand.document.scene().population.size();
+    QVERIFY(small < large);
+    // The last bit of the way counts though no frame was drawn there.
+    hand.release({440.0, 330.0});
+    QCOMPARE(hand.document.scene().population.size(), large);
+    QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestBrushTool::theGhostGoesWhenItsTemplateDoes()
+{
+    Hand hand;
+    hand.hover(kCenter);
+    QVERIFY(!hand.tools.picture().ghosts.empty());
+    auto edit = hand.document.beginEdit();
+    edit->removeTemplate(1);
+    edit->commit(QStringLiteral("remove"));
+    QVERIFY(hand.tools.needsTick());
+    hand.rest(0.05);
+    QVERIFY(hand.tools.picture().ghosts.empty());
+}
+
+void TestBrushTool::ghostStandsUnderTheCreationBrush()
+{
+    Hand hand;
+    QSignalSpy previews(&hand.tools, &ToolController::scenePreviewChanged);
+    hand.hover(kCenter);
+    QVERIFY(!hand.tools.picture().ghosts.empty());
+    QVERIFY(hand.tools.picture().ghosts.front().asset != nullptr);
+    QVERIFY(previews.count() >= 1);
+    hand.tools.leave();
+    QVERIFY(hand.tools.picture().ghosts.empty());
+    hand.state.setTool(ToolId::BrushColour);
+    hand.hover(kCenter);
+    QVERIFY(hand.tools.picture().ghosts.empty());
+    QVERIFY(hand.tools.picture().circle.has_value());
+}
+
+void TestBrushTool::paperMappingGivesEachButtonItsSelection_data()
+{
+    QTest::addColumn<int>("button");
+    QTest::addColumn<int>("selection");
+    QTest::newRow("left paints a point")
+        << static_cast<int>(Qt::LeftButton) << static_cast<int>(model::BrushSelection::Point);
+    QTest::newRow("middle paints a circle")
+        << static_cast<int>(Qt::MiddleButton) << static_cast<int>(model::BrushSelection::Spray);
+    QTest::newRow("right paints a rectangle")
+        << static_cast<int>(Qt::RightButton) << static_cast<int>(model::BrushSelection::Rectangle);
+}
+
+void TestBrushTool::paperMappingGivesEachButtonItsSelection()
+{
+    QFETCH(int, button);
+    QFETCH(int, selection);
+    const auto pressed = static_cast<Qt::MouseButton>(button);
+    Hand hand;
+    ViewOptions options = hand.state.viewOptions();
+    options.buttons = ButtonMapping::Paper;
+    hand.state.setViewOptions(options);
+    const model::BrushSettings settings = settingsForButton(
+        hand.state.brush(model::BrushKind::Create), pressed, ButtonMapping::Paper);
+    QCOMPARE(static_cast<int>(settings.selection), selection);
+    hand.press(kCenter, pressed);
+    hand.move(kCenter + QPointF(60.0, 40.0));
+    QVERIFY(hand.tools.isDragging());
+    QCOMPARE(hand.tools.picture().rectangle.has_value(), pressed == Qt::RightButton);
+    hand.release(kCenter + QPointF(60.0, 40.0), pressed);
+    QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestBrushTool::keysChangeSizeAndMainNumber()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushColour);
+    const auto brush = [&] { return hand.state.brush(model::BrushKind::Colour); };
+    const model::BrushSettings before = brush();
+    QVERIFY(hand.key(Qt::Key_BracketRight));
+    QVERIFY(brush().radiusPixels > before.radiusPixels);
+    QVERIFY(hand.key(Qt::Key_BracketLeft));
+    QVERIFY(hand.key(Qt::Key_BracketLeft));
+    QVERIFY(brush().radiusPixels < before.radiusPixels);
+    QVERIFY(hand.key(Qt::Key_Minus));
+    QVERIFY(brush().mainNumber().value < before.mainNumber().value);
+    QVERIFY(hand.key(Qt::Key_Plus, Qt::KeypadModifier));
+    QCOMPARE(brush().mainNumber().value, before.mainNumber().value);
+    for (int i = 0; i < 200; ++i) {
+        hand.key(Qt::Key_BracketLeft);
+    }
+    QCOMPARE(brush().radiusPixels, model::kMinRadiusPixels);
+    hand.key(Qt::Key_BracketRight);
+    QVERIFY(brush().radiusPixels > model::kMinRadiusPixels);
+}
+
+void TestBrushTool::wheelWithControlResizes()
+{
+    Hand hand;
+    const model::Camera before = hand.state.camera();
+    const float radius = hand.state.brush(model::BrushKind::Create).radiusPixels;
+    hand.modifiers = Qt::ControlModifier;
+    hand.tools.wheel({hand.at(kCenter), 2.0});
+    QVERIFY(hand.state.brush(model::BrushKind::Create).radiusPixels > radius);
+    QVERIFY(hand.state.cameraTarget() == before);
+}
+
+void TestBrushTool::shiftDragResizesAndEscapeRestores()
+{
+    Hand hand;
+    const float radius = hand.state.brush(model::BrushKind::Create).radiusPixels;
+    hand.modifiers = Qt::ShiftModifier;
+    hand.press(kCenter);
+    hand.move(kCenter + QPointF(30.0, 0.0));
+    QCOMPARE(hand.state.brush(model::BrushKind::Create).radiusPixels, radius + 30.0F);
+    QCOMPARE(hand.tools.picture().circle->center, kCenter);
+    hand.key(Qt::Key_Escape);
+    QCOMPARE(hand.state.brush(model::BrushKind::Create).radiusPixels, radius);
+    hand.drag(kCenter, kCenter + QPointF(30.0, 0.0));
+    QCOMPARE(hand.state.brush(model::BrushKind::Create).radiusPixels, radius + 30.0F);
+    QVERIFY(hand.document.scene().population.isEmpty());
+}
+
+CROWD_TEST(TestBrushTool)
+#include "tst_BrushTool.moc"
