@@ -79,7 +79,8 @@ glm::vec3 RuleEngine::pointIn(RuleHost& host, std::uint32_t agent, const model::
 {
     const float radius = place.radius * std::sqrt(draw(host, agent, model::hashKeys(place.id, 82)));
     const float angle = kFullTurn * draw(host, agent, model::hashKeys(place.id, 83));
-    return place.position + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    return host.reached(place.position, place.position + radius * glm::vec3(std::sin(angle), 0.0F,
+                                                                            std::cos(angle)));
 }
 
 /// True: there is nowhere to go, and nothing to wait for.

@@ -42,6 +42,9 @@ public:
     virtual void endClip(std::uint32_t agent) = 0;
     /// False: there is no such path.
     virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
+    /// `point`, or as near to it as one gets straight on from `from`.
+    [[nodiscard]] virtual glm::vec3 reached(const glm::vec3& from,
+                                            const glm::vec3& point) const = 0;
     /// At his own pace, or at `atLeast` (m/s) where that is faster.
     virtual void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) = 0;
     virtual void stop(std::uint32_t agent) = 0;

@@ -79,6 +79,7 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
         }
     }
     for (Walk& walk : m_walks) {
+        walk.point.reset();
         if (walk.route == kNoRoute) {
             continue;
         }
@@ -259,6 +260,7 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
     for (Walk& walk : m_walks) {
         walk.corners.clear();
         walk.cornersFor = glm::vec2(1e30F);
+        walk.point.reset();
     }
     touchAll();
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -109,12 +110,19 @@ private:
         model::PathKind kind = model::PathKind::Simple;
         std::vector<Stop> stops;
     };
+    struct PlacePoint
+    {
+        glm::vec3 position{0.0F};
+        bool isOnSurface = false;
+    };
     struct Walk
     {
         std::uint32_t route = kNoRoute;
         std::uint32_t next = 0;
         glm::vec2 share{0.0F};  ///< of the radius, in the unit disk
         glm::vec2 beside{0.0F}; ///< metres
+        /// His own in the place where he is going to, once asked for; metres.
+        std::optional<PlacePoint> point;
         std::uint32_t party = kNoParty;
         std::uint64_t seed = 0;
         std::uint32_t turns = 0; ///< stops passed: keys the choice at a branch
@@ -155,7 +163,8 @@ private:
     /// Returns what happened.
     [[nodiscard]] std::uint8_t passStop(Body& body, float& height, Walk& walk) const;
     void setAim(std::uint32_t agent);
-    [[nodiscard]] glm::vec3 targetOf(const Walk& walk) const;
+    [[nodiscard]] PlacePoint pointIn(const Walk& walk, const Stop& stop) const;
+    [[nodiscard]] glm::vec3 targetOf(Walk& walk) const;
     [[nodiscard]] float brakingMetres(const Walk& walk, const Body& body) const;
     void branchOff(Walk& walk) const;
     void steerOne(std::uint32_t agent, Body& body, float& height);

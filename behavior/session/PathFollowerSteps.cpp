@@ -6,6 +6,7 @@
 #include <glm/gtx/norm.hpp>
 
 #include "behavior/crowd/Chunks.h"
+#include "behavior/crowd/ForceKernel.h"
 #include "behavior/session/PathFollower.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/base/Random.h"
@@ -105,6 +106,7 @@ std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
 {
     walk.reached = m_routes[walk.route].stops[walk.next].place;
     ++walk.turns;
+    walk.point.reset();
     const std::uint32_t before = walk.route;
     branchOff(walk);
     const Route& route = m_routes[walk.route];
@@ -122,10 +124,10 @@ std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
     if (route.kind == model::PathKind::Cyclic) {
         walk.next = 0;
     } else {
-        const glm::vec2 start = aim(walk, route.stops[0]);
+        const glm::vec3 start = pointIn(walk, route.stops[0]).position;
         body.x = start.x;
-        body.z = start.y;
-        height = route.stops[0].height;
+        body.z = start.z;
+        height = start.y;
         walk.next = 1;
     }
     return ReachedPlace;
@@ -166,14 +168,25 @@ float PathFollower::slowness(float x, float z) const
     return 1.0F;
 }
 
-glm::vec3 PathFollower::targetOf(const Walk& walk) const
+/// His own point in a place: where one can get to from its middle.
+PathFollower::PlacePoint PathFollower::pointIn(const Walk& walk, const Stop& stop) const
+{
+    const glm::vec2 aimed = aim(walk, stop);
+    const glm::vec3 point(aimed.x, stop.height, aimed.y);
+    const glm::vec3 middle(stop.position.x, stop.height, stop.position.y);
+    const auto reached = m_surface ? m_surface->straight(middle, point) : std::nullopt;
+    return {reached.value_or(point), reached.has_value()};
+}
+
+glm::vec3 PathFollower::targetOf(Walk& walk) const
 {
     if (walk.hasErrand) {
         return walk.errand;
     }
-    const Stop& stop = m_routes[walk.route].stops[walk.next];
-    const glm::vec2 point = aim(walk, stop);
-    return {point.x, stop.height, point.y};
+    if (!walk.point) {
+        walk.point = pointIn(walk, m_routes[walk.route].stops[walk.next]);
+    }
+    return walk.point->position;
 }
 
 /// How far from his aim somebody begins to come to rest; 0 where he goes on from there.
@@ -208,7 +221,9 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     const bool isStuck = m_surface && walk.corners.size() == 1 &&
                          walk.corners.front() != walk.cornersFor &&
                          glm::length2(walk.corners.front() - at) < kArrivalMetres * kArrivalMetres;
-    if (glm::length2(left) < near * near || isStuck) {
+    const bool isOnLevel =
+        walk.hasErrand || !walk.point->isOnSurface || std::fabs(target.y - height) < kLevelMetres;
+    if ((glm::length2(left) < near * near && isOnLevel) || isStuck) {
         if (walk.hasErrand) {
             walk.isErrandDone = true;
             m_happened[agent] = EndedErrand;
@@ -239,7 +254,7 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
 /// What the next steps may do with somebody, now that he has been looked at.
 void PathFollower::setAim(std::uint32_t agent)
 {
-    const Walk& walk = m_walks[agent];
+    Walk& walk = m_walks[agent];
     Course course = Course::Rests;
     m_aims.pace[agent] = 0.0F;
     if (isWalking(agent)) {

@@ -150,6 +150,7 @@ private:
     float play(std::uint32_t agent, const std::string& clip, bool isLooped) override;
     void endClip(std::uint32_t agent) override;
     bool follow(std::uint32_t agent, model::PathId path) override;
+    [[nodiscard]] glm::vec3 reached(const glm::vec3& from, const glm::vec3& point) const override;
     void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) override;
     void stop(std::uint32_t agent) override;
     void goOn(std::uint32_t agent) override;

@@ -89,6 +89,11 @@ bool Session::follow(std::uint32_t agent, model::PathId path)
     return m_follower.follow(walk);
 }
 
+glm::vec3 Session::reached(const glm::vec3& from, const glm::vec3& point) const
+{
+    return m_surface ? m_surface->straight(from, point).value_or(point) : point;
+}
+
 void Session::sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast)
 {
     leaveSeat(agent);

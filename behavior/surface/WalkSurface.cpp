@@ -134,6 +134,35 @@ std::vector<glm::vec2> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
     return way;
 }
 
+std::optional<glm::vec3> WalkSurface::straight(const glm::vec3& from, const glm::vec3& to) const
+{
+    constexpr float kReach[3] = {0.3F, 2.0F, 0.3F};
+    constexpr float kWithinEdge = 0.98F; // of the way to it
+    const dtNavMeshQuery* query = m_private->query();
+    const dtQueryFilter& filter = m_private->filter;
+    dtPolyRef start = 0;
+    float at[3];
+    if (query == nullptr ||
+        dtStatusFailed(query->findNearestPoly(&from.x, kReach, &filter, &start, at)) ||
+        start == 0) {
+        return std::nullopt;
+    }
+    const float end[3] = {to.x, at[1], to.z};
+    float share = 1.0F;
+    float normal[3];
+    dtPolyRef polygons[kMaxPolygons];
+    int count = 0;
+    query->raycast(start, at, end, &filter, &share, normal, polygons, &count, kMaxPolygons);
+    share = share > 1.0F ? 1.0F : share * kWithinEdge;
+    const float point[3] = {at[0] + (end[0] - at[0]) * share, at[1],
+                            at[2] + (end[2] - at[2]) * share};
+    float found = at[1];
+    if (count > 0) {
+        (void)query->getPolyHeight(polygons[count - 1], point, &found);
+    }
+    return glm::vec3(point[0], found - m_private->cellHeight, point[2]);
+}
+
 float WalkSurface::height(float x, float z, float near) const
 {
     const dtNavMeshQuery* query = m_private->query();

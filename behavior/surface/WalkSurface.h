@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,10 @@ public:
     /// Corners of a way from one point to another, the last one `to` or the nearest point to it
     /// that can be reached. Empty: `from` is nowhere on the surface.
     [[nodiscard]] std::vector<glm::vec2> way(const glm::vec3& from, const glm::vec3& to) const;
+    /// `to`, or how far one gets towards it straight on from `from`, on the surface. Nothing
+    /// where `from` is not on it.
+    [[nodiscard]] std::optional<glm::vec3> straight(const glm::vec3& from,
+                                                    const glm::vec3& to) const;
     /// Height of the surface at (x, z), nearest to `near`; `near` where there is none.
     [[nodiscard]] float height(float x, float z, float near) const;
     /// Whether there is something to walk on within so many metres of a point.

@@ -89,6 +89,8 @@ private Q_SLOTS:
     void aWalkerGoesAroundAHouse();
     void aPathIntoAHouseEndsBeforeIt();
     void stairsAreClimbed();
+    void aPlaceWiderThanItsLevelIsReachedThere_data();
+    void aPlaceWiderThanItsLevelIsReachedThere();
     void waysLeadAroundForbiddenGround();
     void waysPreferLikedGroundAndAvoidSlow();
     void obstaclesOnOpenGroundAreWalkedAround();
@@ -163,6 +165,52 @@ void TestWalkSurface::stairsAreClimbed()
     QVERIFY2(std::abs(at.y - 2.0F) < 0.12F, QByteArray::number(static_cast<double>(at.y)));
     QVERIFY(at.z > 8.0F);
     QVERIFY(highest < 2.2F);
+}
+
+void TestWalkSurface::aPlaceWiderThanItsLevelIsReachedThere_data()
+{
+    QTest::addColumn<bool>("byRule");
+    QTest::newRow("on a path") << false;
+    QTest::newRow("sent by a rule") << true;
+}
+
+/// Everybody has a point of his own in the place; none of them is beside the stairs.
+void TestWalkSurface::aPlaceWiderThanItsLevelIsReachedThere()
+{
+    QFETCH(const bool, byRule);
+    constexpr std::size_t kPeople = 12;
+    model::Scene scene = walkerFrom({}, {0.0F, 2.0F, 7.0F});
+    scene.stages = {stairs()};
+    scene.places[0].radius = 5.0F;
+    std::vector<model::IndividualId> ids(kPeople);
+    std::iota(ids.begin(), ids.end(), 1U);
+    (void)scene.population.remove(std::vector<model::IndividualId>{1});
+    auto rows = model::IndividualRows::withDefaults(ids);
+    for (std::size_t i = 0; i < kPeople; ++i) {
+        rows.column(model::columns::position)[i] = {static_cast<float>(i) - 5.5F, 0.0F, -4.0F};
+        rows.column(model::columns::path)[i] = byRule ? 0 : 1;
+    }
+    scene.population.add(rows);
+    if (byRule) {
+        model::Rule go;
+        go.id = 1;
+        go.trigger.kind = model::TriggerKind::Start;
+        model::Action there;
+        there.kind = model::ActionKind::GoToPlace;
+        there.place = 1;
+        go.actions = {there};
+        scene.rules = {go};
+    }
+    Session session(scene);
+    session.setSurface(surfaceOf(scene));
+    for (int step = 0; step < 30 * 40; ++step) {
+        session.step();
+    }
+    const auto frame = session.frame();
+    for (const glm::vec3& at : frame->population.column(model::columns::position)) {
+        QVERIFY2(at.y > 0.5F, // or still on the stairs, which are part of the place
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(at.x).arg(at.y).arg(at.z)));
+    }
 }
 
 void TestWalkSurface::waysLeadAroundForbiddenGround()
