@@ -2,6 +2,7 @@
 #include "behavior/crowd/ForceKernel.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -16,6 +17,10 @@ namespace {
 
 /// More than fit around anybody who has not been walked into; the rest is not noticed.
 constexpr std::size_t kMostNeighbours = 256;
+/// Nobody is moved further at once, metres: where many stand on one spot each would push him on.
+constexpr float kFarthestApart = 0.06F;
+/// So many too close are enough to know which way is out: on one spot there can be thousands.
+constexpr std::size_t kMostClose = 24;
 constexpr float kAnyReach = 1e30F;  ///< slack of whom nobody comes too close
 constexpr std::size_t kBatch = 256; ///< rows whose sums lie in the fastest cache
 
@@ -76,8 +81,14 @@ void leave(const AgentRows& agents, std::size_t row, std::size_t other, float le
         wayX += share * x * (least - distance) / distance;
         wayZ += share * z * (least - distance) / distance;
     } else {
-        // On the same spot: apart along a line that both agree on.
-        wayX += row < other ? share * least : -share * least;
+        // On the same spot: apart along a line that both agree on, others along other lines.
+        constexpr std::array<std::array<float, 2>, 4> kLines = {
+            {{1.0F, 0.0F}, {0.0F, 1.0F}, {0.7071F, 0.7071F}, {0.7071F, -0.7071F}}};
+        const std::size_t mixed = (row ^ other) * std::size_t{0x9E3779B97F4A7C15U} + row + other;
+        const auto& line = kLines[mixed >> 61U & 3U];
+        const float way = row < other ? share * least : -share * least;
+        wayX += way * line[0];
+        wayZ += way * line[1];
     }
 }
 

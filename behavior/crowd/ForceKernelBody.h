@@ -378,9 +378,10 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
     BinLattice::Span spans[3];
     BinLattice::Line line;
     job.lattice.neighbourhood(job.lattice.binOfRow(row), line, spans);
-    bool isClose = false;
+    std::size_t close = 0;
     for (const BinLattice::Span& span : spans) {
-        for (std::size_t first = span.begin; first < span.end; first += kLanes) {
+        for (std::size_t first = span.begin; first < span.end && close < kMostClose;
+             first += kLanes) {
             const F8 x = agents.x[row] - load(agents.x.data() + first);
             const F8 z = agents.z[row] - load(agents.z.data() + first);
             const F8 least = share * (agents.seen[row].radius + radii(&agents.seen[first]));
@@ -391,14 +392,13 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
             }
             unsigned bits =
                 bitsWhereLess(squared, least * least) & bitsOfOthers(first, span.end, row);
-            for (; bits != 0; bits &= bits - 1) {
+            for (; bits != 0 && close < kMostClose; bits &= bits - 1, ++close) {
                 const auto l = static_cast<std::size_t>(std::countr_zero(bits));
-                isClose = true;
                 leave(agents, row, first + l, least[l], wayX, wayZ);
             }
         }
     }
-    return isClose;
+    return close > 0;
 }
 
 template<bool kHasLevels>
@@ -416,8 +416,10 @@ Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, floa
             if (!wayOut<kHasLevels>(job, row, wayX, wayZ)) {
                 continue;
             }
-            job.x[row] = job.agents.x[row] + wayX;
-            job.z[row] = job.agents.z[row] + wayZ;
+            const float length = flatLength(wayX, wayZ);
+            const float part = length > kFarthestApart ? kFarthestApart / length : 1.0F;
+            job.x[row] = job.agents.x[row] + wayX * part;
+            job.z[row] = job.agents.z[row] + wayZ * part;
             keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
             const float away =
                 flatLength(job.x[row] - job.agents.x[row], job.z[row] - job.agents.z[row]);

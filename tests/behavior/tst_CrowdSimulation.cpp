@@ -37,6 +37,7 @@ private Q_SLOTS:
     void nobodyPassesAWall();
     void aWallOfPiecesPressesLikeOne();
     void otherLevelsDoNotMatter();
+    void peopleOnOneSpotComeApartCalmly();
     void survivesNonsense();
 };
 
@@ -290,6 +291,37 @@ void CrowdSimulationTest::otherLevelsDoNotMatter()
     }
     QCOMPARE(crowd.bodies()[0].z, 0.0F); // never gave way
     QCOMPARE(crowd.bodies()[1].z, 0.05F);
+}
+
+void CrowdSimulationTest::peopleOnOneSpotComeApartCalmly()
+{
+    constexpr std::size_t kPeople = 1500;
+    CrowdSimulation crowd;
+    crowd.setAgents(std::vector<AgentState>(kPeople));
+    std::vector<behavior::Body> before;
+    for (int step = 0; step < 180; ++step) {
+        before.assign(crowd.bodies().begin(), crowd.bodies().end());
+        crowd.step(kStep);
+        for (std::size_t agent = 0; agent < kPeople; ++agent) {
+            const float moved =
+                glm::distance(glm::vec2(crowd.bodies()[agent].x, crowd.bodies()[agent].z),
+                              glm::vec2(before[agent].x, before[agent].z));
+            QVERIFY2(moved < 0.5F, QByteArray::number(static_cast<double>(moved)));
+        }
+    }
+    // As many as stand shoulder to shoulder, on all sides.
+    float farthest = 0.0F;
+    glm::vec2 low(0.0F);
+    glm::vec2 high(0.0F);
+    for (const behavior::Body& body : crowd.bodies()) {
+        const glm::vec2 at(body.x, body.z);
+        farthest = std::max(farthest, glm::length(at));
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    QVERIFY2(farthest < 20.0F, QByteArray::number(static_cast<double>(farthest)));
+    QVERIFY(std::min({-low.x, -low.y, high.x, high.y}) > 4.0F);
+    QVERIFY(behavior::countPairsCloserThan(crowd, 0.35F) < kPeople / 100);
 }
 
 void CrowdSimulationTest::survivesNonsense()
