@@ -62,8 +62,9 @@ struct OverlayLine
     glm::vec4 color{1.0F};
 };
 
-/// A translucent part of an area over the scene (paths, places). Hidden parts shine through
-/// faintly.
+/// A translucent part of an area that lies on the scene (paths, places). Where several cover a
+/// pixel, the first of them colours it, the others do not. People are never covered. What the stage
+/// hides shines through faintly, where nothing visible is in front of it.
 struct OverlayTriangle
 {
     std::array<glm::vec3, 3> corners{};
@@ -105,8 +106,9 @@ struct RenderInput
     std::span<const Ghost> ghosts;
     std::span<const Marker> markers;
     std::span<const OverlayLine> lines;
-    std::span<const OverlayTriangle> areas;
-    bool showGround = true; ///< ground plane and grid; off for thumbnails
+    std::span<const OverlayTriangle> areas; ///< topmost first
+    std::uint64_t areasVersion = 0;         ///< change it with the areas; 0: always sent anew
+    bool showGround = true;                 ///< ground plane and grid; off for thumbnails
     bool showShadows = true;
     /// Background instead of the sky when its alpha is above zero.
     glm::vec4 background{0.0F};

@@ -41,6 +41,7 @@ void beginState()
     glCullFace(GL_BACK);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
+    glStencilMask(0xFFU);
     glDisable(GL_BLEND);
     // The picture stays opaque whatever is blended over it.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -55,9 +56,21 @@ void endState()
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+/// From now on, what is drawn says so in the stencil, for areas that are drawn later; nothing to do
+/// where there are none.
+void markDrawn(const PassContext& context, bool isPeople)
+{
+    if (!context.input.areas.empty()) {
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_ALWAYS, isPeople ? kPeopleStencil : 0, 0xFFU);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    }
 }
 
 bool isSoftwareRenderer()
@@ -149,17 +162,20 @@ model::Result<void> Renderer::Private::drawPasses(const PassContext& context) co
         clear = model::linearFromSrgb(glm::vec3(context.input.background));
     }
     glClearColor(clear.x, clear.y, clear.z, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     // People first: they hide more of the stage than it hides of them.
+    markDrawn(context, true);
     if (auto drawn = passes->crowd.drawPeople(context); !drawn) {
         return drawn;
     }
+    markDrawn(context, false);
     if (auto drawn = passes->stage.draw(context); !drawn) {
         return drawn;
     }
     if (context.input.showGround) {
         passes->background.drawGround(context);
     }
+    glDisable(GL_STENCIL_TEST);
     if (hasSky) {
         passes->background.drawSky(context);
     }
@@ -167,9 +183,11 @@ model::Result<void> Renderer::Private::drawPasses(const PassContext& context) co
     if (auto drawn = passes->stage.drawBlended(context); !drawn) {
         return drawn;
     }
+    markDrawn(context, true);
     if (auto drawn = passes->crowd.drawOutlines(context); !drawn) {
         return drawn;
     }
+    glDisable(GL_STENCIL_TEST);
     passes->overlay.draw(context);
     return passes->crowd.drawGhosts(context);
 }

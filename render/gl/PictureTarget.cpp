@@ -46,12 +46,12 @@ model::Result<void> PictureTarget::begin(glm::ivec2 size, int samples)
 model::Result<void> PictureTarget::make()
 {
     m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);
-    m_drawnDepth = makeStorage(GL_DEPTH_COMPONENT24, m_size, m_samples);
+    m_drawnDepth = makeStorage(GL_DEPTH24_STENCIL8, m_size, m_samples);
     m_drawn = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               m_drawnColor.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               m_drawnDepth.name());
     bool isUsable = isComplete();
     m_resolvedColor = makeStorage(GL_SRGB8_ALPHA8, m_size, 0);

@@ -15,6 +15,10 @@ namespace {
 constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
 constexpr float kHiddenAreaOpacity = 0.2F;
+/// Metres that areas are taken for nearer than they are: ground that is a little uneven does not
+/// swallow them.
+constexpr float kAreaPull = 0.3F;
+constexpr int kAreaStencil = 1; ///< an area is drawn there already
 
 struct MarkerVertex
 {
@@ -36,6 +40,23 @@ glm::vec4 linear(const glm::vec4& srgb)
 const void* offset(std::size_t bytes)
 {
     return reinterpret_cast<const void*>(bytes);
+}
+
+/// Towards the eye: from a point minus w times it.
+glm::vec4 eyeOf(const model::Camera& camera)
+{
+    return camera.projection == model::Projection::Orthographic ? glm::vec4(-camera.forward(), 0.0F)
+                                                                : glm::vec4(camera.position, 1.0F);
+}
+
+void describeLines(const GlVertexArray& array, const GlBuffer& buffer)
+{
+    glBindVertexArray(array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), offset(sizeof(glm::vec3)));
+    glEnableVertexAttribArray(0);
+    glEnableVertexAttribArray(1);
 }
 
 template<class Items>
@@ -78,12 +99,10 @@ model::Result<void> OverlayPass::initialize()
     glVertexAttribDivisor(1, 1);
     glVertexAttribDivisor(2, 1);
     m_lineArray = GlVertexArray::create();
-    glBindVertexArray(m_lineArray.name());
-    glBindBuffer(GL_ARRAY_BUFFER, m_lines.name());
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
-    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), offset(sizeof(glm::vec3)));
-    glEnableVertexAttribArray(0);
-    glEnableVertexAttribArray(1);
+    describeLines(m_lineArray, m_lines);
+    m_areas = GlBuffer::create();
+    m_areaArray = GlVertexArray::create();
+    describeLines(m_areaArray, m_areas);
     glBindVertexArray(0);
     return {};
 }
@@ -119,11 +138,12 @@ void OverlayPass::drawMarkers(const PassContext& context)
     context.countDraw(static_cast<std::int64_t>(vertices.size()) * 2);
 }
 
-void OverlayPass::drawAreas(const PassContext& context)
+void OverlayPass::sendAreas(const PassContext& context)
 {
-    if (context.input.areas.empty()) {
+    if (context.input.areasVersion != 0 && context.input.areasVersion == m_areasVersion) {
         return;
     }
+    m_areasVersion = context.input.areasVersion;
     std::vector<LineVertex> vertices;
     vertices.reserve(context.input.areas.size() * 3);
     for (const OverlayTriangle& area : context.input.areas) {
@@ -131,17 +151,33 @@ void OverlayPass::drawAreas(const PassContext& context)
             vertices.push_back({corner, linear(area.color)});
         }
     }
-    stream(m_lines, vertices);
+    stream(m_areas, vertices);
+}
+
+/// Each sample is coloured once, by the first triangle that covers it; what is seen goes before
+/// what is hidden.
+void OverlayPass::drawAreas(const PassContext& context)
+{
+    if (context.input.areas.empty()) {
+        return;
+    }
+    sendAreas(context);
     m_line.use();
     context.setCommon(m_line);
-    glBindVertexArray(m_lineArray.name());
-    const auto count = static_cast<GLsizei>(vertices.size());
+    m_line.set("eye", eyeOf(context.input.view.camera()));
+    m_line.set("pull", kAreaPull);
+    glBindVertexArray(m_areaArray.name());
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_GREATER, kAreaStencil, 0xFFU);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    const auto count = static_cast<GLsizei>(context.input.areas.size() * 3);
+    m_line.set("opacity", 1.0F);
+    glDrawArrays(GL_TRIANGLES, 0, count);
     m_line.set("opacity", kHiddenAreaOpacity);
     glDepthFunc(GL_GREATER);
     glDrawArrays(GL_TRIANGLES, 0, count);
-    m_line.set("opacity", 1.0F);
     glDepthFunc(GL_LEQUAL);
-    glDrawArrays(GL_TRIANGLES, 0, count);
+    glDisable(GL_STENCIL_TEST);
     context.countDraw(count / 3);
     context.countDraw(count / 3);
 }
@@ -159,6 +195,7 @@ void OverlayPass::drawLines(const PassContext& context)
     stream(m_lines, vertices);
     m_line.use();
     context.setCommon(m_line);
+    m_line.set("pull", 0.0F);
     glBindVertexArray(m_lineArray.name());
     const auto count = static_cast<GLsizei>(vertices.size());
     m_line.set("opacity", kHiddenOpacity);

@@ -8,7 +8,10 @@
 
 namespace crowd::render {
 
-/// Discs and lines that tools show in the scene.
+/// In the stencil where people are seen: areas are not drawn over them.
+inline constexpr int kPeopleStencil = 0x80;
+
+/// Discs, areas and lines that tools show in the scene.
 class OverlayPass
 {
 public:
@@ -17,6 +20,7 @@ public:
 
 private:
     void drawMarkers(const PassContext& context);
+    void sendAreas(const PassContext& context);
     void drawAreas(const PassContext& context);
     void drawLines(const PassContext& context);
 
@@ -24,9 +28,12 @@ private:
     ShaderProgram m_line;
     GlVertexArray m_markerArray;
     GlVertexArray m_lineArray;
+    GlVertexArray m_areaArray;
     GlBuffer m_corners;
     GlBuffer m_markers;
     GlBuffer m_lines;
+    GlBuffer m_areas;
+    std::uint64_t m_areasVersion = 0; ///< what is in m_areas; 0: unknown
 };
 
 } // namespace crowd::render

@@ -46,6 +46,10 @@ private Q_SLOTS:
     void stageHidesWhoIsBehind();
     void selectionChangesThePicture();
     void ghostShowsWhatIsBehind();
+    void areasLeavePeopleAlone();
+    void areasColourAPixelOnce();
+    void hiddenAreasShineFaintly();
+    void areasAreSentAgainWithAnotherVersion();
     void textureIsDrawnAsAuthored();
     void tintMaskLimitsTheTint();
     void cutOutTexelsAreNotDrawn();
@@ -308,6 +312,96 @@ void TestRenderer::ghostShowsWhatIsBehind()
     draw(input);
     const Rgb through = pixel(kMiddle, kBodyY);
     QVERIFY(isNear(through, {188, 255, 188}));
+}
+
+/// A blue rectangle that faces the eye of frontView(), from the ground up, of half opacity.
+std::array<render::OverlayTriangle, 2> blueSheet(float z, float alpha = 0.5F)
+{
+    const glm::vec4 color(0.0F, 0.0F, 1.0F, alpha);
+    const glm::vec3 a(-2.0F, 0.0F, z);
+    const glm::vec3 b(2.0F, 0.0F, z);
+    const glm::vec3 c(2.0F, 2.0F, z);
+    const glm::vec3 d(-2.0F, 2.0F, z);
+    return {{{{a, b, c}, color}, {{a, c, d}, color}}};
+}
+
+void TestRenderer::areasLeavePeopleAlone()
+{
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    draw(input);
+    const Rgb plain = pixel(kMiddle, kBodyY);
+    const auto behind = blueSheet(-1.0F);
+    input.areas = behind;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), plain));
+    QVERIFY(pixel(kMiddle - 15, kBodyY).blue > 100);
+    // Not even by what is a little nearer, as ground is to feet.
+    const auto before = blueSheet(0.3F);
+    input.areas = before;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), plain));
+}
+
+void TestRenderer::areasColourAPixelOnce()
+{
+    render::RenderInput input = inputFor(nullptr);
+    const auto sheet = blueSheet(0.0F);
+    input.areas = sheet;
+    draw(input);
+    const Rgb once = pixel(kMiddle, kBodyY);
+    QVERIFY(once.blue > 150 && once.green > 150);
+    std::vector<render::OverlayTriangle> many(sheet.begin(), sheet.end());
+    const auto nearer = blueSheet(0.5F, 0.9F);
+    many.insert(many.end(), nearer.begin(), nearer.end());
+    input.areas = many;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), once)); // the first alone
+}
+
+void TestRenderer::hiddenAreasShineFaintly()
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    stage->materials[0].baseColor = {1.0F, 0.0F, 0.0F, 1.0F};
+    model::StageMesh wall;
+    wall.positions = {{-3, 0, 0}, {0, 0, 0}, {0, 3, 0}, {-3, 3, 0}};
+    wall.normals.assign(4, glm::vec3(0, 0, 1));
+    wall.uv.assign(4, glm::vec2(0));
+    wall.indices = {0, 1, 2, 0, 2, 3};
+    stage->meshes.push_back(wall);
+    model::StageEntry entry;
+    entry.asset = stage;
+    render::RenderInput input = inputFor(nullptr);
+    input.stages = {&entry, 1};
+    const auto sheet = blueSheet(-1.0F);
+    input.areas = sheet;
+    draw(input);
+    const Rgb hidden = pixel(kMiddle - 10, kBodyY);
+    const Rgb seen = pixel(kMiddle + 10, kBodyY);
+    QVERIFY(hidden.red > 200 && hidden.blue > 30);
+    QVERIFY(seen.blue > hidden.blue + 50);
+    const auto sunk = blueSheet(-0.1F); // a little under the surface: seen all the same
+    input.areas = sunk;
+    draw(input);
+    QVERIFY(pixel(kMiddle - 10, kBodyY).blue > hidden.blue + 50);
+}
+
+void TestRenderer::areasAreSentAgainWithAnotherVersion()
+{
+    render::RenderInput input = inputFor(nullptr);
+    auto sheet = blueSheet(0.0F);
+    input.areas = sheet;
+    input.areasVersion = 7;
+    draw(input);
+    QVERIFY(pixel(kMiddle, kBodyY).blue > 100);
+    for (render::OverlayTriangle& area : sheet) {
+        area.color = {1.0F, 0.0F, 0.0F, 1.0F};
+    }
+    draw(input);
+    QVERIFY(pixel(kMiddle, kBodyY).blue > 100); // still what was sent
+    input.areasVersion = 8;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), {255, 0, 0}));
 }
 
 /// Left half red, right half white; the same picture serves as mask.
