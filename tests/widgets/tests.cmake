@@ -7,6 +7,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_IndividualDock
     tst_KeepPose
     tst_Navigation
+    tst_PathDrawing
     tst_PickDrag
     tst_RulePanel
     tst_SelectTool

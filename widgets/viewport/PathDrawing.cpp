@@ -4,22 +4,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kSides = 48;
-constexpr float kLift = 0.06F; ///< metres above the ground, so that it does not flicker
-constexpr float kRingShare = 0.09F;
+constexpr float kRingShare = 0.09F; ///< of the radius
 constexpr float kArrowMetres = 1.3F;
 constexpr float kArrowSpacing = 7.0F;
+constexpr float kLaneOpacity = 0.34F;
+constexpr float kCurrentLaneOpacity = 0.5F;
+constexpr float kSpotOpacity = 0.45F;
+constexpr float kRoleOpacity = 0.5F;
+constexpr float kJumpOpacity = 0.3F;
+constexpr float kBright = 0.72F; ///< from the colour towards white
 
-const glm::vec3 kUp(0.0F, kLift, 0.0F);
+constexpr float kCell = 1.0F;           ///< metres between samples of the ground
+constexpr float kManyMetres = 2'000.0F; ///< of paths: samples lie farther apart beyond
+constexpr float kBranchBend = 0.12F;    ///< of its length, aside, so that it crosses bands
+constexpr float kBranchNarrow = 0.16F;  ///< metres to either side
+constexpr float kBranchWide = 0.4F;
+constexpr float kDashWidths = 6.0F; ///< half widths from dash to dash
+constexpr int kMostDashes = 200;
 
-glm::vec4 colorOf(const std::array<std::uint8_t, 3>& color, float alpha)
+glm::vec3 colorOf(const std::array<std::uint8_t, 3>& color)
 {
     return {static_cast<float>(color[0]) / 255.0F, static_cast<float>(color[1]) / 255.0F,
-            static_cast<float>(color[2]) / 255.0F, alpha};
+            static_cast<float>(color[2]) / 255.0F};
+}
+
+glm::vec3 bright(const glm::vec3& color)
+{
+    return glm::mix(color, glm::vec3(1.0F), kBright);
 }
 
 QColor screenColorOf(const std::array<std::uint8_t, 3>& color)
@@ -27,92 +45,255 @@ QColor screenColorOf(const std::array<std::uint8_t, 3>& color)
     return {color[0], color[1], color[2]};
 }
 
-} // namespace
-
-void PathDrawing::ring(const model::Place& place, glm::vec4 color)
+/// Wide enough to be seen from where the whole band is.
+float borderOf(float radius)
 {
-    const float inner = place.radius - std::clamp(place.radius * kRingShare, 0.04F, 0.15F);
-    const auto at = [&](int side, float radius) {
-        const float angle = 6.2831853F * static_cast<float>(side) / static_cast<float>(kSides);
-        return place.position + kUp + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-    };
-    glm::vec4 faint = color;
-    faint.a *= place.role == model::PlaceRole::Spot ? 0.25F : 0.5F;
-    for (int side = 0; side < kSides; ++side) {
-        const glm::vec3 a = at(side, place.radius);
-        const glm::vec3 b = at(side + 1, place.radius);
-        const glm::vec3 c = at(side + 1, inner);
-        const glm::vec3 d = at(side, inner);
-        m_areas.push_back({{a, b, c}, color});
-        m_areas.push_back({{a, c, d}, color});
-        m_areas.push_back({{d, c, place.position + kUp}, faint});
-    }
+    return std::clamp(radius * 0.17F, 0.06F, 0.6F);
 }
 
-/// A lane as wide as the flow, and arrows along its middle.
-void PathDrawing::lane(const model::Place& from, const model::Place& to, glm::vec4 color,
-                       bool isJump)
+float flatDistance(const glm::vec3& a, const glm::vec3& b)
 {
-    const glm::vec3 way = to.position - from.position;
-    const float length = std::sqrt(way.x * way.x + way.z * way.z);
-    if (length < 0.01F) {
-        return;
-    }
-    const glm::vec3 along = way / length;
-    const glm::vec3 aside(along.z, 0.0F, -along.x);
-    const glm::vec3 a = from.position + kUp;
-    const glm::vec3 b = to.position + kUp;
-    if (!isJump) {
-        glm::vec4 faint = color;
-        faint.a *= 0.36F;
-        m_areas.push_back(
-            {{a - aside * from.radius, a + aside * from.radius, b + aside * to.radius}, faint});
-        m_areas.push_back(
-            {{a - aside * from.radius, b + aside * to.radius, b - aside * to.radius}, faint});
-    }
-    const float size =
-        std::min({kArrowMetres, length * 0.4F, std::max(0.25F, (from.radius + to.radius) * 0.6F)});
-    const int arrows = std::max(1, static_cast<int>(length / kArrowSpacing));
-    for (int i = 0; i < arrows; ++i) {
-        const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(arrows);
-        const glm::vec3 tip = a + way * share + along * size * 0.5F + kUp * 0.2F;
-        const glm::vec3 back = tip - along * size;
-        const glm::vec3 notch = tip - along * size * 0.65F;
-        m_areas.push_back({{tip, notch, back + aside * size * 0.45F}, color});
-        m_areas.push_back({{tip, back - aside * size * 0.45F, notch}, color});
-    }
+    return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
 }
 
-void PathDrawing::draw(const EditorState& state)
+/// Metres of all paths together.
+float lengthOf(const model::Scene& scene)
 {
-    const model::Scene& scene = state.scene();
-    m_areas.clear();
+    float metres = 0.0F;
     for (const model::Path& path : scene.paths) {
-        const bool isCurrent = path.id == state.paths().path();
-        const glm::vec4 color = colorOf(path.color, isCurrent ? 1.0F : 0.85F);
-        const std::size_t count = path.places.size();
-        const bool isOpen = path.kind == model::PathKind::Simple || count < 2 ||
-                            (isCurrent && state.paths().isPainting() && count < 3);
-        for (std::size_t i = 0; i < count && i + 1 < count + (isOpen ? 0 : 1); ++i) {
+        for (std::size_t i = 0; i + 1 < path.places.size(); ++i) {
             const model::Place* from = scene.findPlace(path.places[i]);
-            const model::Place* to = scene.findPlace(path.places[(i + 1) % count]);
-            if (from != nullptr && to != nullptr) {
-                const bool isJump = i + 1 == count && path.kind == model::PathKind::Teleport;
-                lane(*from, *to, isJump ? glm::vec4(color.r, color.g, color.b, 0.25F) : color,
-                     isJump);
-            }
+            const model::Place* to = scene.findPlace(path.places[i + 1]);
+            metres += from != nullptr && to != nullptr ? flatDistance(from->position, to->position)
+                                                       : 0.0F;
         }
     }
-    for (const model::Place& place : scene.places) {
-        ring(place, colorOf(place.color, state.paths().isSelected(place.id) ? 1.0F : 0.9F));
+    return metres;
+}
+
+/// In steps, so that what is laid out keeps while a place is dragged.
+float cellFor(const model::Scene& scene)
+{
+    float cell = kCell;
+    for (float metres = lengthOf(scene); metres > kManyMetres; metres *= 0.5F) {
+        cell *= 2.0F;
+    }
+    return cell;
+}
+
+/// From the rim of a place to the rim of another, bent to the right.
+class BranchCurve
+{
+public:
+    BranchCurve(const model::Place& from, const model::Place& to, float bend)
+        : m_from(from.position), m_to(to.position)
+    {
+        const glm::vec3 way = m_to - m_from;
+        m_control = (m_from + m_to) * 0.5F + glm::vec3(-way.z, 0.0F, way.x) * bend;
+        const float metres = flatDistance(m_from, m_to);
+        m_first = std::min(from.radius / metres, 0.3F);
+        m_last = 1.0F - std::min(to.radius / metres, 0.3F);
+    }
+    [[nodiscard]] glm::vec3 at(float share) const
+    {
+        const float t = glm::mix(m_first, m_last, share);
+        return glm::mix(glm::mix(m_from, m_control, t), glm::mix(m_control, m_to, t), t);
+    }
+
+private:
+    glm::vec3 m_from;
+    glm::vec3 m_to;
+    glm::vec3 m_control{0.0F};
+    float m_first = 0.0F;
+    float m_last = 1.0F;
+};
+
+} // namespace
+
+void PathDrawing::add(Layer layer, const std::vector<GroundTriangle>& triangles, glm::vec4 color)
+{
+    auto& list = m_layers[static_cast<std::size_t>(layer)];
+    for (const GroundTriangle& corners : triangles) {
+        list.push_back({corners, color});
     }
 }
 
-std::span<const render::OverlayTriangle> PathDrawing::areas(const EditorState& state)
+void PathDrawing::band(const BandShape& shape, Layer layer, glm::vec4 color)
+{
+    add(layer, m_sheets.band(shape), color);
+}
+
+void PathDrawing::ring(const RingShape& shape, Layer layer, glm::vec4 color)
+{
+    add(layer, m_sheets.ring(shape), color);
+}
+
+/// Lies on the ground with each of its corners; `tip` lies on it already.
+void PathDrawing::arrow(const glm::vec3& tip, const glm::vec3& along, float size, Layer layer,
+                        glm::vec4 color)
+{
+    const glm::vec3 aside(along.z, 0.0F, -along.x);
+    const auto corner = [&](float back, float off) {
+        return m_sheets.onGround(tip - along * (size * back) + aside * (size * off),
+                                 size * 0.7F + 0.2F);
+    };
+    const glm::vec3 notch = corner(0.65F, 0.0F);
+    const glm::vec3 top = corner(0.0F, 0.0F);
+    add(layer, {{top, notch, corner(1.0F, 0.45F)}, {top, corner(1.0F, -0.45F), notch}}, color);
+}
+
+void PathDrawing::place(const model::Place& place, bool isSelected)
+{
+    const glm::vec3 color = colorOf(place.color);
+    const float width = std::clamp(place.radius * kRingShare, 0.04F, 0.15F);
+    const bool isSpot = place.role == model::PlaceRole::Spot;
+    ring({place.position, place.radius - width, place.radius}, Layer::Ring, {color, 1.0F});
+    ring({place.position, 0.0F, place.radius - width}, Layer::Disc,
+         {color, isSpot ? kSpotOpacity : kRoleOpacity});
+    if (isSelected) {
+        ring({place.position, place.radius, place.radius + borderOf(place.radius)},
+             Layer::SelectedRing, {bright(color), 1.0F});
+    }
+}
+
+/// Arrows along the middle.
+void PathDrawing::arrows(const model::Place& from, const model::Place& to, glm::vec4 color)
+{
+    const float length = flatDistance(from.position, to.position);
+    const glm::vec3 way = to.position - from.position;
+    const glm::vec3 along = glm::vec3(way.x, 0.0F, way.z) / length;
+    const float size =
+        std::min({kArrowMetres, length * 0.4F, std::max(0.25F, (from.radius + to.radius) * 0.6F)});
+    const int count = std::max(1, static_cast<int>(length / kArrowSpacing));
+    for (int i = 0; i < count; ++i) {
+        const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+        const glm::vec3 middle = m_sheets.onGround(from.position + way * share,
+                                                   GroundSheets::reachBetween(length, share));
+        arrow(middle + along * (size * 0.5F), along, size, Layer::Arrow, color);
+    }
+}
+
+/// A lane as wide as the flow.
+void PathDrawing::leg(const model::Place& from, const model::Place& to, glm::vec3 color,
+                      bool isCurrent)
+{
+    const glm::vec2 fromAside(-from.radius, from.radius);
+    const glm::vec2 toAside(-to.radius, to.radius);
+    band({from.position, to.position, fromAside, toAside},
+         isCurrent ? Layer::CurrentLane : Layer::Lane,
+         {color, isCurrent ? kCurrentLaneOpacity : kLaneOpacity});
+    if (!isCurrent) {
+        return;
+    }
+    const float fromBorder = borderOf(from.radius);
+    const float toBorder = borderOf(to.radius);
+    const glm::vec4 border(bright(color), 1.0F);
+    band({from.position,
+          to.position,
+          {from.radius, from.radius + fromBorder},
+          {to.radius, to.radius + toBorder}},
+         Layer::CurrentBorder, border);
+    band({from.position,
+          to.position,
+          {-from.radius - fromBorder, -from.radius},
+          {-to.radius - toBorder, -to.radius}},
+         Layer::CurrentBorder, border);
+}
+
+/// Where some leave a path for another one's beginning: dashes that bend to the right, in the other
+/// path's colour, and an arrow. Several from one place bend differently.
+void PathDrawing::branch(const model::Scene& scene, const model::PathBranch& branch, int number)
+{
+    const model::Path* target = scene.findPath(branch.path);
+    const model::Place* from = scene.findPlace(branch.place);
+    if (target == nullptr || from == nullptr || target->places.empty()) {
+        return;
+    }
+    const model::Place* to = scene.findPlace(target->places.front());
+    if (to == from && target->places.size() > 1) {
+        to = scene.findPlace(target->places[1]); // they are on it already
+    }
+    const float metres = to != nullptr ? flatDistance(from->position, to->position) : 0.0F;
+    if (metres < 0.1F) {
+        return;
+    }
+    const glm::vec4 color(colorOf(target->color), 1.0F);
+    const float half =
+        std::clamp(std::min(from->radius, to->radius) * 0.2F, kBranchNarrow, kBranchWide);
+    const BranchCurve curve(*from, *to, kBranchBend * static_cast<float>(1 + number));
+    const auto at = [&](float share) {
+        return m_sheets.onGround(curve.at(share), GroundSheets::reachBetween(metres, share));
+    };
+    const int dashes = std::clamp(static_cast<int>(metres / (half * kDashWidths)), 2, kMostDashes);
+    for (int i = 0; i < dashes; ++i) {
+        const float start = static_cast<float>(i) / static_cast<float>(dashes);
+        const glm::vec3 a = at(start);
+        const glm::vec3 b = at(start + 0.6F / static_cast<float>(dashes));
+        band({a, b, {-half, half}, {-half, half}}, Layer::Branch, color);
+    }
+    const glm::vec3 tip = at(1.0F);
+    const glm::vec3 way = tip - at(1.0F - 0.5F / static_cast<float>(dashes));
+    const glm::vec3 along = glm::normalize(glm::vec3(way.x, 0.0F, way.z));
+    arrow(tip, along, std::min(half * 6.0F, metres * 0.5F), Layer::Branch, color);
+}
+
+void PathDrawing::path(const EditorState& state, const model::Path& path)
+{
+    const model::Scene& scene = state.scene();
+    const bool isCurrent = path.id == state.paths().path();
+    const glm::vec3 color = colorOf(path.color);
+    const std::size_t count = path.places.size();
+    const bool isOpen = path.kind == model::PathKind::Simple || count < 2 ||
+                        (isCurrent && state.paths().isPainting() && count < 3);
+    for (std::size_t i = 0; i < count && i + 1 < count + (isOpen ? 0 : 1); ++i) {
+        const model::Place* from = scene.findPlace(path.places[i]);
+        const model::Place* to = scene.findPlace(path.places[(i + 1) % count]);
+        if (from == nullptr || to == nullptr ||
+            flatDistance(from->position, to->position) < 0.01F) {
+            continue;
+        }
+        const bool isJump = i + 1 == count && path.kind == model::PathKind::Teleport;
+        if (!isJump) {
+            leg(*from, *to, color, isCurrent);
+        }
+        arrows(*from, *to, {color, isJump ? kJumpOpacity : 1.0F});
+    }
+    for (std::size_t i = 0; i < path.branches.size(); ++i) {
+        const auto isSame = [&](const model::PathBranch& other) {
+            return other.place == path.branches[i].place;
+        };
+        const auto end = path.branches.begin() + static_cast<std::ptrdiff_t>(i);
+        branch(scene, path.branches[i],
+               static_cast<int>(std::count_if(path.branches.begin(), end, isSame)));
+    }
+}
+
+void PathDrawing::draw(const EditorState& state, const model::StageRays& stage)
+{
+    const model::Scene& scene = state.scene();
+    m_sheets.begin(stage, cellFor(scene));
+    for (auto& layer : m_layers) {
+        layer.clear();
+    }
+    for (const model::Path& each : scene.paths) {
+        path(state, each);
+    }
+    for (const model::Place& each : scene.places) {
+        place(each, state.paths().isSelected(each.id));
+    }
+    m_areas.clear();
+    for (const auto& layer : m_layers) {
+        m_areas.insert(m_areas.end(), layer.begin(), layer.end());
+    }
+    ++m_version;
+}
+
+std::span<const render::OverlayTriangle> PathDrawing::areas(const EditorState& state,
+                                                            const model::StageRays& stage)
 {
     if (m_isStale) {
         m_isStale = false;
-        draw(state);
+        draw(state, stage);
     }
     return m_areas;
 }

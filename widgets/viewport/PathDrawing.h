@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "model/view/View.h"
 #include "render/RenderInput.h"
 #include "widgets/state/EditorState.h"
+#include "widgets/viewport/GroundSheets.h"
 
 namespace crowd::widgets {
 
@@ -24,24 +27,53 @@ struct PlaceLabel
     friend bool operator==(const PlaceLabel&, const PlaceLabel&) = default;
 };
 
-/// Places as rings and paths as lanes with arrows, flat on the ground, and their names. Made anew
-/// only when they changed.
+/// Places as rings and paths as lanes with arrows, laid on the ground, branches from one path to
+/// another, and their names. Made anew only when they changed.
 class PathDrawing
 {
 public:
-    /// Triangles of everything; the current path is stronger.
-    [[nodiscard]] std::span<const render::OverlayTriangle> areas(const EditorState& state);
+    /// Triangles of everything, topmost first; the current path has a bright border, selected
+    /// places a bright ring.
+    [[nodiscard]] std::span<const render::OverlayTriangle> areas(const EditorState& state,
+                                                                 const model::StageRays& stage);
+    /// Another one for other areas; never 0 once they were asked for.
+    [[nodiscard]] std::uint64_t version() const { return m_version; }
     [[nodiscard]] static std::vector<PlaceLabel> labels(const EditorState& state,
                                                         const model::View& view);
     /// Something else is to be drawn.
     void forget() { m_isStale = true; }
 
 private:
-    void draw(const EditorState& state);
-    void ring(const model::Place& place, glm::vec4 color);
-    void lane(const model::Place& from, const model::Place& to, glm::vec4 color, bool isJump);
+    /// From the top: who lies above colours a pixel alone.
+    enum class Layer : std::uint8_t {
+        Branch,
+        SelectedRing,
+        Ring,
+        Arrow,
+        Disc,
+        CurrentLane,
+        CurrentBorder,
+        Lane,
+        Count
+    };
 
+    void draw(const EditorState& state, const model::StageRays& stage);
+    void path(const EditorState& state, const model::Path& path);
+    void place(const model::Place& place, bool isSelected);
+    void leg(const model::Place& from, const model::Place& to, glm::vec3 color, bool isCurrent);
+    void arrows(const model::Place& from, const model::Place& to, glm::vec4 color);
+    void branch(const model::Scene& scene, const model::PathBranch& branch, int number);
+    void arrow(const glm::vec3& tip, const glm::vec3& along, float size, Layer layer,
+               glm::vec4 color);
+    void band(const BandShape& shape, Layer layer, glm::vec4 color);
+    void ring(const RingShape& shape, Layer layer, glm::vec4 color);
+    void add(Layer layer, const std::vector<GroundTriangle>& triangles, glm::vec4 color);
+
+    GroundSheets m_sheets;
+    std::array<std::vector<render::OverlayTriangle>, static_cast<std::size_t>(Layer::Count)>
+        m_layers;
     std::vector<render::OverlayTriangle> m_areas;
+    std::uint64_t m_version = 0;
     bool m_isStale = true;
 };
 

@@ -97,6 +97,7 @@ void ViewportWidget::connectState()
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [redrawPaths](const model::SceneChange& change) {
                 if (std::holds_alternative<model::PathsChanged>(change) ||
+                    std::holds_alternative<model::StagesChanged>(change) ||
                     std::holds_alternative<model::SceneReplaced>(change)) {
                     redrawPaths();
                 }
@@ -197,7 +198,8 @@ render::RenderInput ViewportWidget::renderInput()
         input.markers = m_marks;
     }
     if (options.showPaths) {
-        input.areas = m_paths.areas(m_state);
+        input.areas = m_paths.areas(m_state, queries.stage());
+        input.areasVersion = m_paths.version();
     }
     return input;
 }

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "model/pick/StageRays.h"
+#include "tests/program/Test.h"
+#include "widgets/viewport/PathDrawing.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+
+namespace {
+
+/// A slab under Z < 0 that is 0.15 m high, and a bridge 5 m up along X at |z - 10| < 1.
+model::StageEntry slabAndBridge()
+{
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh mesh;
+    const auto add = [&mesh](float y, glm::vec2 x, glm::vec2 z) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const glm::vec2 corner :
+             {glm::vec2(x.x, z.x), glm::vec2(x.x, z.y), glm::vec2(x.y, z.y), glm::vec2(x.y, z.x)}) {
+            mesh.positions.emplace_back(corner.x, y, corner.y);
+            mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+            mesh.uv.emplace_back(0.0F);
+        }
+        for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {
+            mesh.indices.push_back(first + corner);
+        }
+    };
+    add(0.15F, {-20.0F, 20.0F}, {-20.0F, 0.0F});
+    add(5.0F, {-20.0F, 20.0F}, {9.0F, 11.0F});
+    stage->meshes.push_back(mesh);
+    model::StageEntry entry;
+    entry.id = 1;
+    entry.asset = stage;
+    return entry;
+}
+
+model::Place placeAt(model::PlaceId id, const glm::vec3& position, float radius = 1.0F)
+{
+    model::Place place;
+    place.id = id;
+    place.name = "Place";
+    place.position = position;
+    place.radius = radius;
+    return place;
+}
+
+const std::array<std::uint8_t, 3> kOrange{240, 150, 40};
+const std::array<std::uint8_t, 3> kBlue{40, 100, 230};
+
+model::Path pathOver(model::PathId id, std::vector<model::PlaceId> places,
+                     const std::array<std::uint8_t, 3>& color)
+{
+    model::Path path;
+    path.id = id;
+    path.name = "Path";
+    path.places = std::move(places);
+    path.color = color;
+    return path;
+}
+
+bool hasColor(const render::OverlayTriangle& area, const std::array<std::uint8_t, 3>& color)
+{
+    return glm::distance(glm::vec3(area.color), glm::vec3(color[0], color[1], color[2]) / 255.0F) <
+           0.01F;
+}
+
+} // namespace
+
+/// Where the shapes of places and paths lie, without a window.
+class TestPathDrawing : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void bandGoesUpAStep();
+    void bandStaysOnTheBridgeOrUnderIt();
+    void bandDoesNotHangFromABridge();
+    void ringLiesOnTheStep();
+    void nothingNearKeepsTheHeight();
+    void flatGroundTakesFewTriangles();
+    void onlyWhatMovedIsLaidOutAnew();
+    void branchLeadsToTheOtherPath();
+    void branchOfASharedPlaceShowsTheWayOn();
+    void currentPathHasABorder();
+    void selectedPlaceHasARing();
+    void changesGiveAnotherVersion();
+
+private:
+    [[nodiscard]] std::span<const render::OverlayTriangle> areas();
+    void show(std::vector<model::Place> places, std::vector<model::Path> paths);
+
+    std::unique_ptr<model::SceneDocument> m_document;
+    std::unique_ptr<EditorState> m_state;
+    model::StageRays m_rays;
+    std::unique_ptr<PathDrawing> m_drawing;
+};
+
+void TestPathDrawing::init()
+{
+    m_drawing = std::make_unique<PathDrawing>();
+    m_state.reset();
+    m_document = std::make_unique<model::SceneDocument>();
+    m_state = std::make_unique<EditorState>(*m_document);
+    const model::StageEntry stage = slabAndBridge();
+    m_rays.setStages({&stage, 1});
+}
+
+void TestPathDrawing::show(std::vector<model::Place> places, std::vector<model::Path> paths)
+{
+    model::Scene scene;
+    scene.places = std::move(places);
+    scene.paths = std::move(paths);
+    m_document->replaceScene(std::move(scene), {});
+}
+
+std::span<const render::OverlayTriangle> TestPathDrawing::areas()
+{
+    m_drawing->forget();
+    return m_drawing->areas(*m_state, m_rays);
+}
+
+void TestPathDrawing::bandGoesUpAStep()
+{
+    show({placeAt(1, {0.0F, 0.0F, 6.0F}), placeAt(2, {0.0F, 0.15F, -6.0F})},
+         {pathOver(1, {1, 2}, kOrange)});
+    int onSlab = 0;
+    int onGround = 0;
+    for (const render::OverlayTriangle& area : areas()) {
+        for (const glm::vec3& corner : area.corners) {
+            const float floor = corner.z <= 0.0F ? 0.15F : 0.0F;
+            QVERIFY2(corner.y > floor && corner.y < floor + 0.1F,
+                     qPrintable(QStringLiteral("%1 at z %2").arg(corner.y).arg(corner.z)));
+            ++(corner.z < 0.0F ? onSlab : onGround);
+        }
+    }
+    QVERIFY(onSlab > 10);
+    QVERIFY(onGround > 10);
+}
+
+void TestPathDrawing::bandStaysOnTheBridgeOrUnderIt()
+{
+    show({placeAt(1, {-8.0F, 5.0F, 10.0F}), placeAt(2, {8.0F, 5.0F, 10.0F})},
+         {pathOver(1, {1, 2}, kOrange)});
+    QVERIFY(std::ranges::all_of(areas(), [](const render::OverlayTriangle& area) {
+        return area.corners[0].y > 5.0F && area.corners[0].y < 5.1F;
+    }));
+    show({placeAt(1, {0.0F, 0.0F, 4.0F}), placeAt(2, {0.0F, 0.0F, 16.0F})},
+         {pathOver(1, {1, 2}, kOrange)});
+    QVERIFY(!areas().empty());
+    QVERIFY(std::ranges::all_of(areas(), [](const render::OverlayTriangle& area) {
+        return area.corners[0].y > 0.0F && area.corners[0].y < 0.1F;
+    }));
+}
+
+void TestPathDrawing::bandDoesNotHangFromABridge()
+{
+    show({placeAt(1, {0.0F, 5.0F, 10.0F}), placeAt(2, {0.0F, 0.0F, 30.0F})},
+         {pathOver(1, {1, 2}, kOrange)});
+    for (const render::OverlayTriangle& area : areas()) {
+        const auto [low, high] =
+            std::ranges::minmax(area.corners, {}, [](const glm::vec3& corner) { return corner.y; });
+        QVERIFY(high.y - low.y < 1.2F);
+    }
+}
+
+void TestPathDrawing::ringLiesOnTheStep()
+{
+    show({placeAt(1, {0.0F, 0.0F, 0.2F}, 2.0F)}, {});
+    const auto all = areas();
+    QVERIFY(!all.empty());
+    for (const render::OverlayTriangle& area : all) {
+        for (const glm::vec3& corner : area.corners) {
+            const float floor = corner.z <= 0.0F ? 0.15F : 0.0F;
+            QVERIFY(corner.y > floor && corner.y < 0.2F);
+            QVERIFY(glm::distance(corner, glm::vec3(0.0F, corner.y, 0.2F)) < 2.001F);
+        }
+    }
+}
+
+void TestPathDrawing::nothingNearKeepsTheHeight()
+{
+    show({placeAt(1, {0.0F, 40.0F, 4.0F})}, {});
+    QVERIFY(!areas().empty());
+    for (const render::OverlayTriangle& area : areas()) {
+        QVERIFY(std::abs(area.corners[0].y - 40.0F) < 0.1F);
+    }
+}
+
+void TestPathDrawing::flatGroundTakesFewTriangles()
+{
+    show({placeAt(1, {-80.0F, 0.0F, 30.0F}), placeAt(2, {80.0F, 0.0F, 30.0F})},
+         {pathOver(1, {1, 2}, kOrange)});
+    QVERIFY2(areas().size() < 700, qPrintable(QString::number(areas().size())));
+}
+
+void TestPathDrawing::onlyWhatMovedIsLaidOutAnew()
+{
+    GroundSheets sheets;
+    const RingShape ring{{0.0F, 0.0F, 0.0F}, 0.0F, 1.0F};
+    const BandShape band{{0.0F, 0.0F, 0.0F}, {4.0F, 0.0F, 0.0F}, {-1.0F, 1.0F}, {-1.0F, 1.0F}};
+    sheets.begin(m_rays, 1.0F);
+    (void)sheets.ring(ring);
+    (void)sheets.band(band);
+    QCOMPARE(sheets.laidOut(), 2);
+    sheets.begin(m_rays, 1.0F);
+    (void)sheets.ring({{0.0F, 0.0F, 1.0F}, 0.0F, 1.0F});
+    const auto again = sheets.band(band);
+    QCOMPARE(sheets.laidOut(), 1);
+    QVERIFY(!again.empty());
+    m_rays.setStages({});
+    sheets.begin(m_rays, 1.0F);
+    (void)sheets.band(band);
+    QCOMPARE(sheets.laidOut(), 1);
+}
+
+void TestPathDrawing::branchLeadsToTheOtherPath()
+{
+    model::Path leaving = pathOver(1, {1, 2}, kOrange);
+    const std::vector<model::Place> places{
+        placeAt(1, {-10.0F, 0.0F, 30.0F}), placeAt(2, {10.0F, 0.0F, 30.0F}),
+        placeAt(3, {10.0F, 0.0F, 50.0F}), placeAt(4, {10.0F, 0.0F, 60.0F})};
+    const auto nearest = [](std::span<const render::OverlayTriangle> all, const glm::vec3& to) {
+        float least = 1e6F;
+        for (const render::OverlayTriangle& area : all) {
+            for (const glm::vec3& corner : area.corners) {
+                if (hasColor(area, kBlue) && area.color.a > 0.9F) {
+                    least = std::min(least, glm::distance(corner, to));
+                }
+            }
+        }
+        return least;
+    };
+    show(places, {leaving, pathOver(2, {3, 4}, kBlue)});
+    QVERIFY(nearest(areas(), places[1].position) > 15.0F);
+    leaving.branches.push_back({2, 2, 1.0F});
+    show(places, {leaving, pathOver(2, {3, 4}, kBlue)});
+    QVERIFY(nearest(areas(), places[1].position) < 1.3F); // from the rim of the one
+    QVERIFY(nearest(areas(), places[2].position) < 1.3F); // to the rim of the other
+    // Above everything else.
+    QVERIFY(hasColor(areas().front(), kBlue));
+}
+
+void TestPathDrawing::branchOfASharedPlaceShowsTheWayOn()
+{
+    model::Path leaving = pathOver(1, {1, 2}, kOrange);
+    leaving.branches.push_back({2, 2, 1.0F});
+    show({placeAt(1, {-10.0F, 0.0F, 30.0F}), placeAt(2, {10.0F, 0.0F, 30.0F}),
+          placeAt(3, {10.0F, 0.0F, 50.0F})},
+         {leaving, pathOver(2, {2, 3}, kBlue)});
+    QVERIFY(hasColor(areas().front(), kBlue));
+    QVERIFY(areas().front().corners[0].z > 30.9F);
+}
+
+void TestPathDrawing::currentPathHasABorder()
+{
+    show({placeAt(1, {-10.0F, 0.0F, 30.0F}), placeAt(2, {10.0F, 0.0F, 30.0F})},
+         {pathOver(1, {1, 2}, kBlue)});
+    const auto beside = [](const render::OverlayTriangle& area) {
+        return std::ranges::all_of(area.corners, [](const glm::vec3& corner) {
+            return corner.z - 30.0F > 0.999F && std::abs(corner.x) < 10.001F;
+        });
+    };
+    QCOMPARE(std::ranges::count_if(areas(), beside), 0);
+    m_state->paths().look(1);
+    const auto all = areas();
+    QVERIFY(std::ranges::count_if(all, beside) >= 2);
+    const auto border = std::ranges::find_if(all, beside);
+    QVERIFY(border->color.r > 0.6F && border->color.a > 0.9F); // brighter than the blue
+}
+
+void TestPathDrawing::selectedPlaceHasARing()
+{
+    show({placeAt(1, {0.0F, 0.0F, 30.0F})}, {});
+    const auto outside = [](const render::OverlayTriangle& area) {
+        return glm::distance(glm::vec2(area.corners[1].x, area.corners[1].z),
+                             glm::vec2(0.0F, 30.0F)) > 1.01F;
+    };
+    QCOMPARE(std::ranges::count_if(areas(), outside), 0);
+    m_state->paths().select({1});
+    QVERIFY(std::ranges::count_if(areas(), outside) > 40);
+}
+
+void TestPathDrawing::changesGiveAnotherVersion()
+{
+    show({placeAt(1, {0.0F, 0.0F, 30.0F})}, {});
+    (void)areas();
+    const std::uint64_t before = m_drawing->version();
+    QVERIFY(before != 0);
+    (void)m_drawing->areas(*m_state, m_rays);
+    QCOMPARE(m_drawing->version(), before);
+    m_drawing->forget();
+    (void)m_drawing->areas(*m_state, m_rays);
+    QVERIFY(m_drawing->version() != before);
+}
+
+CROWD_TEST(TestPathDrawing)
+#include "tst_PathDrawing.moc"
