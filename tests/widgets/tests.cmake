@@ -14,4 +14,5 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_ToolController
     tst_Transport
     tst_ViewportCamera
+    tst_WheelInPanels
 )

@@ -59,6 +59,18 @@ void paintDash(QPainter& painter, const QRectF& box, const QColor& color)
 
 CrowdStyle::CrowdStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
+void CrowdStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    m_wheel.watch(*widget);
+}
+
+void CrowdStyle::unpolish(QWidget* widget)
+{
+    m_wheel.forget(*widget);
+    QProxyStyle::unpolish(widget);
+}
+
 int CrowdStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const
 {
