@@ -23,6 +23,21 @@ namespace {
 
 constexpr int kIndent = 14; ///< logical pixels
 
+/// Something that stands before the verb: "speed is above 1 m/s", not "is speed".
+bool isComparison(const Condition& condition)
+{
+    switch (condition.kind) {
+    case ConditionKind::Number:
+    case ConditionKind::Speed:
+    case ConditionKind::Payload:
+    case ConditionKind::PeopleIn:
+    case ConditionKind::Property:
+        return true;
+    default:
+        return false;
+    }
+}
+
 } // namespace
 
 RuleEditor::RuleEditor(const model::Scene& scene, const Rule& rule,
@@ -179,15 +194,18 @@ void RuleEditor::addCondition(QVBoxLayout* layout, std::size_t index)
             m_apply([&](Rule& each) { each.isAnyEnough = choice == 1; });
         });
     }
-    addChoiceField(row, {tr("is"), tr("is not")}, condition.isNot ? 1 : 0,
-                   [this, index](int choice) {
-                       setCondition(index, [&](Condition& each) { each.isNot = choice == 1; });
-                   });
+    const bool isCompared = isComparison(condition);
+    if (!isCompared) {
+        addNegation(row, index);
+    }
     addChoiceField(
         row, conditionNames(), static_cast<int>(condition.kind), [this, index](int kind) {
             setCondition(index,
                          [&](Condition& each) { each.kind = static_cast<ConditionKind>(kind); });
         });
+    if (isCompared) {
+        addSubject(row, index);
+    }
     addRemoveButton(row, tr("Remove this condition"), [this, index] {
         m_apply([&](Rule& each) {
             each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
@@ -195,6 +213,44 @@ void RuleEditor::addCondition(QVBoxLayout* layout, std::size_t index)
     });
     if (condition.kind != ConditionKind::IsSeated) {
         addConditionFields(indentedRowIn(layout), index);
+    }
+}
+
+/// "is", "is not", or what suits better.
+void RuleEditor::addNegation(QHBoxLayout* row, std::size_t index)
+{
+    const Condition& condition = m_rule.conditions[index];
+    addChoiceField(row, verbsOf(condition.kind), condition.isNot ? 1 : 0,
+                   [this, index](int choice) {
+                       setCondition(index, [&](Condition& each) { each.isNot = choice == 1; });
+                   });
+}
+
+void RuleEditor::addConditionPlace(QHBoxLayout* row, std::size_t index)
+{
+    addPlaceField(row, m_scene, m_rule.conditions[index].place, {},
+                  [this, index](model::PlaceId place) {
+                      setCondition(index, [&](Condition& each) { each.place = place; });
+                  });
+}
+
+/// What exactly is compared.
+void RuleEditor::addSubject(QHBoxLayout* row, std::size_t index)
+{
+    const Condition& condition = m_rule.conditions[index];
+    if (condition.kind == ConditionKind::Number) {
+        addArtistNumberField(row, m_scene, condition.number, [this, index](model::NumberId number) {
+            setCondition(index, [&](Condition& each) { each.number = number; });
+        });
+    } else if (condition.kind == ConditionKind::PeopleIn) {
+        addConditionPlace(row, index);
+    } else if (condition.kind == ConditionKind::Property) {
+        addChoiceField(row, comparedNames(), static_cast<int>(condition.property),
+                       [this, index](int property) {
+                           setCondition(index, [&](Condition& each) {
+                               each.property = static_cast<model::ComparedProperty>(property);
+                           });
+                       });
     }
 }
 
@@ -213,10 +269,11 @@ void RuleEditor::addTemplate(QHBoxLayout* row, std::size_t index)
     });
 }
 
-/// "less than 3", "3", "more than 3".
+/// "is below 3", "is at 3", "is above 3".
 void RuleEditor::addComparison(QHBoxLayout* row, std::size_t index, const QString& suffix)
 {
     const Condition& condition = m_rule.conditions[index];
+    addNegation(row, index);
     addChoiceField(row, comparisonNames(), static_cast<int>(condition.comparison),
                    [this, index](int choice) {
                        setCondition(index, [&](Condition& each) {
@@ -232,11 +289,6 @@ void RuleEditor::addComparison(QHBoxLayout* row, std::size_t index, const QStrin
 void RuleEditor::addConditionFields(QHBoxLayout* row, std::size_t index)
 {
     const Condition& condition = m_rule.conditions[index];
-    const auto addPlace = [&] {
-        addPlaceField(row, m_scene, condition.place, {}, [this, index](model::PlaceId place) {
-            setCondition(index, [&](Condition& each) { each.place = place; });
-        });
-    };
     switch (condition.kind) {
     case ConditionKind::HasTag:
         addTagField(row, m_scene, condition.tag, [this, index](std::uint8_t tag) {
@@ -248,7 +300,7 @@ void RuleEditor::addConditionFields(QHBoxLayout* row, std::size_t index)
         break;
     case ConditionKind::InPlace:
     case ConditionKind::IsFull:
-        addPlace();
+        addConditionPlace(row, index);
         break;
     case ConditionKind::FollowsPath:
         addPathField(row, m_scene, condition.path, tr("any path"),
@@ -257,37 +309,25 @@ void RuleEditor::addConditionFields(QHBoxLayout* row, std::size_t index)
                      });
         break;
     case ConditionKind::Chance:
-        addNumberField(row, static_cast<double>(condition.chance) * 100.0, 0.0, 100.0, tr(" %"),
-                       [this, index](double value) {
+        row->addWidget(new QLabel(tr("in")));
+        addNumberField(row, static_cast<double>(condition.chance) * 100.0, 0.0, 100.0,
+                       tr(" % of cases"), [this, index](double value) {
                            setCondition(index, [&](Condition& each) {
                                each.chance = static_cast<float>(value / 100.0);
                            });
                        });
         break;
-    case ConditionKind::Number:
-        addArtistNumberField(row, m_scene, condition.number, [this, index](model::NumberId number) {
-            setCondition(index, [&](Condition& each) { each.number = number; });
-        });
-        addComparison(row, index, {});
-        break;
     case ConditionKind::Speed:
         addComparison(row, index, tr(" m/s"));
         break;
+    case ConditionKind::Number:
     case ConditionKind::Payload:
-        addComparison(row, index, {});
-        break;
     case ConditionKind::PeopleIn:
-        addPlace();
         addComparison(row, index, {});
         break;
     case ConditionKind::Property:
-        addChoiceField(row, comparedNames(), static_cast<int>(condition.property),
-                       [this, index](int property) {
-                           setCondition(index, [&](Condition& each) {
-                               each.property = static_cast<model::ComparedProperty>(property);
-                           });
-                       });
         if (condition.property == model::ComparedProperty::Clip) {
+            addNegation(row, index);
             addOneClipField(row, m_scene, condition.clip, [this, index](const std::string& clip) {
                 setCondition(index, [&](Condition& each) { each.clip = clip; });
             });

@@ -36,6 +36,9 @@ private:
     void addConditions(QVBoxLayout* layout);
     void addCondition(QVBoxLayout* layout, std::size_t index);
     void addConditionFields(QHBoxLayout* row, std::size_t index);
+    void addNegation(QHBoxLayout* row, std::size_t index);
+    void addConditionPlace(QHBoxLayout* row, std::size_t index);
+    void addSubject(QHBoxLayout* row, std::size_t index);
     void addActions(QVBoxLayout* layout);
     void addAction(QVBoxLayout* layout, std::size_t index);
     [[nodiscard]] QString wordBefore(std::size_t index) const;

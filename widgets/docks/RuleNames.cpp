@@ -35,12 +35,25 @@ QStringList triggerNames()
 
 QStringList conditionNames()
 {
-    return {RuleNamesText::tr("tagged"),          RuleNamesText::tr("of template"),
-            RuleNamesText::tr("inside place"),    RuleNamesText::tr("walking path"),
-            RuleNamesText::tr("seated"),          RuleNamesText::tr("by chance"),
-            RuleNamesText::tr("own number"),      RuleNamesText::tr("speed"),
-            RuleNamesText::tr("event’s number"),  RuleNamesText::tr("place full"),
-            RuleNamesText::tr("people in place"), RuleNamesText::tr("property")};
+    return {RuleNamesText::tr("tagged"),
+            RuleNamesText::tr("of template"),
+            RuleNamesText::tr("inside place"),
+            RuleNamesText::tr("walking path"),
+            RuleNamesText::tr("seated"),
+            RuleNamesText::tr("by chance"),
+            RuleNamesText::tr("own number"),
+            RuleNamesText::tr("speed"),
+            RuleNamesText::tr("event’s number"),
+            RuleNamesText::tr("full: the place"),
+            RuleNamesText::tr("number of people in"),
+            RuleNamesText::tr("property")};
+}
+
+QStringList verbsOf(ConditionKind kind)
+{
+    return kind == ConditionKind::Chance
+               ? QStringList{RuleNamesText::tr("happens"), RuleNamesText::tr("does not happen")}
+               : QStringList{RuleNamesText::tr("is"), RuleNamesText::tr("is not")};
 }
 
 QStringList actionNames()

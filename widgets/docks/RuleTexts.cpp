@@ -53,15 +53,22 @@ QString numberText(const Scene& scene, NumberId id)
 
 QString comparedText(const QString& what, const Condition& condition)
 {
+    QString text;
     switch (condition.comparison) {
     case Comparison::Less:
-        return RuleTextsContext::tr("%1 below %2").arg(what, number(condition.value));
+        text = condition.isNot ? RuleTextsContext::tr("%1 not below %2")
+                               : RuleTextsContext::tr("%1 below %2");
+        break;
     case Comparison::Equal:
-        return RuleTextsContext::tr("%1 at %2").arg(what, number(condition.value));
+        text = condition.isNot ? RuleTextsContext::tr("%1 not at %2")
+                               : RuleTextsContext::tr("%1 at %2");
+        break;
     case Comparison::More:
-        return RuleTextsContext::tr("%1 above %2").arg(what, number(condition.value));
+        text = condition.isNot ? RuleTextsContext::tr("%1 not above %2")
+                               : RuleTextsContext::tr("%1 above %2");
+        break;
     }
-    return {};
+    return text.arg(what, number(condition.value));
 }
 
 QString goText(const Scene& scene, const Action& action)
@@ -133,54 +140,58 @@ QString triggerText(const Scene& scene, const Trigger& trigger)
     return {};
 }
 
-QString conditionText(const Scene& scene, const Condition& condition)
+/// Of what people are or do, which "not" can stand before.
+QString stateText(const Scene& scene, const Condition& condition)
 {
     const TemplateEntry* entry = scene.findTemplate(condition.templateId);
-    QString text;
     switch (condition.kind) {
     case ConditionKind::HasTag:
-        text = RuleTextsContext::tr("tagged %1").arg(tagText(scene, condition.tag));
-        break;
+        return RuleTextsContext::tr("tagged %1").arg(tagText(scene, condition.tag));
     case ConditionKind::OfTemplate:
-        text =
-            RuleTextsContext::tr("a %1").arg(entry != nullptr ? QString::fromStdString(entry->name)
-                                                              : RuleTextsContext::tr("(gone)"));
-        break;
+        return RuleTextsContext::tr("a %1").arg(entry != nullptr
+                                                    ? QString::fromStdString(entry->name)
+                                                    : RuleTextsContext::tr("(gone)"));
     case ConditionKind::InPlace:
-        text = RuleTextsContext::tr("in %1").arg(placeText(scene, condition.place));
-        break;
+        return RuleTextsContext::tr("in %1").arg(placeText(scene, condition.place));
     case ConditionKind::FollowsPath:
-        text = RuleTextsContext::tr("walking %1").arg(pathText(scene, condition.path));
-        break;
+        return RuleTextsContext::tr("walking %1").arg(pathText(scene, condition.path));
     case ConditionKind::IsSeated:
-        text = RuleTextsContext::tr("seated");
-        break;
-    case ConditionKind::Chance:
-        text = RuleTextsContext::tr("with %1 % chance").arg(number(condition.chance * 100.0F));
-        break;
-    case ConditionKind::Number:
-        text = comparedText(numberText(scene, condition.number), condition);
-        break;
-    case ConditionKind::Speed:
-        text = comparedText(RuleTextsContext::tr("speed"), condition);
-        break;
-    case ConditionKind::Payload:
-        text = comparedText(RuleTextsContext::tr("the event’s number"), condition);
-        break;
-    case ConditionKind::IsFull:
-        text = RuleTextsContext::tr("%1 full").arg(placeText(scene, condition.place));
-        break;
-    case ConditionKind::PeopleIn:
-        text = comparedText(
-            RuleTextsContext::tr("people in %1").arg(placeText(scene, condition.place)), condition);
-        break;
-    case ConditionKind::Property:
-        text = condition.property == ComparedProperty::Clip
-                   ? RuleTextsContext::tr("showing %1").arg(QString::fromStdString(condition.clip))
-                   : comparedText(comparedNames()[static_cast<int>(condition.property)], condition);
-        break;
+        return RuleTextsContext::tr("seated");
+    default:
+        return RuleTextsContext::tr("showing %1").arg(QString::fromStdString(condition.clip));
     }
-    return condition.isNot ? RuleTextsContext::tr("not %1").arg(text) : text;
+}
+
+QString conditionText(const Scene& scene, const Condition& condition)
+{
+    switch (condition.kind) {
+    case ConditionKind::Chance:
+        return (condition.isNot ? RuleTextsContext::tr("except by chance in %1 % of cases")
+                                : RuleTextsContext::tr("by chance in %1 % of cases"))
+            .arg(number(condition.chance * 100.0F));
+    case ConditionKind::Number:
+        return comparedText(numberText(scene, condition.number), condition);
+    case ConditionKind::Speed:
+        return comparedText(RuleTextsContext::tr("speed"), condition);
+    case ConditionKind::Payload:
+        return comparedText(RuleTextsContext::tr("the event’s number"), condition);
+    case ConditionKind::IsFull:
+        return (condition.isNot ? RuleTextsContext::tr("%1 not full")
+                                : RuleTextsContext::tr("%1 full"))
+            .arg(placeText(scene, condition.place));
+    case ConditionKind::PeopleIn:
+        return comparedText(
+            RuleTextsContext::tr("people in %1").arg(placeText(scene, condition.place)), condition);
+    case ConditionKind::Property:
+        if (condition.property != ComparedProperty::Clip) {
+            return comparedText(comparedNames()[static_cast<int>(condition.property)], condition);
+        }
+        [[fallthrough]];
+    default: {
+        const QString text = stateText(scene, condition);
+        return condition.isNot ? RuleTextsContext::tr("not %1").arg(text) : text;
+    }
+    }
 }
 
 QString clipText(const Action& action)

@@ -9,18 +9,20 @@
 /// Rules as sentences in the artist's language.
 namespace crowd::widgets {
 
-[[nodiscard]] QStringList triggerNames();    ///< by TriggerKind
-[[nodiscard]] QStringList conditionNames();  ///< by ConditionKind
-[[nodiscard]] QStringList actionNames();     ///< by ActionKind
-[[nodiscard]] QStringList reachNames();      ///< by EventReach
-[[nodiscard]] QStringList meetingNames();    ///< by RuleMeeting
-[[nodiscard]] QStringList yieldNames();      ///< by RuleYield
-[[nodiscard]] QStringList comparisonNames(); ///< by Comparison
-[[nodiscard]] QStringList choiceNames();     ///< by PlaceChoice
-[[nodiscard]] QStringList cueReachNames();   ///< by CueReach
-[[nodiscard]] QStringList aimNames();        ///< by ActionAim
-[[nodiscard]] QStringList comparedNames();   ///< by ComparedProperty
-[[nodiscard]] QStringList settableNames();   ///< by SettableProperty
+[[nodiscard]] QStringList triggerNames(); ///< by TriggerKind
+[[nodiscard]] QStringList conditionNames();
+/// What stands before it, or is compared: yes and no.
+[[nodiscard]] QStringList verbsOf(model::ConditionKind kind); ///< by ConditionKind
+[[nodiscard]] QStringList actionNames();                      ///< by ActionKind
+[[nodiscard]] QStringList reachNames();                       ///< by EventReach
+[[nodiscard]] QStringList meetingNames();                     ///< by RuleMeeting
+[[nodiscard]] QStringList yieldNames();                       ///< by RuleYield
+[[nodiscard]] QStringList comparisonNames();                  ///< by Comparison
+[[nodiscard]] QStringList choiceNames();                      ///< by PlaceChoice
+[[nodiscard]] QStringList cueReachNames();                    ///< by CueReach
+[[nodiscard]] QStringList aimNames();                         ///< by ActionAim
+[[nodiscard]] QStringList comparedNames();                    ///< by ComparedProperty
+[[nodiscard]] QStringList settableNames();                    ///< by SettableProperty
 [[nodiscard]] QString ruleSetName(model::RuleSet set);
 [[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
 
