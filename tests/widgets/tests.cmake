@@ -9,7 +9,9 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_Navigation
     tst_PathDrawing
     tst_PickDrag
+    tst_RuleLog
     tst_RulePanel
+    tst_RulesList
     tst_SelectTool
     tst_ToolController
     tst_Transport

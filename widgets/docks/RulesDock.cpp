@@ -7,43 +7,28 @@
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
-#include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
-#include <QtWidgets/QMenu>
 #include <QtWidgets/QPlainTextEdit>
-#include <QtWidgets/QToolButton>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QVBoxLayout>
 
-#include "behavior/rules/RuleEngine.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/CueBar.h"
 #include "widgets/docks/NamesForm.h"
 #include "widgets/docks/RuleEditor.h"
 #include "widgets/docks/RuleTexts.h"
-#include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 using model::Rule;
-using model::TriggerKind;
 
 namespace {
 
 constexpr int kCountMs = 250;
-constexpr std::size_t kMaxLines = 400;
 constexpr int kLeastListHeight = 34; ///< logical pixels
 constexpr int kMostListHeight = 240;
 constexpr QColor kProblemColor(208, 80, 64);
-
-QToolButton* button(QWidget* parent, const char* icon, const QString& tip)
-{
-    auto* made = new QToolButton(parent);
-    made->setIcon(iconNamed(icon));
-    made->setToolTip(tip);
-    made->setAutoRaise(true);
-    return made;
-}
 
 } // namespace
 
@@ -53,6 +38,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
+    makeActions();
     layout->addWidget(makeButtons(content));
     layout->addWidget(new CueBar(state, content));
     m_list->setObjectName(QStringLiteral("ruleList"));
@@ -60,6 +46,8 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &RulesDock::showMenu);
     layout->addWidget(m_list);
     m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
                            "brush (E) sets them off while it plays."),
@@ -109,7 +97,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
     connect(&m_state.session(), &SessionControl::stateChanged, this, [this] {
         if (m_state.session().isRunning()) {
-            m_lines.clear();
+            m_fired.clear();
             m_counting.start();
         } else {
             m_counting.stop();
@@ -154,42 +142,6 @@ void RulesDock::resizeEvent(QResizeEvent* event)
     m_fit.start(); // sentences break elsewhere
 }
 
-QWidget* RulesDock::makeButtons(QWidget* parent)
-{
-    auto* box = new QWidget(parent);
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
-    auto* add = button(box, "add", tr("Add a rule, or a ready-made set of rules"));
-    add->setObjectName(QStringLiteral("addRule"));
-    add->setText(tr("Add"));
-    add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    add->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(add);
-    connect(menu->addAction(tr("A New Rule")), &QAction::triggered, this, &RulesDock::addRule);
-    menu->addSeparator();
-    for (int i = 0; i < static_cast<int>(model::RuleSet::Count); ++i) {
-        const auto set = static_cast<model::RuleSet>(i);
-        connect(menu->addAction(ruleSetName(set)), &QAction::triggered, this,
-                [this, set] { addSet(set); });
-    }
-    add->setMenu(menu);
-    row->addWidget(add);
-    auto* copy = button(box, "group", tr("Duplicate the rule"));
-    connect(copy, &QToolButton::clicked, this, &RulesDock::duplicateRule);
-    row->addWidget(copy);
-    auto* remove = button(box, "remove", tr("Delete the rule"));
-    remove->setObjectName(QStringLiteral("removeRule"));
-    connect(remove, &QToolButton::clicked, this, &RulesDock::removeRule);
-    row->addWidget(remove);
-    auto* test = button(box, "brush-event", tr("Try it on the selected people, or on all"));
-    test->setObjectName(QStringLiteral("tryRule"));
-    connect(test, &QToolButton::clicked, this, &RulesDock::tryRule);
-    row->addWidget(test);
-    row->addStretch(1);
-    return box;
-}
-
 const Rule* RulesDock::current() const
 {
     const auto& rules = m_state.scene().rules;
@@ -216,75 +168,6 @@ void RulesDock::change(const Change& apply)
     }
     apply(*found);
     setRules(std::move(rules), tr("Change a rule"));
-}
-
-void RulesDock::addRule()
-{
-    std::vector<Rule> made(1);
-    made.front().name = tr("New rule").toStdString();
-    made.front().trigger.event = "cheer";
-    made.front().actions.emplace_back();
-    made.front().yields = model::RuleYield::Anybody;
-    model::giveIds(made, m_state.scene());
-    m_current = made.front().id;
-    std::vector<Rule> rules = m_state.scene().rules;
-    rules.push_back(made.front());
-    setRules(std::move(rules), tr("Add a rule"));
-}
-
-void RulesDock::addSet(model::RuleSet set)
-{
-    std::vector<Rule> made = model::rulesOf(set, m_state.scene());
-    model::giveIds(made, m_state.scene());
-    m_current = made.front().id;
-    // The event brush is ready for it.
-    if (made.front().trigger.kind == TriggerKind::Event) {
-        model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
-        brush.event.name = made.front().trigger.event;
-        m_state.setBrush(brush);
-    }
-    std::vector<Rule> rules = m_state.scene().rules;
-    rules.insert(rules.end(), made.begin(), made.end());
-    setRules(std::move(rules), tr("Add rules: %1").arg(ruleSetName(set)));
-}
-
-void RulesDock::duplicateRule()
-{
-    if (const Rule* rule = current()) {
-        std::vector<Rule> made{*rule};
-        model::giveIds(made, m_state.scene());
-        std::vector<Rule> rules = m_state.scene().rules;
-        const auto at = std::ranges::find(rules, m_current, &Rule::id);
-        m_current = made.front().id;
-        rules.insert(at + 1, made.front());
-        setRules(std::move(rules), tr("Duplicate a rule"));
-    }
-}
-
-void RulesDock::removeRule()
-{
-    std::vector<Rule> rules = m_state.scene().rules;
-    std::erase_if(rules, [this](const Rule& rule) { return rule.id == m_current; });
-    setRules(std::move(rules), tr("Delete a rule"));
-}
-
-/// Lets what a rule waits for happen now.
-void RulesDock::tryRule()
-{
-    const Rule* rule = current();
-    if (rule == nullptr || rule->trigger.kind != TriggerKind::Event) {
-        m_state.showStatus(tr("Choose a rule that begins with an event to try it."));
-        return;
-    }
-    if (!m_state.session().isRunning()) {
-        m_state.showStatus(tr("Press Play first: rules act while it plays."));
-        return;
-    }
-    const auto all = m_state.scene().population.ids();
-    const auto ids = m_state.selection().isEmpty() ? all : m_state.selection().ids();
-    model::EventSettings event = m_state.brush(model::BrushKind::Event).event;
-    event.name = rule->trigger.event;
-    m_state.session().send(event, ids);
 }
 
 void RulesDock::takeOrder()
@@ -383,32 +266,26 @@ void RulesDock::refreshCounts()
     m_isFilling = false;
     const std::vector<behavior::RuleFired> fired = m_state.session().takeLog();
     for (const behavior::RuleFired& each : fired) {
-        m_lines.push_back({each.seconds, each.rule, each.who});
-        if (m_lines.size() > kMaxLines) {
-            m_lines.pop_front();
-        }
+        m_fired.add(each);
     }
     if (!fired.empty()) {
         showLog();
     }
 }
 
+/// Goes on to the end, unless the artist reads further up.
 void RulesDock::showLog()
 {
-    QStringList lines;
-    for (const LogLine& line : m_lines) {
-        if (m_onlySelected->isChecked() && !m_state.selection().contains(line.who)) {
-            continue;
-        }
-        const auto& rules = m_state.scene().rules;
-        const auto rule = std::ranges::find(rules, line.rule, &Rule::id);
-        lines << tr("%1 s · person %2 · %3")
-                     .arg(QLocale().toString(line.seconds, 'f', 2))
-                     .arg(line.who)
-                     .arg(rule == rules.end() ? tr("a rule") : QString::fromStdString(rule->name));
-    }
+    const bool isForAll = !m_onlySelected->isChecked();
+    const QStringList lines =
+        m_fired.lines(m_state.scene(), [this, isForAll](model::IndividualId who) {
+            return isForAll || m_state.selection().contains(who);
+        });
+    QScrollBar& bar = *m_log->verticalScrollBar();
+    const int place = bar.value();
+    const bool isAtEnd = place == bar.maximum();
     m_log->setPlainText(lines.join(QLatin1Char('\n')));
-    m_log->moveCursor(QTextCursor::End);
+    bar.setValue(isAtEnd ? bar.maximum() : place);
 }
 
 /// Which of the editor's fields has the keyboard; -1: none.
@@ -427,6 +304,7 @@ void RulesDock::rebuildEditor()
     m_editor = nullptr;
     const Rule* rule = current();
     showProblems();
+    enableActions();
     if (rule == nullptr) {
         return;
     }

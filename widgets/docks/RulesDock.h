@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <deque>
 #include <functional>
 
 #include <QtCore/QTimer>
 
 #include "model/scene/RuleSets.h"
 #include "widgets/docks/DockBase.h"
+#include "widgets/docks/RuleLog.h"
 #include "widgets/state/EditorState.h"
 
+class QAction;
+class QCheckBox;
 class QLabel;
 class QListWidget;
-class QCheckBox;
 class QPlainTextEdit;
 
 namespace crowd::widgets {
@@ -33,7 +34,12 @@ protected:
 private:
     using Change = std::function<void(model::Rule&)>;
 
+    void makeActions();
+    QAction* makeAction(const char* name, const char* icon, const QString& text,
+                        const QKeySequence& keys, void (RulesDock::*run)());
     QWidget* makeButtons(QWidget* parent);
+    void enableActions();
+    void showMenu(const QPoint& position);
     void rebuildList();
     void fitList();
     void rebuildEditor();
@@ -48,6 +54,10 @@ private:
     void addSet(model::RuleSet set);
     void duplicateRule();
     void removeRule();
+    void switchRule();
+    void moveRule(std::ptrdiff_t by);
+    void moveUp();
+    void moveDown();
     void tryRule();
     void showLog();
     [[nodiscard]] const model::Rule* current() const;
@@ -66,13 +76,14 @@ private:
     QLabel* m_problem;
     QCheckBox* m_onlySelected;
     QPlainTextEdit* m_log;
-    struct LogLine
-    {
-        double seconds = 0.0;
-        model::RuleId rule = 0;
-        model::IndividualId who = 0;
-    };
-    std::deque<LogLine> m_lines;
+    RuleLog m_fired;
+    // What can be done to the chosen rule, by button, menu and key.
+    QAction* m_duplicate = nullptr;
+    QAction* m_remove = nullptr;
+    QAction* m_switch = nullptr;
+    QAction* m_moveUp = nullptr;
+    QAction* m_moveDown = nullptr;
+    QAction* m_try = nullptr;
 };
 
 } // namespace crowd::widgets

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <QtGui/QAction>
+#include <QtGui/QContextMenuEvent>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+
+#include "model/document/SceneEdit.h"
+#include "tests/program/WindowTest.h"
+#include "tests/widgets/Desk.h"
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RulesDock.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+
+namespace {
+
+/// Three rules, of which the second one is chosen.
+struct RulesListDesk : crowd::testing::Desk<RulesDock>
+{
+    [[nodiscard]] bool begin()
+    {
+        std::vector<model::Rule> rules(3);
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            rules[i].id = static_cast<model::RuleId>(i + 1);
+            rules[i].trigger.event = "event" + std::to_string(i + 1);
+        }
+        auto edit = document.beginEdit();
+        edit->setRules(std::move(rules));
+        edit->commit(QStringLiteral("Rules"));
+        list = dock->findChild<QListWidget*>(QStringLiteral("ruleList"));
+        return isReady() && QTest::qWaitFor([this] { return list->count() == 3; }) && choose(1);
+    }
+    [[nodiscard]] bool choose(int row)
+    {
+        list->setCurrentRow(row);
+        return list->currentRow() == row;
+    }
+    [[nodiscard]] QAction* action(const char* name) const
+    {
+        return dock->findChild<QAction*>(QLatin1String(name));
+    }
+    /// The rules' ids in their order.
+    [[nodiscard]] std::vector<model::RuleId> order() const
+    {
+        std::vector<model::RuleId> ids;
+        for (const model::Rule& rule : document.scene().rules) {
+            ids.push_back(rule.id);
+        }
+        return ids;
+    }
+
+    QListWidget* list = nullptr;
+};
+
+using Ids = std::vector<model::RuleId>;
+
+} // namespace
+
+class TestRulesList : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void buttonsSayWhatTheyDo();
+    void aRightClickOffersWhatTheButtonsDo();
+    void rulesAreDuplicatedAndDeleted();
+    void rulesAreMoved();
+    void rulesAreSwitchedOffAndOn();
+    void theListHasKeys();
+    void conditionsReadAsSentences_data();
+    void conditionsReadAsSentences();
+};
+
+void TestRulesList::buttonsSayWhatTheyDo()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    for (const char* name : {"duplicateRule", "removeRule", "tryRule"}) {
+        const auto* button = desk.dock->findChild<QToolButton*>(QLatin1String(name));
+        QVERIFY2(button != nullptr && button->isEnabled(), name);
+        QVERIFY2(!button->icon().isNull() && button->toolTip().contains(QStringLiteral("rule")),
+                 name);
+    }
+    desk.list->setCurrentRow(-1);
+    QVERIFY(!desk.dock->findChild<QToolButton*>(QStringLiteral("removeRule"))->isEnabled());
+}
+
+void TestRulesList::aRightClickOffersWhatTheButtonsDo()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    QStringList offered;
+    QTimer look;
+    connect(&look, &QTimer::timeout, &desk.window, [&] {
+        if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+            for (const QAction* action : menu->actions()) {
+                if (!action->isSeparator()) {
+                    offered << action->text();
+                }
+            }
+            menu->close();
+        }
+    });
+    look.start(10);
+    const QPoint third = desk.list->visualItemRect(desk.list->item(2)).center();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, third,
+                            desk.list->viewport()->mapToGlobal(third));
+    QApplication::sendEvent(desk.list->viewport(), &event);
+    QCOMPARE(offered,
+             (QStringList{QStringLiteral("Duplicate"), QStringLiteral("Delete"),
+                          QStringLiteral("Disable"), QStringLiteral("Move Up"),
+                          QStringLiteral("Move Down"), QStringLiteral("Test on Selected")}));
+    QCOMPARE(desk.list->currentRow(), 2); // what was clicked is what is meant
+    QVERIFY(!desk.action("ruleDown")->isEnabled() && desk.action("ruleUp")->isEnabled());
+}
+
+void TestRulesList::rulesAreDuplicatedAndDeleted()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    desk.action("ruleDuplicate")->trigger();
+    QCOMPARE(desk.order(), (Ids{1, 2, 4, 3}));
+    QTRY_COMPARE(desk.list->currentRow(), 2);
+    desk.action("ruleDelete")->trigger();
+    QCOMPARE(desk.order(), (Ids{1, 2, 3}));
+    QTRY_COMPARE(desk.list->currentRow(), 2); // the next one, so that Delete goes on
+    desk.action("ruleDelete")->trigger();
+    QTRY_COMPARE(desk.list->currentRow(), 1);
+    desk.action("ruleDelete")->trigger();
+    desk.action("ruleDelete")->trigger();
+    QVERIFY(desk.order().empty());
+    QTRY_VERIFY(!desk.action("ruleDelete")->isEnabled());
+    while (desk.document.undoStack().index() > 1) {
+        desk.document.undoStack().undo();
+    }
+    QCOMPARE(desk.order(), (Ids{1, 2, 3}));
+}
+
+void TestRulesList::rulesAreMoved()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    desk.action("ruleUp")->trigger();
+    QCOMPARE(desk.order(), (Ids{2, 1, 3}));
+    QTRY_COMPARE(desk.list->currentRow(), 0);
+    QVERIFY(!desk.action("ruleUp")->isEnabled());
+    desk.action("ruleDown")->trigger();
+    desk.action("ruleDown")->trigger();
+    QCOMPARE(desk.order(), (Ids{1, 3, 2}));
+    QTRY_COMPARE(desk.list->currentRow(), 2);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.order(), (Ids{1, 2, 3}));
+}
+
+void TestRulesList::rulesAreSwitchedOffAndOn()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    QAction& action = *desk.action("ruleSwitch");
+    QCOMPARE(action.text(), QStringLiteral("Disable"));
+    action.trigger();
+    QVERIFY(!desk.document.scene().rules[1].isEnabled);
+    QTRY_COMPARE(action.text(), QStringLiteral("Enable"));
+    QTRY_COMPARE(desk.list->item(1)->checkState(), Qt::Unchecked);
+    action.trigger();
+    QVERIFY(desk.document.scene().rules[1].isEnabled);
+}
+
+void TestRulesList::theListHasKeys()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    desk.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+    desk.list->setFocus();
+    QTRY_VERIFY(desk.list->hasFocus());
+    QTest::keyClick(desk.list, Qt::Key_Down, Qt::AltModifier);
+    QTRY_COMPARE(desk.order(), (Ids{1, 3, 2}));
+    QTRY_COMPARE(desk.list->currentRow(), 2);
+    QTest::keyClick(desk.list, Qt::Key_D, Qt::ControlModifier);
+    QTRY_COMPARE(desk.order().size(), std::size_t{4});
+    QTest::keyClick(desk.list, Qt::Key_Delete);
+    QTRY_COMPARE(desk.order(), (Ids{1, 3, 2}));
+}
+
+void TestRulesList::conditionsReadAsSentences_data()
+{
+    using model::ConditionKind;
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<bool>("isNot");
+    QTest::addColumn<QString>("text");
+    const auto add = [](ConditionKind kind, const char* yes, const char* no) {
+        QTest::newRow(yes) << static_cast<int>(kind) << false << QString::fromUtf8(yes);
+        QTest::newRow(no) << static_cast<int>(kind) << true << QString::fromUtf8(no);
+    };
+    add(ConditionKind::HasTag, "tagged 1", "not tagged 1");
+    add(ConditionKind::FollowsPath, "walking any path", "not walking any path");
+    add(ConditionKind::IsSeated, "seated", "not seated");
+    add(ConditionKind::Chance, "by chance in 50 % of cases", "except by chance in 50 % of cases");
+    add(ConditionKind::Number, "a number above 3", "a number not above 3");
+    add(ConditionKind::Speed, "speed above 3", "speed not above 3");
+    add(ConditionKind::Payload, "the event’s number above 3", "the event’s number not above 3");
+    add(ConditionKind::IsFull, "any place full", "any place not full");
+    add(ConditionKind::PeopleIn, "people in any place above 3", "people in any place not above 3");
+    add(ConditionKind::Property, "height above 3", "height not above 3");
+}
+
+void TestRulesList::conditionsReadAsSentences()
+{
+    QFETCH(const int, kind);
+    QFETCH(const bool, isNot);
+    QFETCH(const QString, text);
+    model::Rule rule;
+    rule.trigger.event = "go";
+    model::Condition& condition = rule.conditions.emplace_back();
+    condition.kind = static_cast<model::ConditionKind>(kind);
+    condition.isNot = isNot;
+    condition.chance = 0.5F;
+    condition.comparison = model::Comparison::More;
+    condition.value = 3.0F;
+    rule.actions.emplace_back().kind = model::ActionKind::Stop;
+    QCOMPARE(ruleSentence({}, rule),
+             QStringLiteral("When “go” reaches someone, %1: stop").arg(text));
+}
+
+CROWD_WINDOW_TEST(TestRulesList)
+#include "tst_RulesList.moc"

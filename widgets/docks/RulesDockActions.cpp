@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <QtGui/QAction>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+
+#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RulesDock.h"
+#include "widgets/theme/Icons.h"
+
+/// What can be done to rules, by button, menu and key.
+namespace crowd::widgets {
+
+using model::Rule;
+using model::TriggerKind;
+
+namespace {
+
+QToolButton* ruleButton(QWidget* parent, const char* name)
+{
+    auto* made = new QToolButton(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoRaise(true);
+    return made;
+}
+
+} // namespace
+
+/// The keys are those of the list.
+QAction* RulesDock::makeAction(const char* name, const char* icon, const QString& text,
+                               const QKeySequence& keys, void (RulesDock::*run)())
+{
+    auto* action = new QAction(iconNamed(icon), text, this);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, run);
+    m_list->addAction(action);
+    return action;
+}
+
+void RulesDock::makeActions()
+{
+    m_duplicate = makeAction("ruleDuplicate", "copy", tr("Duplicate"), tr("Ctrl+D"),
+                             &RulesDock::duplicateRule);
+    m_duplicate->setToolTip(tr("Duplicate the rule"));
+    m_remove = makeAction("ruleDelete", "delete", tr("Delete"), QKeySequence::Delete,
+                          &RulesDock::removeRule);
+    m_remove->setToolTip(tr("Delete the rule"));
+    m_switch = makeAction("ruleSwitch", "", tr("Disable"), {}, &RulesDock::switchRule);
+    m_moveUp = makeAction("ruleUp", "", tr("Move Up"), tr("Alt+Up"), &RulesDock::moveUp);
+    m_moveDown = makeAction("ruleDown", "", tr("Move Down"), tr("Alt+Down"), &RulesDock::moveDown);
+    m_try = makeAction("ruleTry", "rule-test", tr("Test on Selected"), tr("Ctrl+T"),
+                       &RulesDock::tryRule);
+    m_try->setToolTip(tr("Test the rule on the selected people, or on all, while it plays"));
+}
+
+QWidget* RulesDock::makeButtons(QWidget* parent)
+{
+    auto* box = new QWidget(parent);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    QToolButton* add = ruleButton(box, "addRule");
+    add->setIcon(iconNamed("add"));
+    add->setText(tr("Add"));
+    add->setToolTip(tr("Add a rule, or a ready-made set of rules"));
+    add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    add->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(add);
+    connect(menu->addAction(tr("A New Rule")), &QAction::triggered, this, &RulesDock::addRule);
+    menu->addSeparator();
+    for (int i = 0; i < static_cast<int>(model::RuleSet::Count); ++i) {
+        const auto set = static_cast<model::RuleSet>(i);
+        connect(menu->addAction(ruleSetName(set)), &QAction::triggered, this,
+                [this, set] { addSet(set); });
+    }
+    add->setMenu(menu);
+    row->addWidget(add);
+    const std::pair<const char*, QAction*> buttons[]{
+        {"duplicateRule", m_duplicate}, {"removeRule", m_remove}, {"tryRule", m_try}};
+    for (const auto& [name, action] : buttons) {
+        QToolButton* made = ruleButton(box, name);
+        made->setDefaultAction(action);
+        row->addWidget(made);
+    }
+    row->addStretch(1);
+    return box;
+}
+
+/// As suits the chosen rule.
+void RulesDock::enableActions()
+{
+    const auto& rules = m_state.scene().rules;
+    const Rule* rule = current();
+    for (QAction* action : {m_duplicate, m_remove, m_switch, m_try}) {
+        action->setEnabled(rule != nullptr);
+    }
+    m_moveUp->setEnabled(rule != nullptr && rule != &rules.front());
+    m_moveDown->setEnabled(rule != nullptr && rule != &rules.back());
+    m_switch->setText(rule == nullptr || rule->isEnabled ? tr("Disable") : tr("Enable"));
+}
+
+void RulesDock::showMenu(const QPoint& position)
+{
+    QListWidgetItem* item = m_list->itemAt(position);
+    if (item == nullptr || m_state.document().isEditOpen()) {
+        return;
+    }
+    m_list->setCurrentItem(item);
+    QMenu menu(this);
+    menu.addActions({m_duplicate, m_remove, m_switch});
+    menu.addSeparator();
+    menu.addActions({m_moveUp, m_moveDown});
+    menu.addSeparator();
+    menu.addAction(m_try);
+    menu.exec(m_list->viewport()->mapToGlobal(position));
+}
+
+void RulesDock::addRule()
+{
+    std::vector<Rule> made(1);
+    made.front().name = tr("New rule").toStdString();
+    made.front().trigger.event = "cheer";
+    made.front().actions.emplace_back();
+    made.front().yields = model::RuleYield::Anybody;
+    model::giveIds(made, m_state.scene());
+    m_current = made.front().id;
+    std::vector<Rule> rules = m_state.scene().rules;
+    rules.push_back(made.front());
+    setRules(std::move(rules), tr("Add a rule"));
+}
+
+void RulesDock::addSet(model::RuleSet set)
+{
+    std::vector<Rule> made = model::rulesOf(set, m_state.scene());
+    model::giveIds(made, m_state.scene());
+    m_current = made.front().id;
+    // The event brush is ready for it.
+    if (made.front().trigger.kind == TriggerKind::Event) {
+        model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
+        brush.event.name = made.front().trigger.event;
+        m_state.setBrush(brush);
+    }
+    std::vector<Rule> rules = m_state.scene().rules;
+    rules.insert(rules.end(), made.begin(), made.end());
+    setRules(std::move(rules), tr("Add rules: %1").arg(ruleSetName(set)));
+}
+
+void RulesDock::duplicateRule()
+{
+    if (const Rule* rule = current()) {
+        std::vector<Rule> made{*rule};
+        model::giveIds(made, m_state.scene());
+        std::vector<Rule> rules = m_state.scene().rules;
+        const auto at = std::ranges::find(rules, m_current, &Rule::id);
+        m_current = made.front().id;
+        rules.insert(at + 1, made.front());
+        setRules(std::move(rules), tr("Duplicate a rule"));
+    }
+}
+
+void RulesDock::removeRule()
+{
+    std::vector<Rule> rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    if (found == rules.end()) {
+        return;
+    }
+    const auto next = rules.erase(found);
+    m_current = rules.empty() ? 0 : (next == rules.end() ? rules.back().id : next->id);
+    setRules(std::move(rules), tr("Delete a rule"));
+}
+
+void RulesDock::switchRule()
+{
+    change([](Rule& rule) { rule.isEnabled = !rule.isEnabled; });
+}
+
+void RulesDock::moveRule(std::ptrdiff_t by)
+{
+    std::vector<Rule> rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    const std::ptrdiff_t to = found - rules.begin() + by;
+    if (found == rules.end() || to < 0 || to >= std::ssize(rules)) {
+        return;
+    }
+    std::iter_swap(found, rules.begin() + to);
+    setRules(std::move(rules), tr("Reorder the rules"));
+}
+
+void RulesDock::moveUp()
+{
+    moveRule(-1);
+}
+
+void RulesDock::moveDown()
+{
+    moveRule(1);
+}
+
+/// Lets what a rule waits for happen now.
+void RulesDock::tryRule()
+{
+    const Rule* rule = current();
+    if (rule == nullptr || rule->trigger.kind != TriggerKind::Event) {
+        m_state.showStatus(tr("Choose a rule that begins with an event to try it."));
+        return;
+    }
+    if (!m_state.session().isRunning()) {
+        m_state.showStatus(tr("Press Play first: rules act while it plays."));
+        return;
+    }
+    const auto all = m_state.scene().population.ids();
+    const auto ids = m_state.selection().isEmpty() ? all : m_state.selection().ids();
+    model::EventSettings event = m_state.brush(model::BrushKind::Event).event;
+    event.name = rule->trigger.event;
+    m_state.session().send(event, ids);
+}
+
+} // namespace crowd::widgets
