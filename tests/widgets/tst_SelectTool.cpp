@@ -15,6 +15,7 @@ class TestSelectTool : public QObject
 
 private Q_SLOTS:
     void clickSelectsAndEmptyGroundClears();
+    void clickOnABandChoosesItsPath();
     void modifiersAddAndToggle();
     void rectangleSelectsWhatIsInside();
     void withShiftARectangleBeginsOnSomebodyToo();
@@ -34,6 +35,33 @@ void TestSelectTool::clickSelectsAndEmptyGroundClears()
     QVERIFY(hand.state.selection().contains(ids[1]));
     hand.drag({5.0, 470.0}, {5.0, 470.0});
     QVERIFY(hand.state.selection().isEmpty());
+    QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestSelectTool::clickOnABandChoosesItsPath()
+{
+    Hand hand;
+    auto edit = hand.document.beginEdit();
+    model::Path path;
+    path.name = "Path";
+    for (const float x : {-6.0F, 6.0F}) {
+        model::Place place;
+        place.position = {x, 0.05F, 8.0F};
+        place.radius = 1.5F;
+        path.places.push_back(edit->addPlace(place));
+    }
+    const model::PathId id = edit->addPath(path);
+    edit->commit(QStringLiteral("path"));
+    hand.state.setTool(ToolId::Select);
+    const model::View view(hand.state.camera(), hand.state.viewSize());
+    const auto click = [&](const glm::vec3& point) {
+        const glm::vec3 pixel = view.project(point).value();
+        hand.drag({pixel.x, pixel.y}, {pixel.x, pixel.y});
+    };
+    click({1.0F, 0.05F, 8.8F}); // off the middle, on the band
+    QCOMPARE(hand.state.paths().path(), id);
+    click({1.0F, 0.05F, 5.0F});
+    QCOMPARE(hand.state.paths().path(), model::PathId{0});
     QCOMPARE(hand.document.undoStack().count(), 1);
 }
 

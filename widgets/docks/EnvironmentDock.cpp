@@ -308,6 +308,9 @@ void EnvironmentDock::showSelection()
         (*it)->setSelected((isPlace && m_state.paths().isSelected(id)) ||
                            (isPath && id != 0 && id == m_state.paths().path()));
     }
+    if (const auto chosen = m_tree->selectedItems(); !chosen.isEmpty()) {
+        m_tree->scrollToItem(chosen.front());
+    }
     m_isFilling = false;
     refreshForm();
     showProblems();

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLineF>
 #include <QtCore/QLocale>
 
+#include "model/base/Segment.h"
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/state/BrushTexts.h"
@@ -22,6 +24,20 @@ constexpr double kMiddlePixels = 9.0;
 constexpr double kBorderPixels = 5.0;
 constexpr float kLeastUpright = 0.5F; ///< of a surface's normal: steeper is a wall
 constexpr double kHandleClickSlack = 4.0;
+
+/// How far from the middle of a leg's band, 1 at its border; infinite on another floor.
+float offMiddle(const glm::vec3& point, const model::Place& from, const model::Place& to)
+{
+    constexpr float kFloorMetres = 2.5F; // hills between two places
+    const glm::vec3 level(1.0F, 0.0F, 1.0F);
+    const float share =
+        model::nearestShare(point * level, from.position * level, to.position * level);
+    const glm::vec3 middle = glm::mix(from.position, to.position, share);
+    if (std::abs(point.y - middle.y) > kFloorMetres) {
+        return std::numeric_limits<float>::infinity();
+    }
+    return glm::length((point - middle) * level) / glm::mix(from.radius, to.radius, share);
+}
 
 struct PlaceHandlesText
 {
@@ -198,6 +214,32 @@ std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel
         }
     }
     return middle ? middle : border;
+}
+
+model::PathId pathUnder(const ToolContext& context, const ToolInput& input)
+{
+    const auto ground = groundUnder(context, input);
+    if (!ground || !context.state.viewOptions().showPaths) {
+        return 0;
+    }
+    const model::Scene& scene = context.state.scene();
+    model::PathId nearest = 0;
+    float least = 1.0F;
+    for (const model::Path& path : scene.paths) {
+        const std::size_t count = path.places.size();
+        const std::size_t legs = path.kind == model::PathKind::Cyclic ? count : count - 1;
+        for (std::size_t i = 0; count > 1 && i < legs; ++i) {
+            const model::Place* from = scene.findPlace(path.places[i]);
+            const model::Place* to = scene.findPlace(path.places[(i + 1) % count]);
+            const float off =
+                from != nullptr && to != nullptr ? offMiddle(*ground, *from, *to) : least;
+            if (off < least) {
+                least = off;
+                nearest = path.id;
+            }
+        }
+    }
+    return nearest;
 }
 
 DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press, const PlaceHit& hit)

@@ -23,6 +23,9 @@ struct PlaceHit
                                      float radius);
 /// The place whose middle or circle is under a pixel; middles first.
 [[nodiscard]] std::optional<PlaceHit> placeAt(const ToolContext& context, const QPointF& pixel);
+/// The path on whose band the ground under a pixel lies; of several, the one whose middle is
+/// nearest for its width. 0: none, or paths are not shown.
+[[nodiscard]] model::PathId pathUnder(const ToolContext& context, const ToolInput& input);
 /// Press on a place: a click selects (Shift adds), a drag moves it with the others selected, or
 /// changes its size.
 [[nodiscard]] DragSessionPtr placeDrag(const ToolContext& context, const ToolInput& press,

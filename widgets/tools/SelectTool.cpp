@@ -62,6 +62,7 @@ public:
         } else if (mode == SelectionMode::Replace) {
             m_context.state.selection().clear();
             m_context.state.paths().select({});
+            m_context.state.paths().look(pathUnder(m_context, input));
         }
     }
 

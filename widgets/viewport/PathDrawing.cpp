@@ -40,11 +40,6 @@ glm::vec3 bright(const glm::vec3& color)
     return glm::mix(color, glm::vec3(1.0F), kBright);
 }
 
-QColor screenColorOf(const std::array<std::uint8_t, 3>& color)
-{
-    return {color[0], color[1], color[2]};
-}
-
 /// Wide enough to be seen from where the whole band is.
 float borderOf(float radius)
 {
@@ -188,6 +183,8 @@ void PathDrawing::leg(const model::Place& from, const model::Place& to, glm::vec
     const float fromBorder = borderOf(from.radius);
     const float toBorder = borderOf(to.radius);
     const glm::vec4 border(bright(color), 1.0F);
+    ring({from.position, from.radius, from.radius + fromBorder}, Layer::CurrentBorder, border);
+    ring({to.position, to.radius, to.radius + toBorder}, Layer::CurrentBorder, border);
     band({from.position,
           to.position,
           {from.radius, from.radius + fromBorder},
@@ -296,41 +293,6 @@ std::span<const render::OverlayTriangle> PathDrawing::areas(const EditorState& s
         draw(state, stage);
     }
     return m_areas;
-}
-
-std::vector<PlaceLabel> PathDrawing::labels(const EditorState& state, const model::View& view)
-{
-    std::vector<PlaceLabel> labels;
-    if (!state.viewOptions().showPaths) {
-        return labels;
-    }
-    const model::Scene& scene = state.scene();
-    const std::optional<model::BrushKind> kind = brushKindOf(state.tool());
-    const bool isWorking = state.tool() == ToolId::Select || kind == model::BrushKind::Path ||
-                           kind == model::BrushKind::Environment;
-    const auto add = [&](const model::Place& place, const std::string& text, bool isSelected,
-                         const std::array<std::uint8_t, 3>& color) {
-        if (const auto pixel = view.project(place.position)) {
-            labels.push_back({QPointF(pixel->x, pixel->y), QString::fromStdString(text),
-                              screenColorOf(color), isSelected});
-        }
-    };
-    for (const model::Place& place : scene.places) {
-        const bool isSelected = state.paths().isSelected(place.id);
-        const bool isActing = place.role != model::PlaceRole::Spot;
-        if (isWorking || isSelected || isActing) {
-            add(place, isSelected || isActing ? place.name : std::string(), isSelected,
-                place.color);
-        }
-    }
-    for (const model::Path& path : scene.paths) {
-        const model::Place* first =
-            path.places.empty() ? nullptr : scene.findPlace(path.places.front());
-        if (first != nullptr && !state.paths().isSelected(first->id)) {
-            add(*first, path.name, path.id == state.paths().path(), path.color);
-        }
-    }
-    return labels;
 }
 
 } // namespace crowd::widgets
