@@ -13,6 +13,7 @@
 #include "model/gltf/ImportProposal.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
+#include "widgets/docks/RuleTexts.h"
 
 namespace crowd::app {
 
@@ -139,6 +140,12 @@ model::Result<Json> describeScene(const std::string& file)
     const model::Scene& scene = read.value();
     Json warnings = scene.readWarnings;
     const std::size_t seats = checkAssets(scene, warnings);
+    for (const model::Rule& rule : scene.rules) {
+        const QString problem = widgets::ruleProblem(scene, rule);
+        if (!problem.isEmpty()) {
+            warnings.push_back("Rule \"" + rule.name + "\": " + problem.toStdString());
+        }
+    }
     return Json{{"kind", "scene"},
                 {"name", scene.name},
                 {"individuals", scene.population.size()},

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <QtCore/QString>
 #include <QtCore/QStringList>
@@ -166,15 +167,14 @@ public:
             return maker.error();
         }
         m_maker = std::move(maker).value();
-        for (const std::string& problem : m_motion.problems()) {
-            std::fprintf(stderr, "%s\n", problem.c_str());
-        }
+        sayProblems();
         return {};
     }
 
     [[nodiscard]] model::Result<void> write(double seconds, const QString& path)
     {
         m_request.frame = m_motion.at(seconds);
+        sayProblems();
         if (auto drawn = m_maker->draw(m_request); !drawn) {
             return drawn;
         }
@@ -185,11 +185,22 @@ public:
     }
 
 private:
+    /// Each sentence once, as soon as there is reason to.
+    void sayProblems()
+    {
+        for (const std::string& problem : m_motion.problems()) {
+            if (m_said.insert(problem).second) {
+                std::fprintf(stderr, "%s\n", problem.c_str());
+            }
+        }
+    }
+
     model::Scene m_scene;
     std::vector<model::WorldSeat> m_seats;
     behavior::SceneMotion m_motion;
     model::KeyframeStore m_keyframes{std::size_t{2} << 30U};
     PictureRequest m_request;
+    std::set<std::string> m_said;
     std::unique_ptr<PictureMaker> m_maker;
 };
 

@@ -108,7 +108,7 @@ std::vector<std::string> ScriptSession::problems() const
 {
     const std::scoped_lock lock(m_mutex);
     std::vector<std::string> problems;
-    for (const behavior::Problem& problem : m_session->warnings()) {
+    for (const behavior::Problem& problem : m_session->problems()) {
         problems.push_back(problem.text);
     }
     if (!m_surfaceProblem.empty()) {

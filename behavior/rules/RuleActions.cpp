@@ -246,8 +246,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
     case model::ActionKind::PlayClip:
         return play(host, agent, action);
     case model::ActionKind::FollowPath:
-        hold(agent, 0);
-        if (!host.follow(agent, action.path)) {
+        if (host.follow(agent, action.path)) {
+            hold(agent, 0);
+        } else {
             complainOf(mind.rule, " lets people follow a path that is not there any more. Choose "
                                   "another one.");
         }

@@ -41,6 +41,7 @@ public:
     virtual float play(std::uint32_t agent, const std::string& clip, bool isLooped) = 0;
     virtual void endClip(std::uint32_t agent) = 0;
     /// False: there is no such path.
+    /// False, and nothing changes: there is no such path.
     virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
     /// `point`, or as near to it as one gets straight on from `from`.
     [[nodiscard]] virtual glm::vec3 reached(const glm::vec3& from,

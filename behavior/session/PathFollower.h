@@ -57,6 +57,7 @@ public:
     /// Joins the path where it is nearest, and goes on along it. False: there is no such path, and
     /// the agent stands.
     bool follow(const Assignment& assignment);
+    [[nodiscard]] bool hasPath(model::PathId path) const { return routeOf(path) != kNoRoute; }
     /// To a point, before anything else; stays there until told to go on. At his own pace, or at
     /// `atLeast` (m/s) where that is faster.
     void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast);

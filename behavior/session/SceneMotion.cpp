@@ -65,7 +65,7 @@ std::vector<std::string> SceneMotion::problems() const
 {
     std::vector<std::string> problems;
     if (m_session) {
-        for (const Problem& problem : m_session->warnings()) {
+        for (const Problem& problem : m_session->problems()) {
             problems.push_back(problem.text);
         }
     }

@@ -78,6 +78,8 @@ public:
     [[nodiscard]] model::CrowdFramePtr frame() const;
     /// What in the plan could not be followed, or came to grief.
     [[nodiscard]] const std::vector<Problem>& warnings() const { return m_warnings; }
+    /// Those, and what went wrong with rules.
+    [[nodiscard]] std::vector<Problem> problems() const;
     [[nodiscard]] RuleEngine& rules() { return m_rules; }
 
     /// For measuring and tuning.

@@ -81,6 +81,9 @@ void Session::endClip(std::uint32_t agent)
 
 bool Session::follow(std::uint32_t agent, model::PathId path)
 {
+    if (!m_follower.hasPath(path)) {
+        return false;
+    }
     leaveSeat(agent);
     PathFollower::Assignment walk = walkOf(m_population, agent);
     walk.path = path;

@@ -153,9 +153,7 @@ std::vector<RuleFired> SessionPlayer::takeLog()
 void SessionPlayer::publish(Session& session, double stepMs)
 {
     SessionPosePtr pose = session.pose();
-    std::vector<Problem> problems = session.warnings();
-    const std::vector<Problem>& ruleProblems = session.rules().problems();
-    problems.insert(problems.end(), ruleProblems.begin(), ruleProblems.end());
+    std::vector<Problem> problems = session.problems();
     const std::vector<RuleFired> fired = session.rules().takeLog();
     const std::scoped_lock lock(m_mutex);
     if (!m_poses.empty() && m_poses.back()->step == pose->step) {

@@ -31,6 +31,13 @@ float lengthOf(const std::vector<glm::vec2>& way, glm::vec2 at)
 
 } // namespace
 
+std::vector<Problem> Session::problems() const
+{
+    std::vector<Problem> problems = m_warnings;
+    problems.insert(problems.end(), m_rules.problems().begin(), m_rules.problems().end());
+    return problems;
+}
+
 void Session::warn(Problem problem)
 {
     if (std::ranges::find(m_warnings, problem) == m_warnings.end()) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 /// Experiments of the field, repeated with our crowd: how people are known to walk, and how ours
-/// do. Speeds by density and flows through doors have published limits; the limits of the room that
-/// empties, of the lanes and of the corner are our own. The crowd's constants were chosen with
+/// do. Speeds by density and flows through doors have published limits; the limits of the lanes, of
+/// the corner and of what sessions do are our own. The crowd's constants were chosen with
 /// these same experiments, so the rows keep it from getting worse; they do not predict others.
 namespace crowd::behavior {
 

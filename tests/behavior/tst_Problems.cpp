@@ -158,14 +158,22 @@ void TestProblems::aPlaceOffTheGroundIsSaid()
 void TestProblems::aRuleWithADeletedPathIsSaid()
 {
     model::Scene scene = rowOf(1);
+    scene.places = {{1, "end", {0.0F, 0.0F, 30.0F}, 0.1F}};
+    scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
+    const std::vector<model::IndividualId> ids{1};
+    const std::vector<model::PathId> paths{1};
+    scene.population.setValues<model::PathId>(model::columns::path, ids, paths);
     Action walk = action(ActionKind::FollowPath);
     walk.path = 12;
     scene.rules = {onEvent("go", {walk})};
     scene.rules[0].id = 5;
     Session session(scene);
+    run(session, 30);
     session.send("go", 0.0F, {1});
     run(session, 2);
     QVERIFY(isSaid(session.rules().problems(), "a path that is not there any more", ofRule(5)));
+    run(session, 120);
+    QVERIFY(placeOf(session, 0).z > 4.0F); // goes on where he was going
 }
 
 void TestProblems::eventsThatGoRoundAreSaid()
