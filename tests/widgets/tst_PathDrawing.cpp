@@ -84,6 +84,7 @@ private Q_SLOTS:
     void bandStaysOnTheBridgeOrUnderIt();
     void bandDoesNotHangFromABridge();
     void ringLiesOnTheStep();
+    void discThatFloatsALittleLiesDown();
     void nothingNearKeepsTheHeight();
     void flatGroundTakesFewTriangles();
     void onlyWhatMovedIsLaidOutAnew();
@@ -181,6 +182,17 @@ void TestPathDrawing::ringLiesOnTheStep()
             const float floor = corner.z <= 0.0F ? 0.15F : 0.0F;
             QVERIFY(corner.y > floor && corner.y < 0.2F);
             QVERIFY(glm::distance(corner, glm::vec3(0.0F, corner.y, 0.2F)) < 2.001F);
+        }
+    }
+}
+
+void TestPathDrawing::discThatFloatsALittleLiesDown()
+{
+    show({placeAt(1, {0.0F, 2.0F, 30.0F}, 2.0F)}, {});
+    QVERIFY(!areas().empty());
+    for (const render::OverlayTriangle& area : areas()) {
+        for (const glm::vec3& corner : area.corners) {
+            QVERIFY(corner.y > 0.0F && corner.y < 0.1F);
         }
     }
 }

@@ -22,7 +22,7 @@ constexpr float kDropSlope = 0.35F; ///< cosine
 constexpr float kLeastRow = 0.1F;   ///< metres; rows are not halved below
 constexpr int kMostRows = 400;      ///< before halving
 constexpr int kMostColumns = 8;
-constexpr float kPlaceReach = 1.5F; ///< metres up and down from a place
+constexpr float kPlaceReach = 3.0F; ///< metres up and down from a place
 constexpr float kMostReach = 8.0F;
 constexpr float kAsideReach = 1.0F; ///< ... from the middle of a band, at its middle
 constexpr float kAsideSlope = 0.5F; ///< ... and so much more a metre aside
@@ -240,6 +240,7 @@ const std::vector<GroundTriangle>& GroundSheets::ring(const RingShape& shape)
     constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
     const float metres = kTurn * shape.outer;
     const int columns = cells(shape.outer - shape.inner, m_cell, 1, kMostColumns);
+    const float middle = onGround(shape.center, kPlaceReach).y - kLift;
     const auto rowAt = [&](float share) {
         const float angle = kTurn * share;
         const glm::vec3 out(std::sin(angle), 0.0F, std::cos(angle));
@@ -248,7 +249,8 @@ const std::vector<GroundTriangle>& GroundSheets::ring(const RingShape& shape)
             const float part = static_cast<float>(i) / static_cast<float>(columns);
             const float radius = glm::mix(shape.inner, shape.outer, part);
             row.points.push_back(
-                onGround(shape.center + out * radius, kPlaceReach + kAsideSlope * radius));
+                onGround({shape.center.x + out.x * radius, middle, shape.center.z + out.z * radius},
+                         kAsideReach + kAsideSlope * radius));
         }
         return row;
     };
