@@ -14,6 +14,7 @@
 #include "behavior/session/Gait.h"
 #include "behavior/session/PathFollower.h"
 #include "behavior/session/SessionPose.h"
+#include "behavior/session/SessionTally.h"
 #include "behavior/session/StrideKernel.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Path.h"
@@ -76,6 +77,8 @@ public:
     [[nodiscard]] SessionPosePtr pose() const;
     /// Everybody as of the last step, for the renderer.
     [[nodiscard]] model::CrowdFramePtr frame() const;
+    /// People counted, as of the last step.
+    [[nodiscard]] SessionTally tally() const;
     /// What in the plan could not be followed, or came to grief.
     [[nodiscard]] const std::vector<Problem>& warnings() const { return m_warnings; }
     /// Those, and what went wrong with rules.

@@ -34,6 +34,7 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     m_poses = {m_session->pose()};
     m_wanted = seconds;
     m_report = {m_session->warnings(), {}, 0.0};
+    m_tally = m_session->tally();
     m_thread = std::jthread([this](std::stop_token token) { run(std::move(token)); });
 }
 
@@ -142,6 +143,21 @@ SessionPlayer::Report SessionPlayer::report() const
 {
     const std::scoped_lock lock(m_mutex);
     return m_report;
+}
+
+void SessionPlayer::askTally()
+{
+    give([this](Session& session) {
+        SessionTally tally = session.tally();
+        const std::scoped_lock lock(m_mutex);
+        m_tally = std::move(tally);
+    });
+}
+
+SessionTally SessionPlayer::tally() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_tally;
 }
 
 std::vector<RuleFired> SessionPlayer::takeLog()

@@ -59,6 +59,10 @@ public:
     /// For whom a rule fired shortly before the last step.
     [[nodiscard]] std::vector<model::IndividualId> lit() const;
     [[nodiscard]] Report report() const;
+    /// People are counted once more, before the next step; `published` tells when that is done.
+    void askTally();
+    /// As last counted; at the beginning they are.
+    [[nodiscard]] SessionTally tally() const;
     [[nodiscard]] std::vector<RuleFired> takeLog();
 
 private:
@@ -79,6 +83,7 @@ private:
     double m_wanted = 0.0;
     std::deque<SessionPosePtr> m_poses; ///< the latest ones, ascending
     Report m_report;
+    SessionTally m_tally;
     std::vector<RuleFired> m_log;
 };
 

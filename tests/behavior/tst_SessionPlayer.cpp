@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/session/SessionPlayer.h"
 
+#include <array>
 #include <atomic>
 #include <numeric>
 #include <thread>
@@ -21,6 +22,7 @@ class SessionPlayerTest : public QObject
 private Q_SLOTS:
     void editsWhileItRuns();
     void stopsInTheMiddle();
+    void peopleAreCountedWhenAsked();
 };
 
 namespace {
@@ -110,6 +112,39 @@ void SessionPlayerTest::stopsInTheMiddle()
         QVERIFY(!player.isRunning());
         QCOMPARE(player.available(), 0.0);
     }
+}
+
+/// Two walk to a place, one stands in it, one leaves by an exit there.
+void SessionPlayerTest::peopleAreCountedWhenAsked()
+{
+    model::Scene scene;
+    const std::vector<model::IndividualId> ids{1, 2, 3, 4};
+    auto rows = model::IndividualRows::withDefaults(ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        rows.column(model::columns::position)[i] = {4.0F * static_cast<float>(i), 0.0F, 0.0F};
+        rows.column(model::columns::path)[i] =
+            static_cast<model::PathId>(std::array{1, 1, 0, 2}[i]);
+    }
+    scene.population.add(rows);
+    scene.places = {{1, "a", {8.0F, 0.0F, 0.0F}, 1.0F}, {2, "out", {14.0F, 0.0F, 0.0F}, 0.6F}};
+    scene.places[1].role = model::PlaceRole::Exit;
+    scene.paths = {{1, "there", model::PathKind::Cyclic, {1}}, {2, "away", {}, {2}}};
+    std::atomic<int> published = 0;
+    SessionPlayer player([&] { ++published; });
+    player.start(scene);
+    const behavior::SessionTally before{{{1, 2}, {2, 1}}, {{1, 1}}};
+    QVERIFY(player.tally() == before);
+    player.request(8.0);
+    QTRY_VERIFY_WITH_TIMEOUT(player.available() >= 8.0 - 1e-6, 60000);
+    QVERIFY(player.tally() == before); // nobody has asked
+    const int told = published;
+    player.askTally();
+    QTRY_VERIFY(published > told);
+    const behavior::SessionTally after = player.tally();
+    QVERIFY(!after.followers.contains(2) && !after.inside.contains(2));
+    QCOMPARE(after.followers.at(1), 2U);
+    QVERIFY(after.inside.at(1) >= 1);
+    player.stop();
 }
 
 CROWD_TEST(SessionPlayerTest)

@@ -369,6 +369,16 @@ std::vector<behavior::RuleFired> SessionControl::takeLog()
     return m_player->takeLog();
 }
 
+void SessionControl::askTally()
+{
+    m_player->askTally();
+}
+
+behavior::SessionTally SessionControl::tally() const
+{
+    return m_player->tally();
+}
+
 double SessionControl::availableSeconds() const
 {
     return m_player->available();

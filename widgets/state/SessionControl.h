@@ -10,6 +10,7 @@
 #include <QtCore/QTimer>
 
 #include "behavior/session/Problem.h"
+#include "behavior/session/SessionTally.h"
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
@@ -57,6 +58,10 @@ public:
     [[nodiscard]] const std::vector<behavior::Problem>& problems() const { return m_problems; }
     [[nodiscard]] std::uint64_t firedCount(model::RuleId rule) const;
     [[nodiscard]] std::vector<behavior::RuleFired> takeLog();
+    /// People are counted once more; stepped() comes when that is done.
+    void askTally();
+    /// How many people of the running session are where, as last counted.
+    [[nodiscard]] behavior::SessionTally tally() const;
     /// Time of the last step that is done, of the transport.
     [[nodiscard]] double availableSeconds() const;
     /// Milliseconds that the last step took.
