@@ -60,7 +60,7 @@ Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
         }
         TemplateId id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addTemplate(entry); };
-        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Template")), work); !done) {
+        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add template")), work); !done) {
             return done.error();
         }
         return id;
@@ -85,7 +85,7 @@ Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
         attachAsset(entry, asset.value());
     }
     return onDocument([&] {
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change Template")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change template")),
                     [&](SceneEdit& open) { open.changeTemplate(entry); });
     });
 }
@@ -102,7 +102,7 @@ Result<void> ScriptScene::removeTemplate(TemplateId id)
             return Error{std::to_string(users) + " people are of template " + std::to_string(id) +
                          ": remove them first."};
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Template")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove template")),
                     [&](SceneEdit& open) { open.removeTemplate(id); });
     });
 }
@@ -124,7 +124,7 @@ Result<std::uint8_t> ScriptScene::addStage(StageEntry entry)
         }
         std::uint8_t id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addStage(entry); };
-        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add Stage")), work); !done) {
+        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add stage")), work); !done) {
             return done.error();
         }
         return id;
@@ -148,7 +148,7 @@ Result<void> ScriptScene::changeStage(StageEntry entry)
         entry.problem.clear();
     }
     return onDocument([&] {
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change Stage")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change stage")),
                     [&](SceneEdit& open) { open.changeStage(entry); });
     });
 }
@@ -159,7 +159,7 @@ Result<void> ScriptScene::removeStage(std::uint8_t id)
         if (m_host.document->scene().findStage(id) == nullptr) {
             return noStage(id);
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Stage")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove stage")),
                     [&](SceneEdit& open) { open.removeStage(id); });
     });
 }

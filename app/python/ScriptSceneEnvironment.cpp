@@ -76,7 +76,7 @@ Result<void> ScriptScene::setCamera(const std::string& name, const Camera& camer
         } else {
             found->camera = camera;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Camera")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set camera")),
                     [&](SceneEdit& open) { open.setCameras(cameras); });
     });
 }
@@ -89,7 +89,7 @@ Result<void> ScriptScene::removeCamera(const std::string& name)
     return onDocument([&] {
         std::vector<NamedCamera> cameras = m_host.document->scene().cameras;
         std::erase_if(cameras, [&name](const NamedCamera& each) { return each.name == name; });
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove Camera")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove camera")),
                     [&](SceneEdit& open) { open.setCameras(cameras); });
     });
 }
@@ -104,7 +104,7 @@ Result<void> ScriptScene::setCameras(std::vector<NamedCamera> cameras)
                 each.unknownMembers = same->unknownMembers;
             }
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Cameras")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set cameras")),
                     [&](SceneEdit& open) { open.setCameras(cameras); });
     });
 }
@@ -113,7 +113,7 @@ Result<void> ScriptScene::setLighting(Lighting lighting)
 {
     return onDocument([&] {
         lighting.unknownMembers = m_host.document->scene().lighting.unknownMembers;
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Lighting")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set lighting")),
                     [&](SceneEdit& open) { open.setLighting(lighting); });
     });
 }
@@ -125,7 +125,7 @@ Result<void> ScriptScene::setEnvironment(const std::string& text)
         if (auto read = readEnvironmentText(text, wanted); !read) {
             return read;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set Environment")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set environment")),
                     [&](SceneEdit& open) { putEnvironment(open, wanted); });
     });
 }

@@ -16,7 +16,7 @@ Result<std::vector<IndividualId>> ScriptScene::create(std::size_t n,
         if (!rows) {
             return rows.error();
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create People")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create people")),
                     [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
     });
     if (!done) {
@@ -31,7 +31,7 @@ Result<void> ScriptScene::remove(std::span<const IndividualId> ids)
         if (auto alive = checkAlive(m_host.document->scene(), ids); !alive) {
             return alive;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove People")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove people")),
                     [&](SceneEdit& open) { open.removeIndividuals(ids); });
     });
 }
@@ -46,7 +46,7 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
         if (auto valid = checkChange(m_host.document->scene(), ids, values); !valid) {
             return valid;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change People")), [&](SceneEdit& open) {
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change people")), [&](SceneEdit& open) {
             for (const ColumnValues& each : values) {
                 open.setColumn(each.column, ids, each.bytes);
             }
@@ -58,7 +58,7 @@ Result<int> ScriptScene::keepPose(const Population& shown, const behavior::Sessi
 {
     int people = 0;
     const auto done = onDocument([&] {
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Keep the Pose")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Keep the pose")),
                     [&](SceneEdit& open) { people = behavior::keepPose(open, shown, &pose); });
     });
     if (!done) {

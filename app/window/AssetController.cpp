@@ -183,7 +183,7 @@ void AssetController::addTemplate(const QString& path, const model::ImportSettin
                 fail(tr("The template could not be imported"), asset.error().message);
                 return;
             }
-            put(entry, asset.value(), tr("Import Template"));
+            put(entry, asset.value(), tr("Import template"));
         });
 }
 
@@ -221,7 +221,7 @@ void AssetController::addStage(const QString& path)
             entry.asset = asset.value();
             const auto edit = m_state.document().beginEdit();
             const std::uint8_t id = edit->addStage(entry);
-            edit->commit(tr("Import Stage"));
+            edit->commit(tr("Import stage"));
             Q_EMIT stageAdded(id);
         });
 }
@@ -237,7 +237,7 @@ void AssetController::removeTemplate(model::TemplateId id)
     }
     const auto edit = m_state.document().beginEdit();
     edit->removeTemplate(id);
-    edit->commit(tr("Remove Template"));
+    edit->commit(tr("Remove template"));
 }
 
 void AssetController::locateTemplate(model::TemplateId id)
@@ -307,7 +307,7 @@ void AssetController::take(const FoundAssets& found)
             edit->changeStage(whole);
         }
     }
-    edit->commit(tr("Locate Assets"));
+    edit->commit(tr("Locate assets"));
     m_state.showStatus(tr("%n asset(s) found.", nullptr,
                           static_cast<int>(found.templates.size() + found.stages.size())));
 }

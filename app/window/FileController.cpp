@@ -374,7 +374,7 @@ bool FileController::collectAssets()
     for (const model::StageEntry& entry : collected.value().stages) {
         edit->changeStage(entry);
     }
-    edit->commit(tr("Collect Assets"));
+    edit->commit(tr("Collect assets"));
     if (!save()) {
         return false;
     }

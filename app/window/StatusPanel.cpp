@@ -54,6 +54,7 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
+    connect(&state, &widgets::EditorState::toolChanged, this, [this] { clearMessage(); });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
     connect(&state.selection(), &widgets::Selection::changed, this, &StatusPanel::refreshCounts);
     m_hint->setFullText(state.hint());

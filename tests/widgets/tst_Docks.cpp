@@ -42,6 +42,7 @@ private Q_SLOTS:
     void templatesShowTheirShareOfTheMix();
     void sectionsStayFolded();
     void historyGoesBack();
+    void theTagBrushShowsNameAndColour();
 };
 
 void DocksTest::initTestCase()
@@ -276,6 +277,29 @@ void DocksTest::historyGoesBack()
     QCOMPARE(view->model()->rowCount(), 3);
     view->setCurrentIndex(view->model()->index(0, 0));
     QTRY_COMPARE(desk.document.scene().population.size(), std::size_t{0});
+}
+
+void DocksTest::theTagBrushShowsNameAndColour()
+{
+    Desk<BrushSettingsDock> desk;
+    QVERIFY(desk.isReady());
+    auto edit = desk.document.beginEdit();
+    edit->setTags({{2, "guests", {10, 200, 30}}});
+    edit->commit(QStringLiteral("Name a tag"));
+    desk.state.setTool(ToolId::BrushTag);
+    model::BrushSettings brush = desk.state.brush(model::BrushKind::Tag);
+    brush.tag.tag = 2;
+    desk.state.setBrush(brush);
+    const auto shown = [&](const char* name) {
+        return desk.dock->findChild<QLabel*>(QLatin1String(name));
+    };
+    QTRY_VERIFY(shown("swatchText") != nullptr);
+    QCOMPARE(shown("swatchText")->text(), QStringLiteral("guests"));
+    QCOMPARE(shown("swatch")->pixmap().toImage().pixelColor(5, 5), QColor(10, 200, 30));
+    brush.tag.tag = 3;
+    desk.state.setBrush(brush);
+    QVERIFY(shown("swatchText")->text() != QStringLiteral("guests"));
+    QVERIFY(shown("swatch")->pixmap().toImage().pixelColor(5, 5) != QColor(10, 200, 30));
 }
 
 CROWD_WINDOW_TEST(DocksTest)

@@ -241,6 +241,29 @@ void BrushForm::addColour(const QString& label,
          {});
 }
 
+void BrushForm::addSwatch(std::function<QColor(const Settings&)> color,
+                          std::function<QString(const Settings&)> text)
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* swatch = new QLabel(row);
+    swatch->setObjectName(QStringLiteral("swatch"));
+    auto* name = new QLabel(row);
+    name->setObjectName(QStringLiteral("swatchText"));
+    name->setWordWrap(true);
+    layout->addWidget(swatch);
+    layout->addWidget(name, 1);
+    bind(row,
+         [swatch, name, color, text](const Settings& s) {
+             QPixmap filled(14, 14);
+             filled.fill(color(s));
+             swatch->setPixmap(filled);
+             name->setText(text(s));
+         },
+         {});
+}
+
 void BrushForm::addText(const QString& label, std::function<QString(const Settings&)> get,
                         std::function<void(Settings&, const QString&)> set)
 {

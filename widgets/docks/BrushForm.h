@@ -51,6 +51,9 @@ public:
                   std::function<void(Settings&, bool)> set, Condition isShown = {});
     void addColour(const QString& label, std::function<model::PaintColor(const Settings&)> get,
                    std::function<void(Settings&, const model::PaintColor&)> set);
+    /// A colour and a text beside it, to be looked at only.
+    void addSwatch(std::function<QColor(const Settings&)> color,
+                   std::function<QString(const Settings&)> text);
     void addText(const QString& label, std::function<QString(const Settings&)> get,
                  std::function<void(Settings&, const QString&)> set);
     struct NumberList

@@ -3,6 +3,7 @@
 
 #include "model/scene/NearestPath.h"
 #include "widgets/docks/BrushFormParts.h"
+#include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
 
@@ -68,6 +69,14 @@ void addTag(BrushForm& form, const EditorState& state)
         BrushForm::tr("Tag"), {1.0, 64.0, 1.0, 0, {}, false},
         [](const BrushSettings& s) { return s.tag.tag + 1.0; },
         [](BrushSettings& s, double v) { s.tag.tag = static_cast<std::uint8_t>(v - 1.0); });
+    form.addSwatch([&state](const BrushSettings& s) { return tagColor(state.scene(), s.tag.tag); },
+                   [&state](const BrushSettings& s) {
+                       const auto& tags = state.scene().tags;
+                       const auto named = std::ranges::find(tags, s.tag.tag, &model::TagName::bit);
+                       return named != tags.end() && !named->name.empty()
+                                  ? QString::fromStdString(named->name)
+                                  : BrushForm::tr("no name yet; the Rules panel gives it one");
+                   });
     const std::vector<model::TagName>& tags = state.scene().tags;
     if (tags.empty()) {
         return;
@@ -120,13 +129,14 @@ void addPlaces(BrushForm& form, BrushKind kind)
              [](BrushSettings& s) -> float& { return s.place.radiusMetres; });
     if (kind == BrushKind::Environment) {
         form.addChoice(
-            BrushForm::tr("What"),
-            {BrushForm::tr("Place to go to"), BrushForm::tr("Obstacle"),
-             BrushForm::tr("Attracts people"), BrushForm::tr("Repels people"),
-             BrushForm::tr("Exit: people leave"), BrushForm::tr("Slow ground"),
-             BrushForm::tr("Nobody walks there"), BrushForm::tr("Liked ground")},
+            BrushForm::tr("What"), placeRoleNames(),
             [](const BrushSettings& s) { return static_cast<int>(s.place.role); },
             [](BrushSettings& s, int i) { s.place.role = static_cast<model::PlaceRole>(i); });
+        for (int role = 0; role <= static_cast<int>(model::PlaceRole::Preferred); ++role) {
+            form.addNote(
+                placeRoleTip(static_cast<model::PlaceRole>(role)),
+                [role](const BrushSettings& s) { return static_cast<int>(s.place.role) == role; });
+        }
     }
     if (kind == BrushKind::Path) {
         form.addChoice(

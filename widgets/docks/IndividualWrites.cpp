@@ -41,7 +41,7 @@ void IndividualDock::setTemplate(int index)
         const auto ids = people().ids();
         const auto edit = m_state.document().beginEdit();
         model::changeTemplate(*edit, ids, id);
-        edit->commit(tr("Change Template"));
+        edit->commit(tr("Change template"));
     }
 }
 
@@ -64,17 +64,17 @@ void IndividualDock::setPosition(int axis, double value)
 
 void IndividualDock::setFloat(model::ColumnKey<float> column, float value)
 {
-    writeSame(column, value, tr("Change Individual"));
+    writeSame(column, value, tr("Change individual"));
 }
 
 void IndividualDock::setGroup(double group)
 {
-    writeSame(model::columns::group, static_cast<std::uint32_t>(group), tr("Change Group"));
+    writeSame(model::columns::group, static_cast<std::uint32_t>(group), tr("Change group"));
 }
 
 void IndividualDock::setTags(const QString& text)
 {
-    writeSame(model::columns::tags, tagListOf(m_state.scene().tags, text), tr("Change Tags"));
+    writeSame(model::columns::tags, tagListOf(m_state.scene().tags, text), tr("Change tags"));
 }
 
 void IndividualDock::setClip(const QString& name)
@@ -92,7 +92,7 @@ void IndividualDock::setClip(const QString& name)
                             std::span<const std::uint16_t>(&clip, 1));
         }
     }
-    edit->commit(tr("Change Clip"));
+    edit->commit(tr("Change clip"));
 }
 
 void IndividualDock::setSeat(double number)
@@ -113,7 +113,7 @@ void IndividualDock::setSeat(double number)
     const auto edit = m_state.document().beginEdit();
     switch (model::sitDown(*edit, id, seat)) {
     case model::SitResult::Done:
-        edit->commit(tr("Sit Down"));
+        edit->commit(tr("Sit down"));
         break;
     case model::SitResult::NoSuchSeat:
         m_state.showStatus(tr("There is no seat %1.").arg(number, 0, 'f', 0));
@@ -131,7 +131,7 @@ void IndividualDock::standUp()
         const auto ids = people().ids();
         const auto edit = m_state.document().beginEdit();
         model::standUp(*edit, ids);
-        edit->commit(tr("Stand Up"));
+        edit->commit(tr("Stand up"));
     }
 }
 
@@ -169,7 +169,7 @@ void IndividualDock::setTint(const std::string& slot, const model::Tint& tint)
                             std::span<const model::Tint>(&tint, 1));
         }
     }
-    edit->commit(tr("Change Tint"));
+    edit->commit(tr("Change tint"));
 }
 
 void IndividualDock::setChoice(const std::string& slot, const QString& choice)
@@ -194,7 +194,7 @@ void IndividualDock::setChoice(const std::string& slot, const QString& choice)
         edit->setColumn(model::columns::materialChoices, selected.ids(group),
                         std::span<const model::MaterialChoices>(values));
     }
-    edit->commit(tr("Change Outfit"));
+    edit->commit(tr("Change outfit"));
 }
 
 void IndividualDock::setPart(const std::string& part, bool isShown)
@@ -218,7 +218,7 @@ void IndividualDock::setPart(const std::string& part, bool isShown)
         edit->setColumn(model::columns::parts, selected.ids(group),
                         std::span<const std::uint32_t>(values));
     }
-    edit->commit(isShown ? tr("Show Part") : tr("Hide Part"));
+    edit->commit(isShown ? tr("Show part") : tr("Hide part"));
 }
 
 } // namespace crowd::widgets

@@ -53,7 +53,7 @@ QSlider* LightForm::addSlider(const QString& label, int low, int high,
     });
     connect(slider, &QSlider::sliderReleased, this, [this] {
         if (m_edit) {
-            m_edit->commit(tr("Change Light"));
+            m_edit->commit(tr("Change light"));
             m_edit.reset();
         }
     });
@@ -69,7 +69,7 @@ QSlider* LightForm::addSlider(const QString& label, int low, int high,
         }
         const auto edit = m_state.document().beginEdit(); // by keys or wheel
         edit->setLighting(light);
-        edit->commit(tr("Change Light"));
+        edit->commit(tr("Change light"));
     });
     return slider;
 }

@@ -223,7 +223,7 @@ void SceneDock::renameStage(std::uint8_t id, const std::string& name)
         renamed.name = name;
         const auto edit = m_state.document().beginEdit();
         edit->changeStage(renamed);
-        edit->commit(tr("Rename Stage"));
+        edit->commit(tr("Rename stage"));
     }
 }
 
@@ -235,7 +235,7 @@ void SceneDock::renameTemplate(model::TemplateId id, const std::string& name)
         renamed.name = name;
         const auto edit = m_state.document().beginEdit();
         edit->changeTemplate(renamed);
-        edit->commit(tr("Rename Template"));
+        edit->commit(tr("Rename template"));
     }
 }
 
@@ -243,7 +243,7 @@ void SceneDock::removeStage(std::uint8_t id)
 {
     const auto edit = m_state.document().beginEdit();
     edit->removeStage(id);
-    edit->commit(tr("Remove Stage"));
+    edit->commit(tr("Remove stage"));
 }
 
 void SceneDock::setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
@@ -292,7 +292,7 @@ void SceneDock::fillGroupMenu(QMenu& menu, std::uint32_t group)
     menu.addAction(iconNamed("select-all"), tr("Select These People"), this,
                    [this, ids] { m_state.selection().set(ids); });
     menu.addAction(iconNamed("remove"), tr("Dissolve the Group"), this,
-                   [this, ids] { setGroup(ids, 0, tr("Dissolve Group")); });
+                   [this, ids] { setGroup(ids, 0, tr("Dissolve group")); });
 }
 
 void SceneDock::fillCameraMenu(QMenu& menu, const QString& name)

@@ -226,7 +226,7 @@ void TemplatesDock::rename(QListWidgetItem* item)
     renamed.name = name;
     const auto edit = m_state.document().beginEdit();
     edit->changeTemplate(renamed);
-    edit->commit(tr("Rename Template"));
+    edit->commit(tr("Rename template"));
 }
 
 void TemplatesDock::showMenu(const QPoint& position)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/BrushTexts.h"
 
+#include <algorithm>
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 
@@ -112,6 +114,68 @@ QString brushSizeText(const model::BrushSettings& settings)
                ? mainNumberText(settings)
                : QCoreApplication::translate("crowd::widgets::ToolController", "Brush size: %1 px")
                      .arg(qRound(settings.radiusPixels));
+}
+
+QString placeRoleName(model::PlaceRole role)
+{
+    switch (role) {
+    case model::PlaceRole::Spot:
+        return BrushTextsContext::tr("Place");
+    case model::PlaceRole::Obstacle:
+        return BrushTextsContext::tr("Obstacle");
+    case model::PlaceRole::Attractor:
+        return BrushTextsContext::tr("Attractor");
+    case model::PlaceRole::Repeller:
+        return BrushTextsContext::tr("Repeller");
+    case model::PlaceRole::Exit:
+        return BrushTextsContext::tr("Exit");
+    case model::PlaceRole::Slow:
+        return BrushTextsContext::tr("Slow ground");
+    case model::PlaceRole::Forbidden:
+        return BrushTextsContext::tr("Forbidden ground");
+    case model::PlaceRole::Preferred:
+        return BrushTextsContext::tr("Liked ground");
+    }
+    return {};
+}
+
+QStringList placeRoleNames()
+{
+    QStringList names;
+    for (int role = 0; role <= static_cast<int>(model::PlaceRole::Preferred); ++role) {
+        names << placeRoleName(static_cast<model::PlaceRole>(role));
+    }
+    return names;
+}
+
+QString placeRoleTip(model::PlaceRole role)
+{
+    switch (role) {
+    case model::PlaceRole::Spot:
+        return BrushTextsContext::tr("Somewhere to go to; does nothing by itself");
+    case model::PlaceRole::Obstacle:
+        return BrushTextsContext::tr("Nobody walks into it");
+    case model::PlaceRole::Attractor:
+        return BrushTextsContext::tr("Draws those who walk near it");
+    case model::PlaceRole::Repeller:
+        return BrushTextsContext::tr("Those who walk near it keep away");
+    case model::PlaceRole::Exit:
+        return BrushTextsContext::tr("Who reaches it leaves the scene");
+    case model::PlaceRole::Slow:
+        return BrushTextsContext::tr("People walk slower there");
+    case model::PlaceRole::Forbidden:
+        return BrushTextsContext::tr("Nobody walks there; ways lead around it");
+    case model::PlaceRole::Preferred:
+        return BrushTextsContext::tr("Ways lead over it where that is not much longer");
+    }
+    return {};
+}
+
+QColor tagColor(const model::Scene& scene, int bit)
+{
+    const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
+    return named != scene.tags.end() ? QColor(named->color[0], named->color[1], named->color[2])
+                                     : QColor::fromHsv(bit * 67 % 360, 200, 230);
 }
 
 } // namespace crowd::widgets

@@ -9,6 +9,7 @@
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/scene/NearestPath.h"
+#include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
 
@@ -24,29 +25,6 @@ struct PlaceToolText
 /// Places of one drag lie this many radii apart, and at least a step.
 constexpr float kSpacingRadii = 2.5F;
 constexpr float kLeastSpacing = 1.0F;
-
-QString roleName(model::PlaceRole role)
-{
-    switch (role) {
-    case model::PlaceRole::Spot:
-        return PlaceToolText::tr("Place");
-    case model::PlaceRole::Obstacle:
-        return PlaceToolText::tr("Obstacle");
-    case model::PlaceRole::Attractor:
-        return PlaceToolText::tr("Attractor");
-    case model::PlaceRole::Repeller:
-        return PlaceToolText::tr("Repeller");
-    case model::PlaceRole::Exit:
-        return PlaceToolText::tr("Exit");
-    case model::PlaceRole::Slow:
-        return PlaceToolText::tr("Slow ground");
-    case model::PlaceRole::Forbidden:
-        return PlaceToolText::tr("Forbidden ground");
-    case model::PlaceRole::Preferred:
-        return PlaceToolText::tr("Liked ground");
-    }
-    return {};
-}
 
 std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
 {
@@ -143,7 +121,7 @@ private:
             const model::PathId extended =
                 appendKnownPlace(*edit, current, hit->place, settings().kind);
             edit->commit(PlaceToolText::tr("Lead a path over a place"));
-            focus.paint(extended);
+            choose(extended);
             return;
         }
         model::Place place;
@@ -153,8 +131,16 @@ private:
         const model::PathId extended = appendPlace(*edit, current, place, settings().kind);
         edit->commit(current == 0 ? PlaceToolText::tr("Begin a path")
                                   : PlaceToolText::tr("Add a place to a path"));
-        focus.paint(extended);
+        choose(extended);
         followFromNowOn(extended);
+    }
+
+    /// The path is what is chosen from now on, no place.
+    void choose(model::PathId path)
+    {
+        PathFocus& focus = m_context.state.paths();
+        focus.select({});
+        focus.paint(path);
     }
 
     void close(model::Path path)
@@ -188,9 +174,10 @@ private:
         auto edit = m_context.state.document().beginEdit();
         place.id = edit->addPlace(place);
         place.name =
-            PlaceToolText::tr("%1 %2").arg(roleName(place.role)).arg(place.id).toStdString();
+            PlaceToolText::tr("%1 %2").arg(placeRoleName(place.role)).arg(place.id).toStdString();
         edit->changePlace(place);
-        edit->commit(PlaceToolText::tr("Add: %1").arg(roleName(place.role)));
+        edit->commit(PlaceToolText::tr("Add: %1").arg(placeRoleName(place.role)));
+        m_context.state.paths().select({place.id});
     }
 
     ToolContext m_context;

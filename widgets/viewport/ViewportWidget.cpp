@@ -10,6 +10,7 @@
 #include <QtWidgets/QApplication>
 
 #include "render/Renderer.h"
+#include "widgets/state/BrushTexts.h"
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportOverlay.h"
@@ -26,16 +27,9 @@ constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
 
-/// As the artist set it, else one of a circle of hues.
-glm::vec4 tagColor(const model::Scene& scene, int bit)
+/// Of the disc under who has a tag.
+glm::vec4 discColor(const QColor& color)
 {
-    const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
-    if (named != scene.tags.end()) {
-        return {static_cast<float>(named->color[0]) / 255.0F,
-                static_cast<float>(named->color[1]) / 255.0F,
-                static_cast<float>(named->color[2]) / 255.0F, 0.8F};
-    }
-    const QColor color = QColor::fromHsv(bit * 67 % 360, 200, 230);
     return {color.redF(), color.greenF(), color.blueF(), 0.8F};
 }
 
@@ -220,7 +214,8 @@ void ViewportWidget::markPeople(const model::CrowdFrame& frame)
         for (std::size_t row = 0; row < people.size(); ++row) {
             if (tags[row] != 0) {
                 const int bit = std::countr_zero(tags[row]);
-                m_marks.push_back({positions[row], 0.4F, tagColor(m_state.scene(), bit)});
+                m_marks.push_back(
+                    {positions[row], 0.4F, discColor(tagColor(m_state.scene(), bit))});
             }
         }
     }
