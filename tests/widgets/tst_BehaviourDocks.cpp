@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <vector>
+
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
@@ -7,6 +9,8 @@
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeWidget>
 
@@ -72,6 +76,10 @@ private Q_SLOTS:
     void tagsAreWrittenByName();
     void branchesAreAddedWeighedAndRemoved();
     void roomSpeedAndSurfaceAreEdited();
+    void theTreeShowsWhatWasJustMade();
+    void whileItRunsTheRunIsCounted();
+    void namesOfBranchesCanBeRead();
+    void everythingFitsASmallPanel();
 };
 
 void TestBehaviourDocks::initTestCase()
@@ -374,6 +382,123 @@ void TestBehaviourDocks::roomSpeedAndSurfaceAreEdited()
     }
     QVERIFY(desk.document.scene().surface == model::SurfaceSettings());
     QCOMPARE(desk.document.scene().places[1].capacity, 0U);
+}
+
+void TestBehaviourDocks::theTreeShowsWhatWasJustMade()
+{
+    Desk<EnvironmentDock> desk;
+    QVERIFY(desk.isReady());
+    for (int i = 0; i < 20; ++i) {
+        furnish(desk.document);
+    }
+    auto* tree = desk.dock->findChild<QTreeWidget*>();
+    QTRY_COMPARE(tree->topLevelItemCount(), 20);
+    const auto isSeen = [tree](const QTreeWidgetItem* item) {
+        return item != nullptr &&
+               tree->viewport()->rect().contains(tree->visualItemRect(item).center());
+    };
+    QVERIFY(!isSeen(tree->topLevelItem(19)));
+    tree->topLevelItem(3)->setExpanded(false);
+    furnish(desk.document);
+    desk.state.paths().paint(21); // before the tree knows of it
+    QTRY_COMPARE(tree->topLevelItemCount(), 21);
+    QVERIFY(tree->topLevelItem(20)->isSelected());
+    QTRY_VERIFY(isSeen(tree->topLevelItem(20)));
+    QVERIFY(!tree->topLevelItem(3)->isExpanded()); // as it was left
+    // Who has scrolled on since is left alone, until something else is chosen.
+    tree->scrollToTop();
+    auto edit = desk.document.beginEdit();
+    const model::PlaceId made = edit->addPlace({0, "by itself"});
+    edit->commit(QStringLiteral("A place"));
+    QTRY_COMPARE(tree->topLevelItemCount(), 22);
+    QVERIFY(isSeen(tree->topLevelItem(0)));
+    desk.state.paths().select({made});
+    QTRY_VERIFY(isSeen(tree->topLevelItem(21)->child(0)));
+    QVERIFY(tree->topLevelItem(21)->child(0)->isSelected());
+}
+
+/// Somebody leaves by an exit, somebody stays in a place.
+void TestBehaviourDocks::whileItRunsTheRunIsCounted()
+{
+    Desk<EnvironmentDock> desk;
+    QVERIFY(desk.isReady());
+    desk.state.transport().setPlaying(false);
+    furnish(desk.document);
+    const auto ids = testing::addPeople(desk.document, 2, 2.0F);
+    auto edit = desk.document.beginEdit();
+    model::Place exit = desk.document.scene().places[1];
+    exit.role = model::PlaceRole::Exit;
+    exit.position = {2.5F, 0.05F, 2.0F};
+    edit->changePlace(exit);
+    model::Place begin = desk.document.scene().places[0];
+    begin.position = {-1.5F, 0.05F, 2.0F};
+    begin.radius = 2.0F;
+    edit->changePlace(begin);
+    const std::vector<model::IndividualId> walker{ids[1]};
+    edit->setColumn<model::PathId>(model::columns::path, walker, std::vector<model::PathId>{1});
+    edit->commit(QStringLiteral("Let one walk"));
+    auto* tree = desk.dock->findChild<QTreeWidget*>();
+    const auto text = [tree](int place) {
+        const QTreeWidgetItem* path = tree->topLevelItem(0);
+        return path == nullptr ? QString() : (place < 0 ? path : path->child(place))->text(1);
+    };
+    QTRY_COMPARE(text(-1), QStringLiteral("1 people"));
+    QCOMPARE(text(0), QStringLiteral("2.00 m"));
+    desk.state.transport().setPlaying(true);
+    const auto plays = [&](const auto& isSo) {
+        desk.state.advance(1.0 / 30.0);
+        return isSo();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return text(0).startsWith(QStringLiteral("1 in it")); }),
+                             30000);
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return text(-1) == QStringLiteral("0 people"); }), 30000);
+    desk.state.session().stop();
+    QCOMPARE(text(-1), QStringLiteral("1 people"));
+    QCOMPARE(text(0), QStringLiteral("2.00 m"));
+}
+
+void TestBehaviourDocks::namesOfBranchesCanBeRead()
+{
+    Desk<EnvironmentDock> desk;
+    desk.window.resize(240, 700);
+    QVERIFY(desk.isReady());
+    furnish(desk.document);
+    furnish(desk.document);
+    auto edit = desk.document.beginEdit();
+    model::Path path = desk.document.scene().paths[0];
+    path.branches.push_back({1, 2, 1.0F});
+    edit->changePath(path);
+    edit->commit(QStringLiteral("Branch"));
+    desk.state.paths().look(1);
+    const auto shows = [&](const QString& name) {
+        for (const QComboBox* box : desk.all<QComboBox>()) {
+            const int arrow = 28;
+            if (box->currentText() == name) {
+                return box->width() >= box->fontMetrics().horizontalAdvance(name) + arrow;
+            }
+        }
+        return false;
+    };
+    QTRY_VERIFY(shows(QStringLiteral("at Place 1")));
+    QVERIFY(shows(QStringLiteral("to Path 2")));
+}
+
+/// On a small screen the panel is some 380 pixels high.
+void TestBehaviourDocks::everythingFitsASmallPanel()
+{
+    Desk<EnvironmentDock> desk;
+    desk.window.resize(250, 400);
+    QVERIFY(desk.isReady());
+    furnish(desk.document);
+    desk.state.paths().select({1});
+    auto* area = qobject_cast<QScrollArea*>(desk.dock->widget());
+    auto* tree = desk.dock->findChild<QTreeWidget*>();
+    QTRY_VERIFY(tree->height() >= 120);
+    QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
+    // What is left over is the tree's.
+    const int before = tree->height();
+    desk.window.resize(250, 600);
+    QTRY_VERIFY(tree->height() >= before + 190);
 }
 
 CROWD_WINDOW_TEST(TestBehaviourDocks)

@@ -114,24 +114,31 @@ void BranchList::addPaths(QHBoxLayout* row, const model::Path& path, std::size_t
 void BranchList::addRow(const model::Path& path, std::size_t index)
 {
     auto* rows = static_cast<QVBoxLayout*>(m_rows->layout());
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    rows->addLayout(row);
-    addPlaces(row, path, index);
-    addPaths(row, path, index);
-    addNumberField(row, static_cast<double>(path.branches[index].weight), 0.0, kMostWeight,
+    const auto addLine = [rows] {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(4);
+        rows->addLayout(line);
+        return line;
+    };
+    // A line for each name: beside each other neither could be read.
+    QHBoxLayout* where = addLine();
+    addPlaces(where, path, index);
+    addRemoveButton(where, tr("Remove this branch"), [this, index] {
+        change(tr("Remove a branch"), [&](model::Path& each) {
+            each.branches.erase(each.branches.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    });
+    QHBoxLayout* whither = addLine();
+    addPaths(whither, path, index);
+    whither->setStretch(0, 2);
+    addNumberField(whither, static_cast<double>(path.branches[index].weight), 0.0, kMostWeight,
                    tr(" : 1"), [this, index](double weight) {
                        change(tr("Change the weight of a branch"), [&](model::Path& each) {
                            each.branches[index].weight = static_cast<float>(weight);
                        });
                    });
-    row->itemAt(2)->widget()->setToolTip(
+    whither->itemAt(1)->widget()->setToolTip(
         tr("So many go over for each one who goes on: at 1, half of them"));
-    addRemoveButton(row, tr("Remove this branch"), [this, index] {
-        change(tr("Remove a branch"), [&](model::Path& each) {
-            each.branches.erase(each.branches.begin() + static_cast<std::ptrdiff_t>(index));
-        });
-    });
 }
 
 void BranchList::addBranch()
