@@ -2,7 +2,9 @@
 #include "widgets/viewport/ViewCommands.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include <QtCore/QCoreApplication>
 
@@ -59,13 +61,80 @@ Bounds bodyAt(const model::Scene& scene, std::size_t row)
     return bounds;
 }
 
+constexpr float kOutlierShare = 0.02F; ///< of a stage's points, at each end of each axis
+
+/// The middle part of sorted numbers: what lies between all but the outermost few.
+std::pair<float, float> bulkOf(std::vector<float>& values)
+{
+    const auto few = static_cast<std::ptrdiff_t>(kOutlierShare * static_cast<float>(values.size()));
+    const auto low = values.begin() + few;
+    const auto high = values.end() - 1 - few;
+    std::nth_element(values.begin(), low, values.end());
+    const float lowest = *low;
+    std::nth_element(values.begin(), high, values.end());
+    return {lowest, *high};
+}
+
+/// Where a stage has its detail: hills on the horizon and the ground out to them are few points.
+Bounds bulkOf(const model::StageEntry& entry)
+{
+    Bounds bulk;
+    std::array<std::vector<float>, 3> axes;
+    for (const model::StageMesh& mesh : entry.asset->meshes) {
+        for (const glm::vec3& point : mesh.positions) {
+            for (int axis = 0; axis < 3; ++axis) {
+                axes[static_cast<std::size_t>(axis)].push_back(point[axis]);
+            }
+        }
+    }
+    if (axes[0].empty()) {
+        return bulk;
+    }
+    std::array<std::pair<float, float>, 3> ends;
+    std::ranges::transform(axes, ends.begin(), [](auto& values) { return bulkOf(values); });
+    const glm::mat4 matrix = entry.worldFromStage();
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 point((corner & 1) != 0 ? ends[0].second : ends[0].first,
+                              (corner & 2) != 0 ? ends[1].second : ends[1].first,
+                              (corner & 4) != 0 ? ends[2].second : ends[2].first);
+        bulk.add(glm::vec3(matrix * glm::vec4(point, 1.0F)));
+    }
+    return bulk;
+}
+
+void addPlace(Bounds& bounds, const model::Place& place)
+{
+    bounds.add(place.position - glm::vec3(place.radius, 0.0F, place.radius));
+    bounds.add(place.position + glm::vec3(place.radius, 0.0F, place.radius));
+}
+
 } // namespace
+
+Bounds sceneBounds(const model::Scene& scene)
+{
+    Bounds bounds;
+    for (const model::StageEntry& entry : scene.stages) {
+        if (entry.asset) {
+            bounds.add(bulkOf(entry));
+        }
+    }
+    for (std::size_t row = 0; row < scene.population.size(); ++row) {
+        bounds.add(bodyAt(scene, row));
+    }
+    for (const model::Place& place : scene.places) {
+        addPlace(bounds, place);
+    }
+    return bounds.isEmpty() ? scene.worldBounds() : bounds;
+}
 
 Bounds selectionBounds(const EditorState& state)
 {
     Bounds bounds;
     for (const model::IndividualId id : state.selection().ids()) {
         bounds.add(bodyAt(state.scene(), state.scene().population.rowOf(id)));
+    }
+    for (const model::PlaceId id : state.paths().places()) {
+        addPlace(bounds, *state.scene().findPlace(id));
     }
     return bounds;
 }
@@ -74,12 +143,12 @@ void frameSelection(EditorState& state)
 {
     const Bounds bounds = selectionBounds(state);
     state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(),
-                              bounds.isEmpty() ? state.scene().worldBounds() : bounds));
+                              bounds.isEmpty() ? sceneBounds(state.scene()) : bounds));
 }
 
 void frameAll(EditorState& state)
 {
-    state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(), state.scene().worldBounds()));
+    state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(), sceneBounds(state.scene())));
 }
 
 void lookFrom(EditorState& state, ViewDirection direction)
@@ -112,7 +181,7 @@ QString addCamera(EditorState& state, const QString& name)
     }
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras.push_back({unique.toStdString(), state.camera()});
-    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Add Camera “%1”").arg(unique));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Add camera “%1”").arg(unique));
     state.setCamera(state.camera(), unique);
     return unique;
 }
@@ -126,7 +195,7 @@ void updateCamera(EditorState& state, const QString& name)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].camera =
         state.camera();
-    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Update Camera “%1”").arg(name));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Update camera “%1”").arg(name));
     state.setCamera(state.camera(), name);
 }
 
@@ -135,7 +204,7 @@ void removeCamera(EditorState& state, const QString& name)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     std::erase_if(cameras,
                   [&](const NamedCamera& camera) { return camera.name == name.toStdString(); });
-    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Remove Camera “%1”").arg(name));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Remove camera “%1”").arg(name));
 }
 
 bool renameCamera(EditorState& state, const QString& from, const QString& to)
@@ -148,7 +217,7 @@ bool renameCamera(EditorState& state, const QString& from, const QString& to)
     std::vector<NamedCamera> cameras = state.scene().cameras;
     cameras[static_cast<std::size_t>(found - state.scene().cameras.begin())].name =
         wanted.toStdString();
-    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Rename Camera “%1”").arg(from));
+    commitCameras(state, std::move(cameras), ViewCommandsText::tr("Rename camera “%1”").arg(from));
     return true;
 }
 

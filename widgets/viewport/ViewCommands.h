@@ -11,10 +11,13 @@
 /// the view is not.
 namespace crowd::widgets {
 
-/// The box around the selected people, with room for their bodies; empty when nobody is selected.
+/// The box around all people, with room for their bodies, all places, and what the stages are made
+/// of for the most part: hills on the horizon stay outside. Of an empty scene, some of its ground.
+[[nodiscard]] model::Bounds sceneBounds(const model::Scene& scene);
+/// The box around the selected people and places; empty when nothing is selected.
 [[nodiscard]] model::Bounds selectionBounds(const EditorState& state);
 
-/// Smoothly shows the selected people; everything when nobody is selected.
+/// Smoothly shows the selected people and places; everything when nothing is selected.
 void frameSelection(EditorState& state);
 void frameAll(EditorState& state);
 void lookFrom(EditorState& state, ViewDirection direction);
