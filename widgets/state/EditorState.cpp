@@ -17,18 +17,6 @@ using model::Camera;
 
 namespace {
 
-/// The walk brush offers a path that is there.
-void refreshWalk(EditorState& state)
-{
-    BrushSettings settings = state.brush(BrushKind::Walk);
-    const bool isNearest =
-        settings.walk.path == model::kNearestPath && !state.scene().paths.empty();
-    if (!isNearest && state.scene().findPath(settings.walk.path) == nullptr) {
-        settings.walk.path = state.scene().paths.empty() ? 0 : state.scene().paths.front().id;
-        state.setBrush(settings);
-    }
-}
-
 /// The event brush offers an event that some rule listens to.
 void refreshEvent(EditorState& state)
 {
@@ -114,6 +102,9 @@ void EditorState::setBrush(const BrushSettings& settings)
     BrushSettings& kept = m_brushes[static_cast<std::size_t>(settings.kind)];
     if (kept == settings) {
         return;
+    }
+    if (kept.walk.path != settings.walk.path) {
+        m_wantedPath = settings.walk.path;
     }
     kept = settings;
     if (settings.kind == BrushKind::Script) {
@@ -250,7 +241,7 @@ void EditorState::followScene(const model::SceneChange& change)
     }
     if (std::holds_alternative<model::PathsChanged>(change) ||
         std::holds_alternative<model::SceneReplaced>(change)) {
-        refreshWalk(*this);
+        refreshWalk(std::holds_alternative<model::SceneReplaced>(change));
     }
     if (std::holds_alternative<model::RulesChanged>(change) ||
         std::holds_alternative<model::SceneReplaced>(change)) {
@@ -280,6 +271,25 @@ void EditorState::refreshSeatGrid(bool isNewScene)
         m_hasSeats = hasSeats;
         setSeatGridOn(hasSeats);
     }
+}
+
+/// The walk brush offers a path that is there: the one that was chosen, as soon as it is there
+/// again.
+void EditorState::refreshWalk(bool isNewScene)
+{
+    const auto isThere = [this](model::PathId path) {
+        const bool isNearest = path == model::kNearestPath && !scene().paths.empty();
+        return isNearest || scene().findPath(path) != nullptr;
+    };
+    const std::optional<model::PathId> wanted = isNewScene ? std::nullopt : m_wantedPath;
+    BrushSettings settings = brush(BrushKind::Walk);
+    if (wanted && (*wanted == 0 || isThere(*wanted))) {
+        settings.walk.path = *wanted;
+    } else if (!isThere(settings.walk.path)) {
+        settings.walk.path = scene().paths.empty() ? 0 : scene().paths.front().id;
+    }
+    setBrush(settings);
+    m_wantedPath = wanted;
 }
 
 void EditorState::refreshMix(bool isNewScene)

@@ -173,6 +173,7 @@ Q_SIGNALS:
 private:
     void placeCamera(const model::Camera& camera, const QString& name);
     void followScene(const model::SceneChange& change);
+    void refreshWalk(bool isNewScene);
     void refreshMix(bool isNewScene);
     void refreshSeatGrid(bool isNewScene);
 
@@ -189,6 +190,7 @@ private:
     ToolId m_previousTool = ToolId::Select;
     Picking m_picking = Picking::None;
     bool m_hasSeats = false;
+    std::optional<model::PathId> m_wantedPath; ///< of the walk brush, also while it is undone
     ViewCamera m_view;
     QString m_motionName;
     CameraMotion m_motion;
