@@ -166,6 +166,9 @@ void MainWindow::buildMenus()
     fillExamplesMenu(specials.at("@examples"));
     m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
     fillStepMenu(*specials.at("@step-length"), m_state);
+    for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
+        specials.at("@path-of-places")->addAction(m_actions.action(id));
+    }
 }
 
 void MainWindow::buildToolBar()
@@ -299,7 +302,9 @@ void MainWindow::refreshActions()
     check("tags", m_state.viewOptions().showTags);
     const bool isRunning = m_state.session().isRunning();
     m_actions.action("keep-pose")->setEnabled(isRunning);
-    m_actions.action("path-of-places")->setEnabled(m_state.paths().places().size() > 1);
+    for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
+        m_actions.action(id)->setEnabled(m_state.paths().places().size() > 1);
+    }
     m_actions.action("path-end")->setEnabled(m_state.paths().isPainting());
     check("look-lit", m_state.viewOptions().look == render::Look::Lit);
     const bool isPlaying = m_state.transport().isPlaying();
@@ -353,7 +358,7 @@ void MainWindow::arrangeDocks()
     const auto& docks = m_layout.docks();
     resizeDocks({docks[1]}, {kLeftWidth}, Qt::Horizontal);
     resizeDocks({docks[0], docks[1]}, {130, 500}, Qt::Vertical);
-    resizeDocks({docks[2], docks[3], docks[4]}, {200, 260, 280}, Qt::Vertical);
+    resizeDocks({docks[2], docks[3], docks[4]}, {160, 235, 380}, Qt::Vertical);
     resizeDocks({m_console}, {kConsoleHeight}, Qt::Vertical);
 }
 

@@ -96,9 +96,19 @@ const WindowAction kEditActions[] = {
     {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected people")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
-    {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Make &Path of Places"), "brush-path",
-      "Ctrl+Shift+P", QT_TRANSLATE_NOOP("Actions", "A path over the selected places, in order")},
-     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state()); }},
+    {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Path That &Ends at the Last Place"),
+      "brush-path", "Ctrl+Shift+P",
+      QT_TRANSLATE_NOOP("Actions", "A path over the selected places, in order; people stop there")},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Simple); }},
+    {{"path-round-places", QT_TRANSLATE_NOOP("Actions", "Path Going &Round and Round"),
+      "brush-path", "Ctrl+Alt+P",
+      QT_TRANSLATE_NOOP("Actions", "A path over the selected places, and on to the first one")},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Cyclic); }},
+    {{"path-jump-places", QT_TRANSLATE_NOOP("Actions", "Path &Jumping to the First Place"),
+      "brush-path", "Ctrl+Alt+Shift+P",
+      QT_TRANSLATE_NOOP("Actions", "A path over the selected places; people jump from its last "
+                                   "place to its first")},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Teleport); }},
     {{"path-end", QT_TRANSLATE_NOOP("Actions", "&End Path"), "path-end", "Return; Enter",
       QT_TRANSLATE_NOOP("Actions", "End the path that is being painted")},
      [](MainWindow& w, bool) { w.state().paths().end(); }},
@@ -118,7 +128,8 @@ const WindowAction kEditActions[] = {
 
 const WindowAction kViewActions[] = {
     {{"frame-selection", QT_TRANSLATE_NOOP("Actions", "&Frame Selection"), "frame", "F",
-      QT_TRANSLATE_NOOP("Actions", "Show the selected people; everything when nobody is selected")},
+      QT_TRANSLATE_NOOP(
+          "Actions", "Show the selected people and places; everything when nothing is selected")},
      [](MainWindow& w, bool) { widgets::frameSelection(w.state()); }},
     {{"frame-all", QT_TRANSLATE_NOOP("Actions", "Frame &All"), "frame-all", "Home",
       QT_TRANSLATE_NOOP("Actions", "Show the whole scene")},
@@ -248,9 +259,10 @@ const WindowAction kOtherActions[] = {
 constexpr const char* kFileMenu[] = {
     "new-theatre", "new-ground", "open", "@recent",         "@examples",    "", "save",
     "save-as",     "collect",    "",     "import-template", "import-stage", "", "quit"};
-constexpr const char* kEditMenu[] = {"undo",           "redo",          "", "delete",
-                                     "path-of-places", "path-end",      "", "select-all",
-                                     "select-none",    "select-invert", "", "preferences"};
+constexpr const char* kEditMenu[] = {
+    "undo",     "redo",       "",           "delete",      "@path-of-places",
+    "path-end", "",           "select-all", "select-none", "select-invert",
+    "",         "preferences"};
 constexpr const char* kBrushMenu[] = {"select",
                                       "navigate",
                                       "",
@@ -307,6 +319,7 @@ constexpr Submenu kSubmenus[] = {
     {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
     {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
     {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View &as Camera")},
+    {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "Make &Path of Places")},
     {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 

@@ -18,6 +18,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QSpinBox>
+#include <QtWidgets/QStatusBar>
 #include <QtWidgets/QToolBar>
 
 #include "app/window/MainWindow.h"
@@ -78,6 +79,8 @@ private Q_SLOTS:
     void shortcutConflictsAreNamed();
     void preferencesTakeEffectAndCanBeTakenBack();
     void statusBarCounts();
+    void aRemarkGoesWithItsTool();
+    void controlSpacePlaysOverThePicture();
     void iconsFollowTheTheme();
 };
 
@@ -470,6 +473,30 @@ void MainWindowTest::statusBarCounts()
                               kPatienceMs);
     const auto* frame = m_window->findChild<QLabel*>(QStringLiteral("statusFrame"));
     QTRY_VERIFY_WITH_TIMEOUT(frame->text().contains(QStringLiteral(" ms")), kPatienceMs);
+}
+
+void MainWindowTest::aRemarkGoesWithItsTool()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    m_window->state().setTool(widgets::ToolId::BrushCreate);
+    m_window->state().showStatus(QStringLiteral("85 people created"));
+    QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("85 people created"));
+    m_window->state().setTool(widgets::ToolId::BrushWalk);
+    QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
+}
+
+void MainWindowTest::controlSpacePlaysOverThePicture()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->viewport().setFocus();
+    const auto& transport = m_window->state().transport();
+    const bool wasPlaying = transport.isPlaying();
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Space, Qt::ControlModifier);
+    QCOMPARE(transport.isPlaying(), !wasPlaying);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Space);
+    QCOMPARE(transport.isPlaying(), wasPlaying);
 }
 
 void MainWindowTest::iconsFollowTheTheme()

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void wheelGoesTowardsThePointUnderTheCursor();
     void flyingNeedsItsModeForKeys();
     void bookmarksComeBack();
+    void allIsPeoplePlacesAndTheStageWithoutItsHorizon();
 };
 
 void TestNavigation::middleAndAltNavigateWithAnyTool_data()
@@ -193,6 +194,36 @@ void TestNavigation::bookmarksComeBack()
     hand.document.undoStack().undo();
     hand.document.undoStack().undo();
     QCOMPARE(hand.document.scene().cameras.size(), std::size_t{1});
+}
+
+void TestNavigation::allIsPeoplePlacesAndTheStageWithoutItsHorizon()
+{
+    model::Scene scene = testing::smallTheatre();
+    auto stage = std::make_shared<model::StageAsset>(*scene.stages[0].asset);
+    model::StageMesh detail;
+    for (int i = 0; i < 1000; ++i) {
+        detail.positions.emplace_back(0.02F * static_cast<float>(i) - 10.0F, 1.0F,
+                                      static_cast<float>(i % 20));
+    }
+    model::StageMesh hills;
+    for (int i = 0; i < 16; ++i) {
+        hills.positions.emplace_back(i % 2 == 0 ? -400.0F : 400.0F, 30.0F,
+                                     i % 4 < 2 ? -400.0F : 400.0F);
+    }
+    stage->meshes.push_back(detail);
+    stage->meshes.push_back(hills);
+    scene.stages[0].asset = stage;
+    model::Bounds bounds = sceneBounds(scene);
+    QVERIFY(bounds.low.x > -12.5F && bounds.low.x < -9.0F);
+    QVERIFY(bounds.high.x < 12.5F && bounds.high.x > 9.0F);
+    QVERIFY(bounds.high.z > 17.0F && bounds.high.z < 20.0F);
+    scene.places.push_back({1, "far", {50.0F, 0.0F, 0.0F}, 5.0F});
+    scene.population = testing::makeRow(2);
+    bounds = sceneBounds(scene);
+    QCOMPARE(bounds.high.x, 55.0F);
+    QVERIFY(bounds.high.y > 1.5F);
+    scene = {};
+    QVERIFY(!sceneBounds(scene).isEmpty());
 }
 
 CROWD_TEST(TestNavigation)

@@ -4,8 +4,11 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
+#include "model/document/PathEdits.h"
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
+#include "widgets/state/BrushTexts.h"
+#include "widgets/tools/PlaceHandles.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -21,6 +24,9 @@ private Q_SLOTS:
     void rightButtonAsksForThePalette();
     void keysDoNothingElseInTheMiddleOfADrag();
     void lateEventsNeverTurnTimeBack();
+    void theEnvironmentBrushSaysWhatItPaintsAndChoosesIt();
+    void aPathOfPlacesIsOfTheKindThatWasAskedFor();
+    void theWalkBrushComesBackToItsPath();
 };
 
 void TestToolController::changingTheToolTakesTheStrokeBack()
@@ -72,6 +78,90 @@ void TestToolController::lateEventsNeverTurnTimeBack()
     hand.release(kCenter);
     QVERIFY(!hand.document.isEditOpen());
     QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestToolController::theEnvironmentBrushSaysWhatItPaintsAndChoosesIt()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushEnvironment);
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Environment);
+    brush.place.role = model::PlaceRole::Forbidden;
+    hand.state.setBrush(brush);
+    hand.press(kCenter);
+    hand.release(kCenter);
+    QCOMPARE(hand.document.scene().places.size(), std::size_t{1});
+    const model::Place& place = hand.document.scene().places[0];
+    const QString words = placeRoleName(model::PlaceRole::Forbidden);
+    QVERIFY(QString::fromStdString(place.name).startsWith(words));
+    QVERIFY(hand.document.undoStack().undoText().endsWith(words));
+    QCOMPARE(hand.state.paths().places(), std::vector<model::PlaceId>{place.id});
+    // Then a path is begun: it is what is chosen.
+    hand.state.setTool(ToolId::BrushPath);
+    hand.press(kCenter + QPointF(90.0, 40.0));
+    hand.release(kCenter + QPointF(90.0, 40.0));
+    QVERIFY(hand.state.paths().places().empty());
+    QCOMPARE(hand.state.paths().path(), hand.document.scene().paths[0].id);
+}
+
+void TestToolController::aPathOfPlacesIsOfTheKindThatWasAskedFor()
+{
+    Hand hand;
+    auto edit = hand.document.beginEdit();
+    std::vector<model::PlaceId> places;
+    for (int i = 0; i < 3; ++i) {
+        model::Place place;
+        place.position.x = static_cast<float>(i);
+        places.push_back(edit->addPlace(place));
+    }
+    edit->commit(QStringLiteral("Places"));
+    QSignalSpy said(&hand.state, &EditorState::statusMessage);
+    for (const auto kind :
+         {model::PathKind::Simple, model::PathKind::Cyclic, model::PathKind::Teleport}) {
+        hand.state.paths().select(places);
+        makePathOfPlaces(hand.state, kind);
+        QCOMPARE(hand.document.scene().paths.back().kind, kind);
+        QCOMPARE(hand.document.scene().paths.back().places, places);
+        QCOMPARE(hand.state.paths().path(), hand.document.scene().paths.back().id);
+    }
+    QCOMPARE(said.size(), 3);
+    QVERIFY(said[0] != said[1] && said[1] != said[2]);
+    makePathOfPlaces(hand.state, model::PathKind::Simple); // nothing is selected any more
+    QCOMPARE(hand.document.scene().paths.size(), std::size_t{3});
+}
+
+void TestToolController::theWalkBrushComesBackToItsPath()
+{
+    Hand hand;
+    const auto makePath = [&hand](float x) {
+        auto edit = hand.document.beginEdit();
+        model::Place place;
+        place.position.x = x;
+        const model::PathId made = model::appendPlace(*edit, 0, place, model::PathKind::Simple);
+        edit->commit(QStringLiteral("A path"));
+        return made;
+    };
+    const auto offered = [&hand] { return hand.state.brush(model::BrushKind::Walk).walk.path; };
+    const auto choose = [&hand](model::PathId path) {
+        model::BrushSettings walk = hand.state.brush(model::BrushKind::Walk);
+        walk.walk.path = path;
+        hand.state.setBrush(walk);
+    };
+    const model::PathId first = makePath(0.0F);
+    QCOMPARE(offered(), first);
+    const model::PathId second = makePath(3.0F);
+    choose(second);
+    hand.document.undoStack().undo();
+    QCOMPARE(offered(), first);
+    hand.document.undoStack().undo();
+    QCOMPARE(offered(), model::PathId{0});
+    hand.document.undoStack().redo();
+    QCOMPARE(offered(), first);
+    hand.document.undoStack().redo();
+    QCOMPARE(offered(), second);
+    // Nobody is to walk: so it stays, whatever is painted.
+    choose(0);
+    makePath(6.0F);
+    QCOMPARE(offered(), model::PathId{0});
 }
 
 CROWD_TEST(TestToolController)

@@ -275,7 +275,7 @@ void resizePlaces(EditorState& state, int steps)
     state.showStatus(mainNumberText(size));
 }
 
-void makePathOfPlaces(EditorState& state)
+void makePathOfPlaces(EditorState& state, model::PathKind kind)
 {
     const std::vector<model::PlaceId> places = state.paths().places();
     if (places.size() < 2 || state.document().isEditOpen()) {
@@ -284,10 +284,23 @@ void makePathOfPlaces(EditorState& state)
         return;
     }
     auto edit = state.document().beginEdit();
-    const model::PathId path =
-        addPathOver(*edit, places, state.brush(model::BrushKind::Path).place.kind);
+    const model::PathId path = addPathOver(*edit, places, kind);
     edit->commit(PlaceHandlesText::tr("Make a path"));
+    state.paths().select({});
     state.paths().look(path);
+    const QString name = QString::fromStdString(state.scene().findPath(path)->name);
+    switch (kind) {
+    case model::PathKind::Simple:
+        state.showStatus(PlaceHandlesText::tr("%1: people stop at its last place.").arg(name));
+        break;
+    case model::PathKind::Cyclic:
+        state.showStatus(PlaceHandlesText::tr("%1: people go round and round.").arg(name));
+        break;
+    case model::PathKind::Teleport:
+        state.showStatus(
+            PlaceHandlesText::tr("%1: people jump from its last place to its first.").arg(name));
+        break;
+    }
 }
 
 } // namespace crowd::widgets

@@ -36,7 +36,7 @@ struct PlaceHit
 
 /// The selected places become larger or smaller, in the steps of the path brush: one undo step.
 void resizePlaces(EditorState& state, int steps);
-/// A path over the selected places, which is the current one from then on.
-void makePathOfPlaces(EditorState& state);
+/// A path of a kind over the selected places, which is the current one from then on.
+void makePathOfPlaces(EditorState& state, model::PathKind kind);
 
 } // namespace crowd::widgets
