@@ -6,6 +6,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_Docks
     tst_IndividualDock
     tst_KeepPose
+    tst_LabelLayout
     tst_Navigation
     tst_PathDrawing
     tst_PickDrag

@@ -6,6 +6,7 @@
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
+#include "widgets/viewport/LabelLayout.h"
 #include "widgets/viewport/ToolIcons.h"
 
 namespace crowd::widgets {
@@ -31,20 +32,31 @@ void drawTwice(QPainter& painter, double width, const Draw& draw)
     draw();
 }
 
-/// Text on a dark rounded plate around `center`, kept inside `area`.
-void drawPlate(QPainter& painter, const QRectF& area, const QPointF& center, const QString& text)
+QSizeF plateSize(QPainter& painter, const QRectF& area, const QString& text)
 {
     const QRectF wide(0.0, 0.0, std::max(80.0, area.width() - 40.0), area.height());
     const QRectF bounds = painter.boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text);
-    QRectF plate(0.0, 0.0, bounds.width() + 22.0, bounds.height() + 12.0);
-    plate.moveCenter(center);
-    plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
-                              std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
+    return {bounds.width() + 22.0, bounds.height() + 12.0};
+}
+
+/// Text on a dark rounded plate.
+void drawPlate(QPainter& painter, const QRectF& plate, const QString& text)
+{
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 22, 26, 190));
     painter.drawRoundedRect(plate, 7.0, 7.0);
     painter.setPen(kLight);
     painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+/// Around `center`, kept inside `area`.
+void drawPlate(QPainter& painter, const QRectF& area, const QPointF& center, const QString& text)
+{
+    QRectF plate(QPointF(), plateSize(painter, area, text));
+    plate.moveCenter(center);
+    plate.moveLeft(std::clamp(plate.left(), area.left() + 4.0,
+                              std::max(area.left() + 4.0, area.right() - plate.width() - 4.0)));
+    drawPlate(painter, plate, text);
 }
 
 } // namespace
@@ -99,13 +111,22 @@ void ViewportOverlay::paintPlaces(QPainter& painter) const
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.9);
     painter.setFont(small);
+    std::vector<const PlaceLabel*> named;
+    std::vector<LabelWish> wishes;
     for (const PlaceLabel& place : m_places) {
         const double radius = place.isSelected ? 5.5 : 4.0;
         painter.setPen(QPen(place.isSelected ? kLight : kDark, place.isSelected ? 2.0 : 1.0));
         painter.setBrush(place.color);
         painter.drawEllipse(place.at, radius, radius);
         if (!place.text.isEmpty()) {
-            drawPlate(painter, rect(), place.at - QPointF(0.0, 22.0), place.text);
+            named.push_back(&place);
+            wishes.push_back({place.at, plateSize(painter, rect(), place.text), place.isSelected});
+        }
+    }
+    const std::vector<std::optional<QRectF>> plates = layOutLabels(wishes, rect());
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        if (plates[i]) {
+            drawPlate(painter, *plates[i], named[i]->text);
         }
     }
     painter.setFont(font());
