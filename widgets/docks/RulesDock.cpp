@@ -110,6 +110,9 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
             m_current = item == nullptr ? 0 : item->data(kIdRole).toUInt();
+            if (item != nullptr) {
+                item->setSelected(true); // the focus alone makes the first one current
+            }
             rebuildEditor();
         }
     });
