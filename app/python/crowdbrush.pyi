@@ -839,7 +839,7 @@ class Session:
     @property
     def fired(self) -> Dict[int, int]:
         """How often each rule has fired, by its id; those that have not are left out."""
-    def take_log(self) -> list:
+    def take_log(self) -> List[Any]:
         """(seconds, rule's id, individual's id) of what fired since the last call, at most some
         thousand."""
     @property

@@ -41,6 +41,7 @@ TYPES = [
     (r"\bos\.PathLike\b", "Path"),
     (r"List\[(float|int)\[\d+\]\]", r"Sequence[\1]"),
     (r"\bdict\b", "Dict[Any, Any]"),
+    (r"\blist\b", "List[Any]"),
     (r"numpy\.ndarray\[[^\]]*\]", "numpy.ndarray"),
     (r"\bnumpy\.ndarray\b", "_Array"),
     (r"\bobject\b", "Any"),
