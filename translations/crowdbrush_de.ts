@@ -136,10 +136,6 @@
         <translation>Auswahl &amp;zeigen</translation>
     </message>
     <message>
-        <source>Show the selected people; everything when nobody is selected</source>
-        <translation>Die Ausgewählten zeigen; alles, wenn niemand ausgewählt ist</translation>
-    </message>
-    <message>
         <source>Frame &amp;All</source>
         <translation>&amp;Alles zeigen</translation>
     </message>
@@ -448,14 +444,6 @@
         <translation>Tempo: × %1</translation>
     </message>
     <message>
-        <source>Make &amp;Path of Places</source>
-        <translation>Aus Orten einen &amp;Weg machen</translation>
-    </message>
-    <message>
-        <source>A path over the selected places, in order</source>
-        <translation>Ein Weg über die ausgewählten Orte, der Reihe nach</translation>
-    </message>
-    <message>
         <source>&amp;End Path</source>
         <translation>Weg be&amp;enden</translation>
     </message>
@@ -599,6 +587,34 @@
         <source>One step, then pause</source>
         <translation>Einen Schritt, dann Pause</translation>
     </message>
+    <message>
+        <source>Path That &amp;Ends at the Last Place</source>
+        <translation>Weg, der am letzten Ort &amp;endet</translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order; people stop there</source>
+        <translation>Ein Weg über die gewählten Orte, der Reihe nach; Personen bleiben am Ende stehen</translation>
+    </message>
+    <message>
+        <source>Path Going &amp;Round and Round</source>
+        <translation>Weg, der immer im &amp;Kreis führt</translation>
+    </message>
+    <message>
+        <source>A path over the selected places, and on to the first one</source>
+        <translation>Ein Weg über die gewählten Orte und weiter zum ersten</translation>
+    </message>
+    <message>
+        <source>Path &amp;Jumping to the First Place</source>
+        <translation>Weg, der zum ersten Ort &amp;springt</translation>
+    </message>
+    <message>
+        <source>A path over the selected places; people jump from its last place to its first</source>
+        <translation>Ein Weg über die gewählten Orte; Personen springen vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Show the selected people and places; everything when nothing is selected</source>
+        <translation>Die gewählten Personen und Orte zeigen; alles, wenn nichts gewählt ist</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -728,6 +744,70 @@
     <message>
         <source>Radius: %1 m</source>
         <translation>Radius: %1 m</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Anziehendes</translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation>Abstoßendes</translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation>Langsamer Boden</translation>
+    </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation>Verbotener Boden</translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation>Beliebter Boden</translation>
+    </message>
+    <message>
+        <source>Somewhere to go to; does nothing by itself</source>
+        <translation>Ein Ziel; tut von sich aus nichts</translation>
+    </message>
+    <message>
+        <source>Nobody walks into it</source>
+        <translation>Niemand geht hinein</translation>
+    </message>
+    <message>
+        <source>Draws those who walk near it</source>
+        <translation>Zieht an, wer in der Nähe geht</translation>
+    </message>
+    <message>
+        <source>Those who walk near it keep away</source>
+        <translation>Wer in der Nähe geht, hält Abstand</translation>
+    </message>
+    <message>
+        <source>Who reaches it leaves the scene</source>
+        <translation>Wer ihn erreicht, verlässt die Szene</translation>
+    </message>
+    <message>
+        <source>People walk slower there</source>
+        <translation>Personen gehen dort langsamer</translation>
+    </message>
+    <message>
+        <source>Nobody walks there; ways lead around it</source>
+        <translation>Niemand geht dort; Wege führen darum herum</translation>
+    </message>
+    <message>
+        <source>Ways lead over it where that is not much longer</source>
+        <translation>Wege führen darüber, wo es kaum länger ist</translation>
     </message>
 </context>
 <context>
@@ -1191,6 +1271,10 @@
         <source>Len&amp;gth of a Step</source>
         <translation>&amp;Länge eines Schritts</translation>
     </message>
+    <message>
+        <source>Make &amp;Path of Places</source>
+        <translation>Aus Orten einen &amp;Weg machen</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -1235,33 +1319,25 @@
         <source>Make a path</source>
         <translation>Einen Weg machen</translation>
     </message>
+    <message>
+        <source>Resize places</source>
+        <translation>Größe von Orten ändern</translation>
+    </message>
+    <message>
+        <source>%1: people stop at its last place.</source>
+        <translation>%1: Personen bleiben am letzten Ort stehen.</translation>
+    </message>
+    <message>
+        <source>%1: people go round and round.</source>
+        <translation>%1: Personen gehen immer im Kreis.</translation>
+    </message>
+    <message>
+        <source>%1: people jump from its last place to its first.</source>
+        <translation>%1: Personen springen vom letzten Ort zum ersten.</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
-    <message>
-        <source>Place</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation>Hindernis</translation>
-    </message>
-    <message>
-        <source>Attractor</source>
-        <translation>Anziehendes</translation>
-    </message>
-    <message>
-        <source>Repeller</source>
-        <translation>Abstoßendes</translation>
-    </message>
-    <message>
-        <source>Exit</source>
-        <translation>Ausgang</translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation>Langsamer Boden</translation>
-    </message>
     <message>
         <source>Nothing to walk on there: that is a wall, or the sky.</source>
         <translation>Dort ist nichts, worauf man gehen kann: eine Wand oder der Himmel.</translation>
@@ -1306,13 +1382,60 @@
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+</context>
+<context>
+    <name>RuleLog</name>
     <message>
-        <source>Forbidden ground</source>
-        <translation>Verbotener Boden</translation>
+        <source>%1–%2</source>
+        <translation>%1–%2</translation>
     </message>
     <message>
-        <source>Liked ground</source>
-        <translation>Beliebter Boden</translation>
+        <source>person %1</source>
+        <translation>Person %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>people %1</source>
+        <translation>Personen %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 s · %2 · %3</source>
+        <translation>%1 s · %2 · %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times</source>
+        <translation>
+            <numerusform>%1 · %n-mal</numerusform>
+            <numerusform>%1 · %n-mal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times each</source>
+        <translation>
+            <numerusform>%1 · je %n-mal</numerusform>
+            <numerusform>%1 · je %n-mal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times in all</source>
+        <translation>
+            <numerusform>%1 · insgesamt %n-mal</numerusform>
+            <numerusform>%1 · insgesamt %n-mal</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a rule</source>
+        <translation>eine Regel</translation>
     </message>
 </context>
 <context>
@@ -1461,10 +1584,6 @@
         <translation>sitzend</translation>
     </message>
     <message>
-        <source>with %1 % chance</source>
-        <translation>mit %1 % Wahrscheinlichkeit</translation>
-    </message>
-    <message>
         <source>not %1</source>
         <translation>nicht %1</translation>
     </message>
@@ -1511,10 +1630,6 @@
     <message>
         <source>walk on</source>
         <translation>weitergehen</translation>
-    </message>
-    <message>
-        <source>wait %1 s</source>
-        <translation>%1 s warten</translation>
     </message>
     <message>
         <source>at %1 m/s</source>
@@ -1853,14 +1968,6 @@
         <translation>Zahl des Ereignisses</translation>
     </message>
     <message>
-        <source>place full</source>
-        <translation>Ort voll</translation>
-    </message>
-    <message>
-        <source>people in place</source>
-        <translation>Personen am Ort</translation>
-    </message>
-    <message>
         <source>sit on a free seat</source>
         <translation>auf einen freien Sitz setzen</translation>
     </message>
@@ -2136,64 +2243,120 @@
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>full: the place</source>
+        <translation>voll: der Ort</translation>
+    </message>
+    <message>
+        <source>number of people in</source>
+        <translation>Zahl der Personen in</translation>
+    </message>
+    <message>
+        <source>happens</source>
+        <translation>geschieht</translation>
+    </message>
+    <message>
+        <source>does not happen</source>
+        <translation>geschieht nicht</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>ist nicht</translation>
+    </message>
+    <message>
+        <source>%1 not below %2</source>
+        <translation>%1 nicht unter %2</translation>
+    </message>
+    <message>
+        <source>%1 not at %2</source>
+        <translation>%1 nicht gleich %2</translation>
+    </message>
+    <message>
+        <source>%1 not above %2</source>
+        <translation>%1 nicht über %2</translation>
+    </message>
+    <message>
+        <source>except by chance in %1 % of cases</source>
+        <translation>außer zufällig in %1 % der Fälle</translation>
+    </message>
+    <message>
+        <source>by chance in %1 % of cases</source>
+        <translation>zufällig in %1 % der Fälle</translation>
+    </message>
+    <message>
+        <source>%1 not full</source>
+        <translation>%1 nicht voll</translation>
+    </message>
+    <message>
+        <source>wait about %1 s</source>
+        <translation>etwa %1 s warten</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
     <message>
-        <source>Add Template</source>
+        <source>Add template</source>
         <translation>Vorlage hinzufügen</translation>
     </message>
     <message>
-        <source>Add Stage</source>
-        <translation>Bühne hinzufügen</translation>
-    </message>
-    <message>
-        <source>Set Camera</source>
-        <translation>Kamera setzen</translation>
-    </message>
-    <message>
-        <source>Create People</source>
-        <translation>Personen erschaffen</translation>
-    </message>
-    <message>
-        <source>Remove People</source>
-        <translation>Personen entfernen</translation>
-    </message>
-    <message>
-        <source>Change People</source>
-        <translation>Personen ändern</translation>
-    </message>
-    <message>
-        <source>Change Template</source>
+        <source>Change template</source>
         <translation>Vorlage wechseln</translation>
     </message>
     <message>
-        <source>Remove Template</source>
+        <source>Remove template</source>
         <translation>Vorlage entfernen</translation>
     </message>
     <message>
-        <source>Change Stage</source>
+        <source>Add stage</source>
+        <translation>Bühne hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change stage</source>
         <translation>Bühne ändern</translation>
     </message>
     <message>
-        <source>Remove Stage</source>
+        <source>Remove stage</source>
         <translation>Bühne entfernen</translation>
     </message>
     <message>
-        <source>Remove Camera</source>
+        <source>Set camera</source>
+        <translation>Kamera setzen</translation>
+    </message>
+    <message>
+        <source>Remove camera</source>
         <translation>Kamera entfernen</translation>
     </message>
     <message>
-        <source>Set Cameras</source>
+        <source>Set cameras</source>
         <translation>Kameras setzen</translation>
     </message>
     <message>
-        <source>Set Lighting</source>
+        <source>Set lighting</source>
         <translation>Licht setzen</translation>
     </message>
     <message>
-        <source>Set Environment</source>
+        <source>Set environment</source>
         <translation>Umgebung setzen</translation>
+    </message>
+    <message>
+        <source>Create people</source>
+        <translation>Personen erschaffen</translation>
+    </message>
+    <message>
+        <source>Remove people</source>
+        <translation>Personen entfernen</translation>
+    </message>
+    <message>
+        <source>Change people</source>
+        <translation>Personen ändern</translation>
+    </message>
+    <message>
+        <source>Keep the pose</source>
+        <translation>Haltung behalten</translation>
     </message>
 </context>
 <context>
@@ -2328,19 +2491,19 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Add Camera “%1”</source>
+        <source>Add camera “%1”</source>
         <translation>Kamera „%1“ hinzufügen</translation>
     </message>
     <message>
-        <source>Update Camera “%1”</source>
+        <source>Update camera “%1”</source>
         <translation>Kamera „%1“ aktualisieren</translation>
     </message>
     <message>
-        <source>Remove Camera “%1”</source>
+        <source>Remove camera “%1”</source>
         <translation>Kamera „%1“ entfernen</translation>
     </message>
     <message>
-        <source>Rename Camera “%1”</source>
+        <source>Rename camera “%1”</source>
         <translation>Kamera „%1“ umbenennen</translation>
     </message>
 </context>
@@ -2402,10 +2565,6 @@
         </translation>
     </message>
     <message>
-        <source>Remove Template</source>
-        <translation>Vorlage entfernen</translation>
-    </message>
-    <message>
         <source>Locate “%1” (%2)</source>
         <translation>„%1“ suchen (%2)</translation>
     </message>
@@ -2413,16 +2572,28 @@
         <source>The file could not be read</source>
         <translation>Die Datei konnte nicht gelesen werden</translation>
     </message>
-    <message>
-        <source>Locate Assets</source>
-        <translation>Dateien suchen</translation>
-    </message>
     <message numerus="yes">
         <source>%n asset(s) found.</source>
         <translation>
             <numerusform>Eine Datei gefunden.</numerusform>
             <numerusform>%n Dateien gefunden.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Import template</source>
+        <translation>Vorlage importieren</translation>
+    </message>
+    <message>
+        <source>Import stage</source>
+        <translation>Bühne importieren</translation>
+    </message>
+    <message>
+        <source>Remove template</source>
+        <translation>Vorlage entfernen</translation>
+    </message>
+    <message>
+        <source>Locate assets</source>
+        <translation>Dateien suchen</translation>
     </message>
 </context>
 <context>
@@ -2647,6 +2818,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>These files are missing and could not be collected:</source>
         <translation>Diese Dateien fehlen und konnten nicht eingesammelt werden:</translation>
+    </message>
+    <message>
+        <source>Collect assets</source>
+        <translation>Dateien sammeln</translation>
     </message>
 </context>
 <context>
@@ -3615,30 +3790,6 @@ Verworfen ist sie fort.</translation>
         <translation>Was</translation>
     </message>
     <message>
-        <source>Place to go to</source>
-        <translation>Ort zum Hingehen</translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation>Hindernis</translation>
-    </message>
-    <message>
-        <source>Attracts people</source>
-        <translation>Zieht Personen an</translation>
-    </message>
-    <message>
-        <source>Repels people</source>
-        <translation>Stößt Personen ab</translation>
-    </message>
-    <message>
-        <source>Exit: people leave</source>
-        <translation>Ausgang: Personen gehen fort</translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation>Langsamer Boden</translation>
-    </message>
-    <message>
         <source>At the end</source>
         <translation>Am Ende</translation>
     </message>
@@ -3671,14 +3822,6 @@ Verworfen ist sie fort.</translation>
         <translation>Namens</translation>
     </message>
     <message>
-        <source>Nobody walks there</source>
-        <translation>Niemand geht dort</translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation>Beliebter Boden</translation>
-    </message>
-    <message>
         <source>From the slower to the faster along the line.</source>
         <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
     </message>
@@ -3693,6 +3836,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>The nearest</source>
         <translation>Dem nächsten</translation>
+    </message>
+    <message>
+        <source>no name yet; the Rules panel gives it one</source>
+        <translation>noch ohne Namen; der Bereich Regeln gibt ihr einen</translation>
     </message>
 </context>
 <context>
@@ -3938,30 +4085,6 @@ Verworfen ist sie fort.</translation>
         <translation>Größe eines Orts ändern</translation>
     </message>
     <message>
-        <source>A place to go to</source>
-        <translation>Ein Ort zum Hingehen</translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation>Hindernis</translation>
-    </message>
-    <message>
-        <source>Attracts people</source>
-        <translation>Zieht Personen an</translation>
-    </message>
-    <message>
-        <source>Repels people</source>
-        <translation>Stößt Personen ab</translation>
-    </message>
-    <message>
-        <source>Exit: people leave</source>
-        <translation>Ausgang: Personen gehen fort</translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation>Langsamer Boden</translation>
-    </message>
-    <message>
         <source>Is</source>
         <translation>Ist</translation>
     </message>
@@ -3996,10 +4119,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>People</source>
-        <translation>Personen</translation>
     </message>
     <message numerus="yes">
         <source>%n people</source>
@@ -4111,14 +4230,6 @@ Verworfen ist sie fort.</translation>
         <translation>Platz eines Orts ändern</translation>
     </message>
     <message>
-        <source>Nobody walks there</source>
-        <translation>Niemand geht dort</translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation>Beliebter Boden</translation>
-    </message>
-    <message>
         <source>Speed, %</source>
         <translation>Tempo, %</translation>
     </message>
@@ -4129,6 +4240,13 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
         <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie darin stehen können, zwei auf einem Quadratmeter, aber nur einer, wo Personen anstehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1 m</source>
+        <translation>
+            <numerusform>%n darin · %1 m</numerusform>
+            <numerusform>%n darin · %1 m</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4282,36 +4400,8 @@ Verworfen ist sie fort.</translation>
         <translation>Verschieben</translation>
     </message>
     <message>
-        <source>Change Individual</source>
-        <translation>Person ändern</translation>
-    </message>
-    <message>
-        <source>Change Clip</source>
-        <translation>Clip ändern</translation>
-    </message>
-    <message>
         <source>Tint of %1</source>
         <translation>Tönung von %1</translation>
-    </message>
-    <message>
-        <source>Change Tint</source>
-        <translation>Tönung ändern</translation>
-    </message>
-    <message>
-        <source>Change Outfit</source>
-        <translation>Kleidung ändern</translation>
-    </message>
-    <message>
-        <source>Show Part</source>
-        <translation>Teil zeigen</translation>
-    </message>
-    <message>
-        <source>Hide Part</source>
-        <translation>Teil verbergen</translation>
-    </message>
-    <message>
-        <source>Change Group</source>
-        <translation>Gruppe ändern</translation>
     </message>
     <message>
         <source>Template</source>
@@ -4349,18 +4439,6 @@ Verworfen ist sie fort.</translation>
         <translation>Farbton; ein Klick wählt eine Farbe, ein Rechtsklick nimmt sie weg</translation>
     </message>
     <message>
-        <source>Change Template</source>
-        <translation>Vorlage wechseln</translation>
-    </message>
-    <message>
-        <source>Change Tags</source>
-        <translation>Marken ändern</translation>
-    </message>
-    <message>
-        <source>Sit Down</source>
-        <translation>Hinsetzen</translation>
-    </message>
-    <message>
         <source>There is no seat %1.</source>
         <translation>Es gibt keinen Sitz %1.</translation>
     </message>
@@ -4371,6 +4449,50 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
         <translation>Namen oder Nummern von Marken von 1 bis 64, etwa mutig, 3-5</translation>
+    </message>
+    <message>
+        <source>Change template</source>
+        <translation>Vorlage wechseln</translation>
+    </message>
+    <message>
+        <source>Change individual</source>
+        <translation>Person ändern</translation>
+    </message>
+    <message>
+        <source>Change group</source>
+        <translation>Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Change tags</source>
+        <translation>Marken ändern</translation>
+    </message>
+    <message>
+        <source>Change clip</source>
+        <translation>Clip ändern</translation>
+    </message>
+    <message>
+        <source>Sit down</source>
+        <translation>Hinsetzen</translation>
+    </message>
+    <message>
+        <source>Stand up</source>
+        <translation>Aufstehen</translation>
+    </message>
+    <message>
+        <source>Change tint</source>
+        <translation>Tönung ändern</translation>
+    </message>
+    <message>
+        <source>Change outfit</source>
+        <translation>Kleidung ändern</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Teil verbergen</translation>
     </message>
 </context>
 <context>
@@ -4392,7 +4514,7 @@ Verworfen ist sie fort.</translation>
         <translation>Himmel</translation>
     </message>
     <message>
-        <source>Change Light</source>
+        <source>Change light</source>
         <translation>Licht ändern</translation>
     </message>
 </context>
@@ -4618,20 +4740,8 @@ Verworfen ist sie fort.</translation>
         <translation>oder</translation>
     </message>
     <message>
-        <source>is</source>
-        <translation>ist</translation>
-    </message>
-    <message>
-        <source>is not</source>
-        <translation>ist nicht</translation>
-    </message>
-    <message>
         <source>Remove this condition</source>
         <translation>Diese Bedingung entfernen</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>do</source>
@@ -4761,6 +4871,14 @@ Verworfen ist sie fort.</translation>
         <source>however long</source>
         <translation>wie lange auch immer</translation>
     </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source> % of cases</source>
+        <translation> % der Fälle</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::RulesDock</name>
@@ -4799,10 +4917,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Delete the rule</source>
         <translation>Die Regel löschen</translation>
-    </message>
-    <message>
-        <source>Try it on the selected people, or on all</source>
-        <translation>An den ausgewählten Personen oder an allen ausprobieren</translation>
     </message>
     <message>
         <source>Change a rule</source>
@@ -4845,12 +4959,52 @@ Verworfen ist sie fort.</translation>
         <translation>%1 (%2 ×)</translation>
     </message>
     <message>
-        <source>%1 s · person %2 · %3</source>
-        <translation>%1 s · Person %2 · %3</translation>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
     </message>
     <message>
-        <source>a rule</source>
-        <translation>eine Regel</translation>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>Ausschalten</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Up</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Down</translation>
+    </message>
+    <message>
+        <source>Test on Selected</source>
+        <translation>An den gewählten ausprobieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected people, or on all, while it plays</source>
+        <translation>Die Regel an den gewählten Personen oder an allen ausprobieren, während abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Einschalten</translation>
     </message>
 </context>
 <context>
@@ -4881,10 +5035,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Cameras</source>
         <translation>Kameras</translation>
-    </message>
-    <message>
-        <source>Remove Stage</source>
-        <translation>Bühne entfernen</translation>
     </message>
     <message>
         <source>Go There</source>
@@ -4927,14 +5077,6 @@ Verworfen ist sie fort.</translation>
         <translation>Gruppe %1</translation>
     </message>
     <message>
-        <source>Rename Stage</source>
-        <translation>Bühne umbenennen</translation>
-    </message>
-    <message>
-        <source>Rename Template</source>
-        <translation>Vorlage umbenennen</translation>
-    </message>
-    <message>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
@@ -4943,16 +5085,28 @@ Verworfen ist sie fort.</translation>
         <translation>Die Gruppe auflösen</translation>
     </message>
     <message>
-        <source>Dissolve Group</source>
-        <translation>Gruppe auflösen</translation>
-    </message>
-    <message>
         <source>Group the Selected</source>
         <translation>Ausgewählte gruppieren</translation>
     </message>
     <message>
         <source>Import Template…</source>
         <translation>Vorlage importieren…</translation>
+    </message>
+    <message>
+        <source>Rename stage</source>
+        <translation>Bühne umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename template</source>
+        <translation>Vorlage umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove stage</source>
+        <translation>Bühne entfernen</translation>
+    </message>
+    <message>
+        <source>Dissolve group</source>
+        <translation>Gruppe auflösen</translation>
     </message>
 </context>
 <context>
@@ -5044,10 +5198,6 @@ Verworfen ist sie fort.</translation>
         <translation>Gewicht</translation>
     </message>
     <message>
-        <source>Rename Template</source>
-        <translation>Vorlage umbenennen</translation>
-    </message>
-    <message>
         <source>Import Template…</source>
         <translation>Vorlage importieren …</translation>
     </message>
@@ -5070,6 +5220,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>How often the chosen template comes in the mix</source>
         <translation>Wie oft die gewählte Vorlage in der Mischung vorkommt</translation>
+    </message>
+    <message>
+        <source>Rename template</source>
+        <translation>Vorlage umbenennen</translation>
     </message>
 </context>
 <context>

@@ -136,10 +136,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the selected people; everything when nobody is selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Frame &amp;All</source>
         <translation type="unfinished"></translation>
     </message>
@@ -448,14 +444,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make &amp;Path of Places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A path over the selected places, in order</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;End Path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -599,6 +587,34 @@
         <source>One step, then pause</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Path That &amp;Ends at the Last Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order; people stop there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path Going &amp;Round and Round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places, and on to the first one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path &amp;Jumping to the First Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places; people jump from its last place to its first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selected people and places; everything when nothing is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -727,6 +743,70 @@
     </message>
     <message>
         <source>Radius: %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somewhere to go to; does nothing by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws those who walk near it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those who walk near it keep away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who reaches it leaves the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People walk slower there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks there; ways lead around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ways lead over it where that is not much longer</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -910,43 +990,43 @@
     <message numerus="yes">
         <source>Create %n individual(s)</source>
         <translation>
-            <numerusform>Create %n Person</numerusform>
-            <numerusform>Create %n People</numerusform>
+            <numerusform>Create %n person</numerusform>
+            <numerusform>Create %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Delete %n individual(s)</source>
         <translation>
-            <numerusform>Delete %n Person</numerusform>
-            <numerusform>Delete %n People</numerusform>
+            <numerusform>Delete %n person</numerusform>
+            <numerusform>Delete %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Colour %n individual(s)</source>
         <translation>
-            <numerusform>Colour %n Person</numerusform>
-            <numerusform>Colour %n People</numerusform>
+            <numerusform>Colour %n person</numerusform>
+            <numerusform>Colour %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Turn %n individual(s)</source>
         <translation>
-            <numerusform>Turn %n Person</numerusform>
-            <numerusform>Turn %n People</numerusform>
+            <numerusform>Turn %n person</numerusform>
+            <numerusform>Turn %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Animate %n individual(s)</source>
         <translation>
-            <numerusform>Animate %n Person</numerusform>
-            <numerusform>Animate %n People</numerusform>
+            <numerusform>Animate %n person</numerusform>
+            <numerusform>Animate %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Move %n individual(s)</source>
         <translation>
-            <numerusform>Move %n Person</numerusform>
-            <numerusform>Move %n People</numerusform>
+            <numerusform>Move %n person</numerusform>
+            <numerusform>Move %n people</numerusform>
         </translation>
     </message>
     <message>
@@ -1191,6 +1271,10 @@
         <source>Len&amp;gth of a Step</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Make &amp;Path of Places</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -1235,33 +1319,25 @@
         <source>Make a path</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Resize places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: people stop at its last place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: people go round and round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: people jump from its last place to its first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
-    <message>
-        <source>Place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Attractor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Repeller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Nothing to walk on there: that is a wall, or the sky.</source>
         <translation type="unfinished"></translation>
@@ -1306,12 +1382,59 @@
         <source>%1 m</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>RuleLog</name>
     <message>
-        <source>Forbidden ground</source>
+        <source>%1–%2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Liked ground</source>
+        <source>person %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>people %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s · %2 · %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times</source>
+        <translation>
+            <numerusform>%1 · once</numerusform>
+            <numerusform>%1 · %n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times each</source>
+        <translation>
+            <numerusform>%1 · once each</numerusform>
+            <numerusform>%1 · %n times each</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n times in all</source>
+        <translation>
+            <numerusform>%1 · once in all</numerusform>
+            <numerusform>%1 · %n times in all</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a rule</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1461,10 +1584,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>with %1 % chance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1510,10 +1629,6 @@
     </message>
     <message>
         <source>walk on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>wait %1 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1853,14 +1968,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>place full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>people in place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>sit on a free seat</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2136,63 +2243,119 @@
         <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>full: the place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of people in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>happens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not happen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not below %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>except by chance in %1 % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by chance in %1 % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait about %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
     <message>
-        <source>Add Template</source>
+        <source>Add template</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add Stage</source>
+        <source>Change template</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set Camera</source>
+        <source>Remove template</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Create People</source>
+        <source>Add stage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove People</source>
+        <source>Change stage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change People</source>
+        <source>Remove stage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change Template</source>
+        <source>Set camera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove Template</source>
+        <source>Remove camera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change Stage</source>
+        <source>Set cameras</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove Stage</source>
+        <source>Set lighting</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove Camera</source>
+        <source>Set environment</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set Cameras</source>
+        <source>Create people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set Lighting</source>
+        <source>Remove people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set Environment</source>
+        <source>Change people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the pose</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2219,8 +2382,8 @@
     <message numerus="yes">
         <source>Delete %n individual(s)</source>
         <translation>
-            <numerusform>Delete %n Person</numerusform>
-            <numerusform>Delete %n People</numerusform>
+            <numerusform>Delete %n person</numerusform>
+            <numerusform>Delete %n people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2328,19 +2491,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add Camera “%1”</source>
+        <source>Add camera “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Update Camera “%1”</source>
+        <source>Update camera “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove Camera “%1”</source>
+        <source>Remove camera “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rename Camera “%1”</source>
+        <source>Rename camera “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2402,19 +2565,11 @@
         </translation>
     </message>
     <message>
-        <source>Remove Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Locate “%1” (%2)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file could not be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Locate Assets</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -2423,6 +2578,22 @@
             <numerusform>One asset found.</numerusform>
             <numerusform>%n assets found.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Import template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate assets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2641,6 +2812,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>These files are missing and could not be collected:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect assets</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3608,30 +3783,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Place to go to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Attracts people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Repels people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exit: people leave</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>At the end</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3664,14 +3815,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody walks there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>From the slower to the faster along the line.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3685,6 +3828,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>The nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no name yet; the Rules panel gives it one</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3931,30 +4078,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A place to go to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Attracts people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Repels people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exit: people leave</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Is</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3988,10 +4111,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>People</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -4104,14 +4223,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody walks there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed, %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4122,6 +4233,13 @@ Thrown away, it is gone.</source>
     <message>
         <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1 m</source>
+        <translation>
+            <numerusform>%n in it · %1 m</numerusform>
+            <numerusform>%n in it · %1 m</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4275,35 +4393,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change Individual</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change Clip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tint of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change Tint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change Outfit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show Part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hide Part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change Group</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4342,18 +4432,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change Tags</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sit Down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is no seat %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4363,6 +4441,50 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change individual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sit down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change outfit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide part</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4385,7 +4507,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change Light</source>
+        <source>Change light</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4611,19 +4733,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove this condition</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4754,6 +4864,14 @@ Thrown away, it is gone.</source>
         <source>however long</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::RulesDock</name>
@@ -4791,10 +4909,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Delete the rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Try it on the selected people, or on all</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4838,11 +4952,51 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 s · person %2 · %3</source>
+        <source>Duplicate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rule</source>
+        <source>Ctrl+D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test on Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected people, or on all, while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4873,10 +5027,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove Stage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4920,14 +5070,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rename Stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Group</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4936,15 +5078,27 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dissolve Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Group the Selected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Import Template…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dissolve group</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5037,10 +5191,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rename Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import Template…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5062,6 +5212,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>How often the chosen template comes in the mix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename template</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -289,7 +289,7 @@ QString actionText(const Scene& scene, const Action& action)
     case ActionKind::GoOn:
         return RuleTextsContext::tr("walk on");
     case ActionKind::Wait:
-        return RuleTextsContext::tr("wait %1 s").arg(number(action.seconds));
+        return RuleTextsContext::tr("wait about %1 s").arg(number(action.seconds));
     case ActionKind::SetSpeed:
         return action.value > 0.0F ? RuleTextsContext::tr("at %1 m/s").arg(number(action.value))
                                    : RuleTextsContext::tr("at the event’s speed");
