@@ -226,9 +226,10 @@ void TestRulePanel::sentencesTellWhatRepeatsAndWhatIsDrawn()
     stop.depth = 2;
     const model::Rule rule =
         ruleOf({repeat, often, wait, seldom, stop, actionOf(ActionKind::GoOn)});
-    QCOMPARE(ruleSentence(scene, rule),
-             QStringLiteral("When “go” reaches someone: repeat 3 × (either (wait 2 s) 75 % or "
-                            "(stop) 25 %), then walk on"));
+    QCOMPARE(
+        ruleSentence(scene, rule),
+        QStringLiteral("When “go” reaches someone: repeat 3 × (either (wait about 2 s) 75 % or "
+                       "(stop) 25 %), then walk on"));
 }
 
 void TestRulePanel::blocksSayWhatIsMissing()
