@@ -67,6 +67,7 @@ std::vector<std::string> ScriptScene::history() const
     return onDocument([this] {
         std::vector<std::string> texts;
         const QUndoStack& stack = m_host.document->undoStack();
+        texts.reserve(static_cast<std::size_t>(stack.count()));
         for (int i = 0; i < stack.count(); ++i) {
             texts.push_back(stack.text(i).toStdString());
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/FileController.h"
 
+#include <utility>
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -96,7 +98,7 @@ void FileController::showNew(model::Scene scene)
 {
     m_task.start(
         tr("Preparing a new scene…"),
-        [scene](const BackgroundTask::Progress& report) {
+        [scene = std::move(scene)](const BackgroundTask::Progress& report) {
             model::Scene loaded = scene;
             model::loadAssets(loaded, sceneProgress(report));
             return loaded;
@@ -317,7 +319,7 @@ QString FileController::askForSavePath()
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
         return {};
     }
-    const QString path = dialog.selectedFiles().front();
+    QString path = dialog.selectedFiles().front();
     if (QFileInfo(path).suffix().compare(kSuffix, Qt::CaseInsensitive) == 0) {
         return path;
     }

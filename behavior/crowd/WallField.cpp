@@ -117,7 +117,9 @@ void WallField::layOut(float reach)
                 const float along =
                     std::clamp(glm::dot(middle, m_pieces[i].along), 0.0F, m_pieces[i].length);
                 if (glm::distance(middle, along * m_pieces[i].along) <= reach + bin * 0.7072F) {
-                    lists[static_cast<std::size_t>(line * m_width + column)].push_back(i);
+                    lists[static_cast<std::size_t>(line) * static_cast<std::size_t>(m_width) +
+                          static_cast<std::size_t>(column)]
+                        .push_back(i);
                 }
             }
         }

@@ -62,8 +62,7 @@ int shownCount(std::uint64_t count)
 
 QString lineText(const Sum& sum, const QString& rule)
 {
-    const QString line =
-        RuleLogText::tr("%1 s · %2 · %3").arg(secondsText(sum), peopleText(sum), rule);
+    QString line = RuleLogText::tr("%1 s · %2 · %3").arg(secondsText(sum), peopleText(sum), rule);
     if (sum.most == 1) {
         return line;
     }
