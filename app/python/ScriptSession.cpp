@@ -32,8 +32,11 @@ ScriptSession::~ScriptSession() = default;
 void ScriptSession::follow()
 {
     const std::uint64_t revision = m_scene->revision();
-    if (m_session && revision == m_revision) {
-        return;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_session && revision == m_revision) {
+            return;
+        }
     }
     const auto now = m_scene->scene();
     const std::scoped_lock lock(m_mutex);
@@ -120,8 +123,13 @@ std::vector<std::string> ScriptSession::problems() const
 Result<int> ScriptSession::keepPose()
 {
     follow();
-    const CrowdFramePtr shown = frame();
-    const behavior::SessionPosePtr pose = m_session->pose();
+    CrowdFramePtr shown;
+    behavior::SessionPosePtr pose;
+    {
+        const std::scoped_lock lock(m_mutex); // both of the same step
+        shown = m_session->frame();
+        pose = m_session->pose();
+    }
     auto kept = m_scene->keepPose(shown->population, *pose);
     if (kept) {
         // Where people are in the scene is where they are here.
