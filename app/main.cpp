@@ -82,11 +82,11 @@ void addScript(CLI::App& cli, CommandLine& line)
 {
     CLI::App* command = cli.add_subcommand("script", "Run a Python script");
     command->add_option("FILE", line.script.file, "A .py file")->required();
-    command->add_option("ARGS", line.script.arguments, "What the script finds in sys.argv");
-    command->prefix_command(); // also what looks like an option is the script's
+    // All that follows is the script's, in its order, also what looks like an option.
+    command->prefix_command();
+    command->footer("What follows FILE is what the script finds in sys.argv.");
     command->callback([command, &line] {
-        const std::vector<std::string> rest = command->remaining();
-        line.script.arguments.insert(line.script.arguments.end(), rest.begin(), rest.end());
+        line.script.arguments = command->remaining();
         line.status = runScript(line.script);
     });
 }

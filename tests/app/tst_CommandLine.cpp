@@ -25,6 +25,7 @@ private Q_SLOTS:
     void drawsPicturesOfTheSizeAskedFor();
     void measuresOnlyWhatMakesSense_data();
     void measuresOnlyWhatMakesSense();
+    void givesScriptsTheirArgumentsInOrder();
 };
 
 namespace {
@@ -284,6 +285,21 @@ void CommandLineTest::measuresOnlyWhatMakesSense()
     QVERIFY2(outcome.status == status, outcome.errors.constData());
     QVERIFY2(outcome.errors.contains(message), outcome.errors.constData());
     QVERIFY(outcome.output.isEmpty());
+}
+
+void CommandLineTest::givesScriptsTheirArgumentsInOrder()
+{
+    const QTemporaryDir folder;
+    const QString script = folder.filePath(QStringLiteral("arguments.py"));
+    QFile file(script);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(file.write("import sys\nprint(sys.argv[1:])\n") > 0);
+    file.close();
+    const Outcome outcome =
+        run({QStringLiteral("script"), script, QStringLiteral("--write"), QStringLiteral("--only"),
+             QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("-x")});
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.output, QByteArray("['--write', '--only', 'one', 'two', '-x']\n"));
 }
 
 CROWD_TEST(CommandLineTest)
