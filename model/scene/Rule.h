@@ -17,6 +17,9 @@ namespace crowd::model {
 
 using RuleId = std::uint32_t;
 
+/// A place or a path that is still to be chosen, where 0 means any.
+inline constexpr std::uint32_t kNotChosen = 0xFFFFFFFFU;
+
 inline constexpr int kTagCount = 64; ///< bits of the tags column
 
 /// Stable name of an artist's number within a scene; 0 is none.
@@ -92,8 +95,8 @@ struct Trigger
 {
     TriggerKind kind = TriggerKind::Event;
     std::string event;            ///< Event
-    PlaceId place = 0;            ///< Arrived, Entered, Left; 0: any
-    PathId path = 0;              ///< PathEnded; 0: any. AheadFree
+    PlaceId place = 0;            ///< Arrived, Entered, Left; 0: any; kNotChosen
+    PathId path = 0;              ///< PathEnded; 0: any. AheadFree. kNotChosen
     float seconds = 5.0F;         ///< Every, Waited
     float jitter = 0.2F;          ///< Every: share of the time, 0..1
     std::uint8_t tag = 0;         ///< TagNear
@@ -159,7 +162,7 @@ enum class ActionKind : std::uint8_t {
     AddTag,
     RemoveTag,
     SendEvent,
-    LeaveScene, ///< at the place; 0: where he is
+    LeaveScene, ///< at the place that `choice` says; Given and 0: where he is
     Again,      ///< from the first action on
     SitDown,    ///< on the nearest free seat within so many metres; 0: however far
     StandUp,
@@ -191,13 +194,14 @@ enum class ActionAim : std::uint8_t {
     Place
 };
 
-/// Which place to go to. Candidates of all but Given: the path's places where one is given, else
-/// all that are called as the given place, else all spots.
+/// Which place to go to, or to leave at. Candidates of all but Given: the path's places where one
+/// is given, else all that are called as the given place, else all spots; all exits to leave at.
+/// Who waits for a free one gets it in his turn: first come, first served.
 enum class PlaceChoice : std::uint8_t {
     Given,
     Nearest,
     NearestFree,
-    FirstFree, ///< in the path's order
+    FirstFree, ///< in the path's order; behind the last who has one where people move up
     Ahead      ///< the one before his in the path's order, once it is free: queues move up
 };
 
@@ -218,7 +222,7 @@ struct Action
     EventReach reach = EventReach::Near;
     float metres = 2.0F;
     float secondsPerMetre = 0.0F;            ///< SendEvent: so that a wave runs
-    PlaceChoice choice = PlaceChoice::Given; ///< GoToPlace
+    PlaceChoice choice = PlaceChoice::Given; ///< GoToPlace, LeaveScene
     NumberId number = 0;                     ///< SetNumber, AddToNumber
     /// Flee, TurnTo, GoToPerson, Follow, LookAt; GoToPerson and Follow know no places.
     ActionAim aim = ActionAim::Sender;

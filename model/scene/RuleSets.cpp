@@ -15,6 +15,8 @@ struct Names
     Q_DECLARE_TR_FUNCTIONS(RuleSets)
 };
 
+constexpr float kOverAnAisle = 2.8F; ///< metres from a seat to the next one beyond it
+
 std::string named(const QString& text)
 {
     return text.toStdString();
@@ -95,7 +97,7 @@ std::vector<Rule> reaction(const Scene& scene, const char* event, const QString&
         seated.kind = ConditionKind::IsSeated;
         seated.isNot = !isSeated;
         rule.conditions = {seated, chance(0.85F)};
-        rule.actions = {passOn(event, 1.4F, 0.35F), action(ActionKind::Wait, 0.3F),
+        rule.actions = {passOn(event, kOverAnAisle, 0.35F), action(ActionKind::Wait, 0.3F),
                         play(clipsLike(scene, event, isSeated), 6.0F)};
         rule.cooldownSeconds = 8.0F;
         rule.meeting = RuleMeeting::Ignore;
@@ -138,19 +140,15 @@ std::vector<Rule> pedestrians()
     return {run, walk, stop, look};
 }
 
-std::vector<Rule> panic(const Scene& scene)
+std::vector<Rule> panic()
 {
     Rule rule = onEvent("panic", Names::tr("Flee, tell others, leave"));
     rule.actions = {passOn("panic", 3.0F, 0.15F), action(ActionKind::SetSpeed, 3.0F),
                     action(ActionKind::Flee, 8.0F)};
     rule.limit = 1;
-    const auto exit = std::ranges::find(scene.places, PlaceRole::Exit, &Place::role);
-    if (exit != scene.places.end()) {
-        Action go = action(ActionKind::GoToPlace);
-        go.place = exit->id;
-        rule.actions.push_back(go);
-        rule.actions.push_back(action(ActionKind::LeaveScene));
-    }
+    Action leave = action(ActionKind::LeaveScene); // at an exit that is painted later, too
+    leave.choice = PlaceChoice::Nearest;
+    rule.actions.push_back(leave);
     return {rule};
 }
 
@@ -178,25 +176,23 @@ Action goTo(PlaceChoice choice, PathId path)
     return go;
 }
 
-/// On the places of the first path, its first place in front; without one on all places.
+/// On the places of the first path, its first place in front; without one there is still to choose.
 std::vector<Rule> queue(const Scene& scene)
 {
     const auto line =
         std::ranges::find_if(scene.paths, [](const Path& path) { return path.places.size() > 1; });
-    const PathId path = line != scene.paths.end() ? line->id : 0;
+    const PathId path = line != scene.paths.end() ? line->id : kNotChosen;
     Rule join = onEvent("queue", Names::tr("Line up"));
     join.actions = {goTo(PlaceChoice::FirstFree, path)};
     join.meeting = RuleMeeting::Ignore;
     Rule serve;
     serve.name = named(Names::tr("Be served, then leave"));
     serve.trigger.kind = TriggerKind::Arrived;
-    serve.trigger.place = line != scene.paths.end() ? line->places.front()
-                          : scene.places.empty()    ? 0
-                                                    : scene.places.front().id;
+    serve.trigger.place = line != scene.paths.end() ? line->places.front() : kNotChosen;
     serve.actions = {action(ActionKind::Wait, 4.0F), action(ActionKind::LeaveScene)};
     const auto exit = std::ranges::find(scene.places, PlaceRole::Exit, &Place::role);
     if (exit != scene.places.end()) {
-        serve.actions.back().place = exit->id;
+        serve.actions.back().choice = PlaceChoice::Nearest;
     }
     serve.yields = RuleYield::Nobody;
     Rule moveUp;
@@ -224,7 +220,7 @@ std::vector<Rule> rulesOf(RuleSet set, const Scene& scene)
     case RuleSet::Pedestrians:
         return pedestrians();
     case RuleSet::Panic:
-        return panic(scene);
+        return panic();
     case RuleSet::Flock:
         return flock();
     case RuleSet::Queue:
