@@ -251,11 +251,11 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
     if (delta.cues) {
         scene.cues = isRedo ? delta.cues->after : delta.cues->before;
     }
-    if (delta.tags || delta.rules || delta.numbers || delta.cues || delta.stepsPerSecond) {
-        announce(RulesChanged{});
-    }
     if (delta.stepsPerSecond) {
         scene.stepsPerSecond = isRedo ? delta.stepsPerSecond->after : delta.stepsPerSecond->before;
+    }
+    if (delta.tags || delta.rules || delta.numbers || delta.cues || delta.stepsPerSecond) {
+        announce(RulesChanged{});
     }
     if (delta.surface) {
         scene.surface = isRedo ? delta.surface->after : delta.surface->before;

@@ -63,6 +63,7 @@ void furnish(SceneDocument& document)
     other.actions[1].kind = ActionKind::AddToNumber;
     other.actions[1].number = 2;
     other.actions[2].kind = ActionKind::Appear;
+    other.actions[2].place = kNotChosen;
     other.actions[3].kind = ActionKind::Follow;
     other.actions[3].aim = ActionAim::Tagged;
     other.actions[3].tag = 12;
@@ -114,6 +115,7 @@ class TestEnvironment : public QObject
 private Q_SLOTS:
     void savingKeepsEverything();
     void undoAndRedoRestoreIdenticalBytes();
+    void stepsAreKnownWhenTheyAreAnnounced();
     void filesFromBeforeHaveNone();
     void aRemovedPlaceLeavesItsPaths();
     void aRemovedPathIsFollowedByNobody();
@@ -167,6 +169,24 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
     document.undoStack().redo();
     document.undoStack().redo();
     QCOMPARE(textOf(document.scene()), less);
+}
+
+/// Who hears that rules have changed, as undo and redo tell it, finds the steps of now.
+void TestEnvironment::stepsAreKnownWhenTheyAreAnnounced()
+{
+    SceneDocument document;
+    auto edit = document.beginEdit();
+    edit->setStepsPerSecond(120);
+    edit->commit(QStringLiteral("Steps"));
+    std::vector<std::uint32_t> heard;
+    connect(&document, &SceneDocument::changed, this, [&](const SceneChange& change) {
+        if (std::holds_alternative<RulesChanged>(change)) {
+            heard.push_back(document.scene().stepsPerSecond);
+        }
+    });
+    document.undoStack().undo();
+    document.undoStack().redo();
+    QCOMPARE(heard, (std::vector<std::uint32_t>{30, 120}));
 }
 
 void TestEnvironment::filesFromBeforeHaveNone()
