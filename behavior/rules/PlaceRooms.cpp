@@ -42,6 +42,7 @@ void PlaceRooms::count(std::span<const Guest> guests)
                 flatDistance(m_places[i].position, guest.position) <= m_places[i].radius;
             m_rooms[i].inside += isIn ? 1U : 0U;
             m_rooms[i].taken += held == i || (isIn && guest.holds == 0) ? 1U : 0U;
+            m_rooms[i].held += held == i ? 1U : 0U;
         }
     }
     m_isCounted = true;
@@ -51,11 +52,13 @@ void PlaceRooms::move(model::PlaceId from, model::PlaceId to)
 {
     const std::size_t left = from != 0 ? indexOf(from) : m_places.size();
     const std::size_t taken = to != 0 ? indexOf(to) : m_places.size();
-    if (left < m_rooms.size() && m_rooms[left].taken > 0) {
+    if (left < m_rooms.size() && m_rooms[left].held > 0) {
         --m_rooms[left].taken;
+        --m_rooms[left].held;
     }
     if (taken < m_rooms.size()) {
         ++m_rooms[taken].taken;
+        ++m_rooms[taken].held;
     }
 }
 
@@ -82,17 +85,24 @@ bool PlaceRooms::isFree(model::PlaceId id, model::PlaceId holds, bool isInLine) 
     return m_rooms[index].taken < room + (holds == id ? 1U : 0U);
 }
 
-std::vector<model::PlaceId> PlaceRooms::candidates(model::PlaceId place, model::PathId path) const
+/// People who stand in the way of a line do not take a place in it.
+bool PlaceRooms::hasRoomInLine(model::PlaceId id) const
+{
+    const std::size_t index = indexOf(id);
+    return index < m_rooms.size() && m_rooms[index].held < std::max(1U, m_places[index].capacity);
+}
+
+std::vector<model::PlaceId> PlaceRooms::candidates(const PlaceWish& wish) const
 {
     std::vector<model::PlaceId> ids;
-    if (path != 0) {
-        const auto found = std::ranges::find(m_paths, path, &model::Path::id);
+    if (wish.path != 0) {
+        const auto found = std::ranges::find(m_paths, wish.path, &model::Path::id);
         return found == m_paths.end() ? ids : found->places;
     }
-    const model::Place* named = place != 0 ? find(place) : nullptr;
+    const model::Place* named = wish.place != 0 ? find(wish.place) : nullptr;
     for (const model::Place& each : m_places) {
-        const bool isMeant = place == 0 ? each.role == model::PlaceRole::Spot
-                                        : named != nullptr && each.name == named->name;
+        const bool isMeant =
+            wish.place == 0 ? each.role == wish.role : named != nullptr && each.name == named->name;
         if (isMeant) {
             ids.push_back(each.id);
         }
@@ -100,32 +110,81 @@ std::vector<model::PlaceId> PlaceRooms::candidates(model::PlaceId place, model::
     return ids;
 }
 
-std::optional<model::PlaceId> PlaceRooms::choose(model::PlaceChoice choice, model::PlaceId place,
-                                                 model::PathId path, const glm::vec3& near,
+void PlaceRooms::setLines(const std::vector<PlaceWish>& lines)
+{
+    m_lines.clear();
+    for (const PlaceWish& line : lines) {
+        m_lines.push_back(candidates(line));
+    }
+}
+
+bool PlaceRooms::hasAny(const PlaceWish& wish) const
+{
+    if (wish.choice == model::PlaceChoice::Given) {
+        return find(wish.place) != nullptr;
+    }
+    const std::vector<model::PlaceId> ids = candidates(wish);
+    return std::ranges::any_of(ids, [this](model::PlaceId id) { return find(id) != nullptr; });
+}
+
+bool PlaceRooms::isLine(const PlaceWish& wish) const
+{
+    return !m_lines.empty() && std::ranges::find(m_lines, candidates(wish)) != m_lines.end();
+}
+
+bool PlaceRooms::isAmong(const PlaceWish& wish, model::PlaceId place) const
+{
+    const std::vector<model::PlaceId> ids = candidates(wish);
+    return place != 0 && std::ranges::find(ids, place) != ids.end();
+}
+
+/// Who has a place in the line keeps it.
+std::optional<model::PlaceId> PlaceRooms::behindTheLast(const std::vector<model::PlaceId>& line,
+                                                        model::PlaceId holds) const
+{
+    if (holds != 0 && std::ranges::find(line, holds) != line.end()) {
+        return holds;
+    }
+    std::optional<model::PlaceId> behind;
+    for (auto id = line.rbegin(); id != line.rend(); ++id) {
+        const std::size_t index = indexOf(*id);
+        if (hasRoomInLine(*id)) {
+            behind = *id;
+        }
+        if (index < m_rooms.size() && m_rooms[index].held > 0) {
+            break;
+        }
+    }
+    return behind;
+}
+
+std::optional<model::PlaceId> PlaceRooms::choose(const PlaceWish& wish, const glm::vec3& near,
                                                  model::PlaceId holds) const
 {
-    if (choice == model::PlaceChoice::Given) {
-        return find(place) != nullptr ? std::optional(place) : std::nullopt;
+    if (wish.choice == model::PlaceChoice::Given) {
+        return find(wish.place) != nullptr ? std::optional(wish.place) : std::nullopt;
     }
-    const std::vector<model::PlaceId> ids = candidates(place, path);
-    if (choice == model::PlaceChoice::Ahead) {
+    const std::vector<model::PlaceId> ids = candidates(wish);
+    if (wish.choice == model::PlaceChoice::Ahead) {
         const auto own = std::ranges::find(ids, holds);
-        const bool canMove =
-            own != ids.end() && own != ids.begin() && isFree(*(own - 1), holds, true);
+        const bool canMove = own != ids.end() && own != ids.begin() && hasRoomInLine(*(own - 1));
         return canMove ? std::optional(*(own - 1)) : std::nullopt;
+    }
+    const bool isInLine = wish.choice == model::PlaceChoice::FirstFree;
+    if (isInLine && isLine(wish)) {
+        return behindTheLast(ids, holds);
     }
     std::optional<model::PlaceId> best;
     float nearest = 0.0F;
     for (const model::PlaceId id : ids) {
         const model::Place* each = find(id);
-        const bool isInLine = choice == model::PlaceChoice::FirstFree;
-        const bool isMeant = each != nullptr &&
-                             (choice == model::PlaceChoice::Nearest || isFree(id, holds, isInLine));
+        const bool isMeant = each != nullptr && (wish.choice == model::PlaceChoice::Nearest ||
+                                                 isFree(id, holds, isInLine));
         const float away = isMeant ? flatDistance(each->position, near) : 0.0F;
         if (isMeant && (!best || away < nearest)) {
             best = id;
             nearest = away;
-            if (choice == model::PlaceChoice::FirstFree) {
+            if (isInLine) {
                 break;
             }
         }

@@ -22,11 +22,22 @@ namespace crowd::behavior {
     return std::sqrt(x * x + z * z);
 }
 
+/// Which place somebody is to go to; see model::PlaceChoice.
+struct PlaceWish
+{
+    model::PlaceChoice choice = model::PlaceChoice::Given;
+    model::PlaceId place = 0;
+    model::PathId path = 0;
+    /// Of the places that are meant where no path and no place says which.
+    model::PlaceRole role = model::PlaceRole::Spot;
+};
+
 /// Places that people ask for by what they are, and how many have taken each: whoever is on his
 /// way to one, or in one and on his way to no other. A place without stated room has room for as
 /// many as can stand in it (model::roomOf), but for one where people line up, which they do when
-/// they go to the first free place of a path or to the one ahead. Counted once a step, when
-/// somebody asks.
+/// they go to the first free place of a path or to the one ahead. Where they move up, the first
+/// free place is the one behind the last that somebody has, so that nobody jumps the queue, and
+/// whoever only stands in a place does not take it. Counted once a step, when somebody asks.
 class PlaceRooms
 {
 public:
@@ -38,6 +49,8 @@ public:
     };
 
     void setPlaces(std::vector<model::Place> places, std::vector<model::Path> paths);
+    /// On whose places people move up.
+    void setLines(const std::vector<PlaceWish>& lines);
     [[nodiscard]] std::span<const model::Place> places() const { return m_places; }
     [[nodiscard]] const model::Place* find(model::PlaceId id) const;
     [[nodiscard]] bool isInside(model::PlaceId id, const glm::vec3& position) const;
@@ -54,27 +67,35 @@ public:
     [[nodiscard]] std::uint32_t inside(model::PlaceId id) const;
     /// See model::PlaceChoice; `near` is where he is, `holds` what he has. Nothing: there is no
     /// such place now.
-    [[nodiscard]] std::optional<model::PlaceId> choose(model::PlaceChoice choice,
-                                                       model::PlaceId place, model::PathId path,
-                                                       const glm::vec3& near,
+    [[nodiscard]] std::optional<model::PlaceId> choose(const PlaceWish& wish, const glm::vec3& near,
                                                        model::PlaceId holds) const;
+    /// Whether there is a place that could be meant, free or not.
+    [[nodiscard]] bool hasAny(const PlaceWish& wish) const;
+    /// Whether people move up on those places.
+    [[nodiscard]] bool isLine(const PlaceWish& wish) const;
+    /// Whether that place is one of those meant.
+    [[nodiscard]] bool isAmong(const PlaceWish& wish, model::PlaceId place) const;
 
 private:
     struct Room
     {
         std::uint32_t taken = 0;
+        std::uint32_t held = 0; ///< of those: by people who were sent there
         std::uint32_t inside = 0;
     };
 
-    [[nodiscard]] std::vector<model::PlaceId> candidates(model::PlaceId place,
-                                                         model::PathId path) const;
+    [[nodiscard]] std::vector<model::PlaceId> candidates(const PlaceWish& wish) const;
     /// Has room for one more beside who holds it himself.
     [[nodiscard]] bool isFree(model::PlaceId id, model::PlaceId holds, bool isInLine) const;
+    [[nodiscard]] bool hasRoomInLine(model::PlaceId id) const;
+    [[nodiscard]] std::optional<model::PlaceId>
+    behindTheLast(const std::vector<model::PlaceId>& line, model::PlaceId holds) const;
     [[nodiscard]] std::size_t indexOf(model::PlaceId id) const;
 
     std::vector<model::Place> m_places; ///< ascending ids
     std::vector<model::Path> m_paths;
     std::vector<Room> m_rooms; ///< one per place
+    std::vector<std::vector<model::PlaceId>> m_lines;
     bool m_isCounted = false;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "behavior/rules/RuleEngine.h"
 #include "behavior/session/PathFollower.h"
@@ -10,14 +11,6 @@
 
 /// What rules let people do.
 namespace crowd::behavior {
-
-namespace {
-
-constexpr std::size_t kMaxEvents = 500'000;
-constexpr float kFullTurn = 6.2831853F;
-constexpr double kSecondsToAskAgain = 1.0 / 3.0; ///< for a free place
-
-} // namespace
 
 std::string RuleEngine::drawClip(RuleHost& host, std::uint32_t agent,
                                  const model::Action& action) const
@@ -40,11 +33,7 @@ bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& 
             return false;
         }
         host.endClip(agent);
-        for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
-            if (m_rules[rule].trigger.kind == model::TriggerKind::ClipEnded && rule != mind.rule) {
-                mind.queue.push_back({m_rules[rule].id, mind.cause});
-            }
-        }
+        m_clipsEnded.push_back({agent, mind.rule, mind.cause});
         return true;
     }
     const std::string clip = drawClip(host, agent, action);
@@ -62,74 +51,15 @@ void RuleEngine::changeTags(RuleHost& host, std::uint32_t agent, const model::Ac
     if (now != tags) {
         tags = now;
         host.noteTags(agent, now);
+        const auto known = m_carriers.find(action.tag);
+        if (known != m_carriers.end() && (now & bit) != 0) {
+            std::vector<std::uint32_t>& carriers = known->second;
+            const auto at = std::ranges::lower_bound(carriers, agent);
+            if (at == carriers.end() || *at != agent) {
+                carriers.insert(at, agent);
+            }
+        }
     }
-}
-
-/// A place counts him as its guest from now on; 0: none does.
-void RuleEngine::hold(std::uint32_t agent, model::PlaceId place)
-{
-    Mind& mind = m_minds[agent];
-    if (m_places.isCounted()) {
-        m_places.move(mind.holds, place);
-    }
-    mind.holds = place;
-}
-
-glm::vec3 RuleEngine::pointIn(RuleHost& host, std::uint32_t agent, const model::Place& place) const
-{
-    const float radius = place.radius * std::sqrt(draw(host, agent, model::hashKeys(place.id, 82)));
-    const float angle = kFullTurn * draw(host, agent, model::hashKeys(place.id, 83));
-    return host.reached(place.position, place.position + radius * glm::vec3(std::sin(angle), 0.0F,
-                                                                            std::cos(angle)));
-}
-
-/// True: there is nowhere to go, and nothing to wait for.
-bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action& action)
-{
-    Mind& mind = m_minds[agent];
-    const bool isLeaving = action.kind == model::ActionKind::LeaveScene;
-    const model::PlaceChoice choice = isLeaving ? model::PlaceChoice::Given : action.choice;
-    if (choice == model::PlaceChoice::Given && m_places.find(action.place) == nullptr) {
-        complainOf(mind.rule,
-                   " sends people to a place that is not there any more. Choose another one.");
-        return true;
-    }
-    if (choice != model::PlaceChoice::Given && choice != model::PlaceChoice::Nearest) {
-        (void)rooms(host);
-    }
-    const auto place =
-        m_places.choose(choice, action.place, action.path, host.position(agent), mind.holds);
-    if (!place) {
-        // Until a place is free he goes on with what he does.
-        mind.isStarted =
-            choice == model::PlaceChoice::NearestFree || choice == model::PlaceChoice::FirstFree;
-        mind.until = m_now + kSecondsToAskAgain;
-        return !mind.isStarted;
-    }
-    mind.isStarted = true;
-    mind.isTravelling = true;
-    mind.goal = *place;
-    hold(agent, *place);
-    host.sendTo(agent, pointIn(host, agent, *m_places.find(*place)), 0.0F);
-    return false;
-}
-
-bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const model::Action& action)
-{
-    Mind& mind = m_minds[agent];
-    if (host.isGone(agent)) {
-        return true;
-    }
-    if (mind.isTravelling) {
-        return (host.happenings()[agent] & PathFollower::EndedErrand) != 0;
-    }
-    if (action.kind == model::ActionKind::Flee) {
-        mind.isStarted = true;
-        mind.isTravelling = true;
-        flee(host, agent, action);
-        return false;
-    }
-    return (!mind.isStarted || m_now >= mind.until) && setOut(host, agent, action);
 }
 
 bool RuleEngine::sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action)
@@ -140,6 +70,10 @@ bool RuleEngine::sitDown(RuleHost& host, std::uint32_t agent, const model::Actio
     }
     mind.isStarted = true;
     if (!host.sit(agent, action.metres)) {
+        if (!host.hasSeats()) {
+            complainOf(mind.rule, " lets people sit down, but the scene has no seats. Bring a "
+                                  "stage with seats along.");
+        }
         return true; // no seat is free: on to the next action
     }
     mind.goal = 0;
@@ -178,50 +112,6 @@ bool RuleEngine::wait(RuleHost& host, std::uint32_t agent, const model::Action& 
                          : m_now + static_cast<double>(action.seconds * share);
     }
     return m_now >= mind.until || (isForEvent && mind.hasHeard);
-}
-
-bool RuleEngine::isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
-                         std::uint32_t other) const
-{
-    if (action.reach == model::EventReach::Self) {
-        return other == agent;
-    }
-    if (other == agent) {
-        return false;
-    }
-    switch (action.reach) {
-    case model::EventReach::Near:
-        return !host.isGone(other) &&
-               flatDistance(host.position(other), host.position(agent)) <= action.metres;
-    case model::EventReach::Tagged:
-        return (m_minds[other].tags >> action.tag & 1U) != 0;
-    case model::EventReach::Group:
-        return host.group(other) == host.group(agent);
-    case model::EventReach::Self:
-    case model::EventReach::Everybody:
-        break;
-    }
-    return true;
-}
-
-void RuleEngine::send(RuleHost& host, std::uint32_t agent, const model::Action& action)
-{
-    if (m_events.size() > kMaxEvents) {
-        complainOf(m_minds[agent].rule,
-                   " sends more events than can be under way; further ones are dropped. It may be "
-                   "sending events that make it send again: give it a pause, or say how often at "
-                   "most.");
-        return;
-    }
-    const glm::vec3 at = host.position(agent);
-    for (std::uint32_t other = 0; other < m_minds.size(); ++other) {
-        if (isMeant(host, action, agent, other)) {
-            const float away = host.isGone(other) ? 0.0F : flatDistance(host.position(other), at);
-            const double delay = static_cast<double>(away * action.secondsPerMetre);
-            post({m_now + delay, m_order++, action.event, action.value, host.id(other), at,
-                  host.id(agent)});
-        }
-    }
 }
 
 void RuleEngine::changeNumber(std::uint32_t agent, const model::Action& action)
@@ -282,12 +172,7 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         send(host, agent, action);
         return true;
     case model::ActionKind::LeaveScene:
-        if (action.place != 0 && !travel(host, agent, action)) {
-            return false;
-        }
-        hold(agent, 0);
-        host.leave(agent);
-        return true;
+        return leave(host, agent, action);
     case model::ActionKind::Again:
     case model::ActionKind::Repeat:
     case model::ActionKind::OneOf:
@@ -303,6 +188,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
     case model::ActionKind::Appear:
         if (const model::Place* place = m_places.find(action.place)) {
             host.appear(agent, pointIn(host, agent, *place));
+            if (!m_cells.isEmpty()) {
+                m_cells.add(agent, host.position(agent));
+            }
         } else {
             complainOf(mind.rule,
                        " lets people appear at a place that is not there any more. Choose "

@@ -22,6 +22,8 @@ constexpr float kFarBehind = 4.0F;           ///< metres at which one hurries mo
 constexpr float kHaste = 0.4F;               ///< share of the other one's speed on top of it
 constexpr double kPatienceSeconds = 5.0;     ///< without getting on
 constexpr float kGetsOnAbove = 0.15F;        ///< m/s
+constexpr float kGivesWayWithin = 3.0F;      ///< metres before whom he follows
+constexpr float kLaneMetres = 0.9F;          ///< to either side of where that one wants to go
 
 /// m/s of who follows somebody of that speed from `behind` (metres) further away than he is to.
 float catchingUp(float speed, float behind)
@@ -44,20 +46,10 @@ std::uint32_t RuleEngine::nearestTagged(RuleHost& host, std::uint32_t agent, std
     const auto [entry, isNew] = m_tagged.try_emplace(tag);
     for (std::uint32_t other = 0; isNew && other < m_minds.size(); ++other) {
         if ((m_minds[other].tags >> tag & 1U) != 0 && !host.isGone(other)) {
-            entry->second.push_back(other);
+            entry->second.add(other, host.position(other));
         }
     }
-    const glm::vec3 at = host.position(agent);
-    float nearest = std::numeric_limits<float>::max();
-    std::uint32_t best = kNone;
-    for (const std::uint32_t other : entry->second) {
-        const float away = flatDistance(host.position(other), at);
-        if (other != agent && away < nearest) {
-            nearest = away;
-            best = other;
-        }
-    }
-    return best;
+    return entry->second.nearest(host.position(agent), std::numeric_limits<float>::max(), agent);
 }
 
 /// Nothing: there is nobody and no place.
@@ -98,7 +90,7 @@ void RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::Action& 
     away = length > 0.05F ? away / length : glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
     m_minds[agent].goal = 0;
     hold(agent, 0);
-    host.sendTo(agent, at + away * action.metres, 0.0F);
+    sendTo(host, agent, at + away * action.metres, 0.0F);
 }
 
 /// Whom somebody goes to: the one that he began with, as long as it can be he.
@@ -141,8 +133,7 @@ bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Acti
         return true;
     }
     const bool isFollowing = action.kind == model::ActionKind::Follow;
-    if (!isFollowing && !mind.isNear &&
-        (host.happenings()[agent] & PathFollower::EndedErrand) != 0) {
+    if (!isFollowing && !mind.isNear && hasErrandEnded(host, agent)) {
         return true; // as near as he gets
     }
     return m_now >= mind.nextLook && comeNear(host, agent, action);
@@ -165,6 +156,9 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
     }
     const float away = flatDistance(host.position(agent), aim->point);
     const float distance = std::max(action.metres, kLeastDistance);
+    if (isFollowing && giveWay(host, agent, aim->agent)) {
+        return false;
+    }
     const bool isFirst = mind.aimedAt.x == std::numeric_limits<float>::max();
     if (away <= distance + (mind.isNear && !isFirst ? kSetsOutAgain : 0.0F)) {
         if (!mind.isNear || isFirst) {
@@ -186,12 +180,38 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
             kAllRound * model::unitFloat(model::hashKeys(m_seed, host.id(agent), 84));
         const float atLeast =
             isFollowing ? catchingUp(host.speed(aim->agent), away - distance) : 0.0F;
-        host.sendTo(agent, aim->point + kBeside * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)),
-                    atLeast);
+        sendTo(host, agent,
+               aim->point + kBeside * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)), atLeast);
         mind.aimedAt = aim->point;
         mind.isNear = false;
     }
     return false;
+}
+
+/// Out of the way of whom he follows, to the side on which he stands. False: he is not in it.
+bool RuleEngine::giveWay(RuleHost& host, std::uint32_t agent, std::uint32_t other)
+{
+    const glm::vec2 wanted = host.wantedVelocity(other);
+    const float speed = std::sqrt(wanted.x * wanted.x + wanted.y * wanted.y);
+    if (speed < kGetsOnAbove) {
+        return false;
+    }
+    const glm::vec2 ahead = wanted / speed;
+    const glm::vec3 way = host.position(agent) - host.position(other);
+    const float before = way.x * ahead.x + way.z * ahead.y;
+    const float beside = way.x * ahead.y - way.z * ahead.x;
+    if (before < 0.0F || before > kGivesWayWithin || std::fabs(beside) > kLaneMetres) {
+        return false;
+    }
+    const float side = (beside < 0.0F ? -1.0F : 1.0F) * (kLaneMetres + kBeside);
+    const glm::vec3 aside(ahead.y * side, 0.0F, -ahead.x * side);
+    const glm::vec3 level(ahead.x * before, 0.0F, ahead.y * before);
+    Mind& mind = m_minds[agent];
+    mind.isNear = false;
+    mind.aimedAt = glm::vec3(std::numeric_limits<float>::max());
+    mind.movedAt = m_now;
+    sendTo(host, agent, host.position(other) + level + aside, 0.0F);
+    return true;
 }
 
 bool RuleEngine::lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action)

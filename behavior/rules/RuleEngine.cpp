@@ -8,17 +8,23 @@
 
 #include "behavior/session/PathFollower.h"
 #include "model/base/Random.h"
+#include "model/scene/RuleFlaws.h"
 
 namespace crowd::behavior {
 
 namespace {
 
 constexpr std::size_t kMaxLog = 4096;
-constexpr std::size_t kMaxQueue = 8;
 constexpr int kMaxActionsAtOnce = 1024;
 constexpr double kLitSeconds = 0.5;
 constexpr double kEchoSeconds = 0.2;
 constexpr std::uint32_t kMaxEchoes = 30;
+// What rules may do in a step, beside so much for everybody.
+constexpr std::size_t kActionsInStep = 100'000;
+constexpr std::size_t kHeardInStep = 50'000;
+constexpr std::size_t kAskedInStep = 10'000'000;
+constexpr std::size_t kActionsEach = 4;
+constexpr std::size_t kHeardEach = 2;
 
 bool bringsBack(const model::Rule& rule)
 {
@@ -27,13 +33,28 @@ bool bringsBack(const model::Rule& rule)
     });
 }
 
+/// Where people line up: the places on which a rule lets them move up.
+std::vector<PlaceWish> linesOf(const std::vector<model::Rule>& rules)
+{
+    std::vector<PlaceWish> lines;
+    for (const model::Rule& rule : rules) {
+        for (const model::Action& action : rule.actions) {
+            if (action.kind == model::ActionKind::GoToPlace &&
+                action.choice == model::PlaceChoice::Ahead) {
+                lines.push_back({action.choice, action.place, action.path});
+            }
+        }
+    }
+    return lines;
+}
+
 } // namespace
 
 void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
 {
     std::vector<model::Rule> rules;
     for (const model::Rule& rule : scene.rules) {
-        if (rule.isEnabled) {
+        if (rule.isEnabled && !model::gapOf(rule)) {
             rules.push_back(rule);
         }
     }
@@ -61,9 +82,19 @@ void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
         m_bringsBack.push_back(bringsBack(rule));
     }
     m_places.setPlaces(scene.places, scene.paths);
+    m_places.setLines(linesOf(m_rules));
     m_seed = scene.seed;
     giveNumbers(scene, areNumbersKept);
+    checkRules(scene);
+}
+
+/// What is wrong with them as they stand.
+void RuleEngine::checkRules(const model::Scene& scene)
+{
     m_problems.clear();
+    for (const model::RuleFlaw& flaw : model::flawsOf(scene)) {
+        complain({model::englishOf(flaw, scene), flaw.rule});
+    }
 }
 
 /// Who begins with the same as before keeps what he has.
@@ -235,26 +266,19 @@ std::vector<std::uint32_t> RuleEngine::lit() const
     return lit;
 }
 
-void RuleEngine::post(Event event)
-{
-    m_events.push_back(std::move(event));
-    std::ranges::push_heap(m_events, isLater);
-}
-
-void RuleEngine::send(const std::string& event, float payload, std::uint32_t agent,
-                      const glm::vec3& origin)
-{
-    if (agent < m_agentOf.size() && std::isfinite(payload)) {
-        post({m_now, m_order++, event, payload, m_agentOf[agent].first, origin, 0});
-    }
-}
-
 void RuleEngine::step(RuleHost& host, std::uint64_t step)
 {
     m_step = step;
     m_now = static_cast<double>(step) / m_stepsPerSecond;
     m_places.forget();
     m_tagged.clear();
+    m_cells.clear();
+    m_groups.clear();
+    m_carriers.clear();
+    m_clipsEnded.clear();
+    m_left = {kActionsInStep + kActionsEach * m_minds.size(),
+              kHeardInStep + kHeardEach * m_minds.size(), kAskedInStep};
+    m_isStormSaid = false;
     std::erase_if(m_lit, [this](std::uint32_t agent) {
         const bool isOut = m_minds[agent].litUntil <= m_now;
         m_minds[agent].litUntil = isOut ? -1.0 : m_minds[agent].litUntil;
@@ -264,49 +288,24 @@ void RuleEngine::step(RuleHost& host, std::uint64_t step)
     deliver(host);
     endErrands(host);
     lookAround(host);
-    for (std::uint32_t agent = nextBusy(0); agent < m_minds.size(); agent = nextBusy(agent + 1)) {
-        goOn(host, agent);
-    }
+    goOnWithAll(host);
+    endClips(host);
 }
 
-/// Events that are due, in the order in which they were sent.
-void RuleEngine::deliver(RuleHost& host)
+/// With those first to whom it did not come in the step before.
+void RuleEngine::goOnWithAll(RuleHost& host)
 {
-    const std::uint64_t before = m_order; // what is sent meanwhile waits for the next step
-    std::vector<Event> postponed;
-    while (!m_events.empty() && m_events.front().due <= m_now) {
-        std::ranges::pop_heap(m_events, isLater);
-        Event event = std::move(m_events.back());
-        m_events.pop_back();
-        if (event.order >= before) {
-            postponed.push_back(std::move(event));
-            continue;
-        }
-        const std::uint32_t agent = agentNamed(event.who);
-        if (agent != kNone) {
-            hear(host, agent, event);
-        }
-    }
-    for (Event& event : postponed) {
-        post(std::move(event));
-    }
-}
-
-void RuleEngine::hear(RuleHost& host, std::uint32_t agent, const Event& event)
-{
-    Mind& mind = m_minds[agent];
-    if (mind.rule != kNone && mind.isStarted) {
-        const model::Action& action = m_rules[mind.rule].actions[mind.action];
-        if (action.kind == model::ActionKind::WaitForEvent && action.event == event.name) {
-            mind.hasHeard = true;
-            mind.cause = {event.payload, event.origin, true, event.sender};
-        }
-    }
-    for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
-        const model::Trigger& trigger = m_rules[rule].trigger;
-        if (trigger.kind == model::TriggerKind::Event && trigger.event == event.name &&
-            (m_bringsBack[rule] || !host.isGone(agent))) {
-            fire(host, rule, agent, {event.payload, event.origin, true, event.sender});
+    const auto all = static_cast<std::uint32_t>(m_minds.size());
+    const std::uint32_t first = m_goesOnFirst < all ? m_goesOnFirst : 0;
+    m_goesOnFirst = 0;
+    for (const auto& [begin, end] : {std::pair(first, all), std::pair(0U, first)}) {
+        for (std::uint32_t agent = nextBusy(begin); agent < end; agent = nextBusy(agent + 1)) {
+            if (m_left.actions == 0) {
+                m_goesOnFirst = agent;
+                sayStorm(m_minds[agent].rule);
+                return;
+            }
+            goOn(host, agent);
         }
     }
 }
@@ -318,8 +317,23 @@ void RuleEngine::noteHappenings(const RuleHost& host)
     for (std::uint32_t agent = 0; agent < happenings.size(); ++agent) {
         if (happenings[agent] != 0) {
             m_happenedTo.push_back(agent);
+            Mind& mind = m_minds[agent]; // before he sets out for somewhere else
+            mind.arrived = (happenings[agent] & PathFollower::EndedErrand) != 0 ? mind.goal : 0;
         }
     }
+}
+
+/// The errand that he is on: what happened in this step may be the end of the one before.
+bool RuleEngine::hasErrandEnded(RuleHost& host, std::uint32_t agent) const
+{
+    return (host.happenings()[agent] & PathFollower::EndedErrand) != 0 &&
+           m_minds[agent].setOutIn != m_step;
+}
+
+void RuleEngine::sendTo(RuleHost& host, std::uint32_t agent, const glm::vec3& point, float atLeast)
+{
+    m_minds[agent].setOutIn = m_step;
+    host.sendTo(agent, point, atLeast);
 }
 
 /// Who has got where his rule sent him goes on with it, before others hear that he arrived.
@@ -327,7 +341,7 @@ void RuleEngine::endErrands(RuleHost& host)
 {
     for (const std::uint32_t agent : m_happenedTo) {
         if (m_minds[agent].isTravelling && m_minds[agent].rule != kNone &&
-            (host.happenings()[agent] & PathFollower::EndedErrand) != 0) {
+            hasErrandEnded(host, agent)) {
             goOn(host, agent);
         }
     }
@@ -351,14 +365,12 @@ bool RuleEngine::holds(RuleHost& host, const model::Rule& rule, std::uint32_t ag
 bool RuleEngine::fire(RuleHost& host, std::uint32_t index, std::uint32_t agent, const Cause& cause)
 {
     const model::Rule& rule = m_rules[index];
-    const Memory& memory = m_memory[index].of[agent];
     Mind& mind = m_minds[agent];
-    if (m_now < memory.last + static_cast<double>(rule.cooldownSeconds) ||
-        (rule.limit != 0 && memory.count >= rule.limit) || !holds(host, rule, agent, cause)) {
+    if (!isDue(index, agent) || !holds(host, rule, agent, cause)) {
         return false;
     }
     if (mind.rule != kNone) {
-        if (rule.meeting == model::RuleMeeting::Queue && mind.queue.size() < kMaxQueue) {
+        if (rule.meeting == model::RuleMeeting::Queue && isQueueable(index, agent)) {
             mind.queue.push_back({rule.id, cause});
             return true;
         }
@@ -369,6 +381,14 @@ bool RuleEngine::fire(RuleHost& host, std::uint32_t index, std::uint32_t agent, 
     }
     begin(host, index, agent, cause);
     return true;
+}
+
+bool RuleEngine::isDue(std::uint32_t index, std::uint32_t agent) const
+{
+    const model::Rule& rule = m_rules[index];
+    const Memory& memory = m_memory[index].of[agent];
+    return m_now >= memory.last + static_cast<double>(rule.cooldownSeconds) &&
+           (rule.limit == 0 || memory.count < rule.limit);
 }
 
 bool RuleEngine::mayBreakOff(std::uint32_t busy, std::uint32_t other) const
@@ -410,6 +430,7 @@ void RuleEngine::begin(RuleHost& host, std::uint32_t index, std::uint32_t agent,
     mind.rounds.clear();
     mind.isStarted = false;
     mind.isTravelling = false;
+    mind.ticket = 0;
     mind.cause = cause;
     if (mind.litUntil < 0.0) {
         m_lit.push_back(agent);
@@ -424,6 +445,11 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
 {
     Mind& mind = m_minds[agent];
     for (int count = 0; mind.rule != kNone; ++count) {
+        if (count > 0 && m_left.actions == 0) {
+            sayStorm(mind.rule);
+            return; // in the next step
+        }
+        m_left.actions -= std::min<std::size_t>(1, m_left.actions);
         const std::vector<model::Action>& actions = m_rules[mind.rule].actions;
         if (count > kMaxActionsAtOnce) {
             complainOf(mind.rule, " repeats without any time passing: let it wait or play a clip. "
@@ -433,15 +459,7 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
         }
         if (mind.action >= actions.size()) {
             setBusy(agent, kNone);
-            if (!mind.queue.empty()) {
-                const Waiting next = mind.queue.front();
-                mind.queue.erase(mind.queue.begin());
-                const auto rule = std::ranges::find(m_rules, next.rule, &model::Rule::id);
-                if (rule != m_rules.end()) {
-                    begin(host, static_cast<std::uint32_t>(rule - m_rules.begin()), agent,
-                          next.cause);
-                }
-            }
+            takeNextOfQueue(host, agent);
             continue;
         }
         const std::uint32_t rule = mind.rule;
@@ -455,6 +473,7 @@ void RuleEngine::goOn(RuleHost& host, std::uint32_t agent)
             mind.action = lineAfter(mind, actions, mind.action);
             mind.isStarted = false;
             mind.isTravelling = false;
+            mind.ticket = 0;
         }
     }
 }

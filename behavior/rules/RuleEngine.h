@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "behavior/rules/NearCells.h"
 #include "behavior/rules/PlaceRooms.h"
 #include "behavior/session/Problem.h"
 #include "behavior/session/SessionPose.h"
@@ -40,7 +44,6 @@ public:
     /// Seconds that the clip takes; below 0: there is no such clip.
     virtual float play(std::uint32_t agent, const std::string& clip, bool isLooped) = 0;
     virtual void endClip(std::uint32_t agent) = 0;
-    /// False: there is no such path.
     /// False, and nothing changes: there is no such path.
     virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
     /// `point`, or as near to it as one gets straight on from `from`.
@@ -56,8 +59,11 @@ public:
     /// Is there from now on, also after leaving.
     virtual void appear(std::uint32_t agent, const glm::vec3& point) = 0;
     [[nodiscard]] virtual float speed(std::uint32_t agent) const = 0; ///< m/s, smoothed
+    /// Along the ground, m/s, whether or not others let him; 0 where he wants to stay.
+    [[nodiscard]] virtual glm::vec2 wantedVelocity(std::uint32_t agent) const = 0;
     /// On the nearest free seat within so many metres (0: however far). False: there is none.
     virtual bool sit(std::uint32_t agent, float metres) = 0;
+    [[nodiscard]] virtual bool hasSeats() = 0;
     /// On the way to a seat.
     [[nodiscard]] virtual bool isSittingDown(std::uint32_t agent) const = 0;
     /// Begins to stand up: seconds that it takes.
@@ -126,7 +132,8 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
 
 private:
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    static constexpr std::uint32_t kNone = NearCells::kNobody;
+    static constexpr std::uint64_t kNoStep = ~std::uint64_t{0};
 
     struct Cause
     {
@@ -163,7 +170,11 @@ private:
         double litUntil = -1.0;     ///< seconds
         bool hasHeard = false;      ///< the event that he waited for
         model::PlaceId goal = 0;    ///< of the errand that he is on or was on last
+        model::PlaceId arrived = 0; ///< where an errand ended in this step; 0: at no place
+        /// Step in which his errand began: one that ended in it was the errand before.
+        std::uint64_t setOutIn = kNoStep;
         model::PlaceId holds = 0;   ///< place that counts him as its guest
+        std::uint64_t ticket = 0;   ///< his turn for a free place; 0: he waits for none
         std::vector<float> numbers; ///< as m_numbers
         // Going to somebody, following, looking at.
         model::IndividualId partner = 0;
@@ -203,6 +214,28 @@ private:
         glm::vec3 origin{0.0F};
         model::IndividualId sender = 0;
     };
+    /// Those who wait for a free place of the same choice: first come, first served.
+    struct Turn
+    {
+        std::uint64_t ticket = 0;
+        model::IndividualId who = 0;
+    };
+    using TurnsKey = std::array<std::uint32_t, 3>; ///< place, path, whether they leave there
+    /// A clip that a rule let somebody play is over.
+    struct ClipEnd
+    {
+        std::uint32_t agent = 0;
+        std::uint32_t rule = kNone;
+        Cause cause;
+    };
+    /// What rules may still do in this step; the rest comes in the next one. Counted, not timed,
+    /// so that it is the same on any machine.
+    struct Budget
+    {
+        std::size_t actions = 0;
+        std::size_t heard = 0; ///< events that reach somebody
+        std::size_t asked = 0; ///< people of whom a sent event asks whether they are meant
+    };
     /// What an action is about, where it is now.
     struct Aim
     {
@@ -218,6 +251,15 @@ private:
     void deliver(RuleHost& host);
     void hear(RuleHost& host, std::uint32_t agent, const Event& event);
     void endErrands(RuleHost& host);
+    [[nodiscard]] bool hasErrandEnded(RuleHost& host, std::uint32_t agent) const;
+    void goOnWithAll(RuleHost& host);
+    void endClips(RuleHost& host);
+    void hearClipEnd(RuleHost& host, std::uint32_t rule, const ClipEnd& end);
+    void takeNextOfQueue(RuleHost& host, std::uint32_t agent);
+    /// Neither its pause nor its limit keeps it from coming.
+    [[nodiscard]] bool isDue(std::uint32_t rule, std::uint32_t agent) const;
+    [[nodiscard]] bool isQueueable(std::uint32_t rule, std::uint32_t agent) const;
+    void sayStorm(std::uint32_t rule);
     void lookAround(RuleHost& host);
     void lookAt(RuleHost& host, std::uint32_t rule);
     void lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
@@ -259,12 +301,24 @@ private:
     [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool setOut(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool leave(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void goToPlace(RuleHost& host, std::uint32_t agent, model::PlaceId place);
+    void closeUp(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool isAtGoal(RuleHost& host, std::uint32_t agent) const;
+    void sayNowhere(std::uint32_t rule, const model::Action& action);
+    [[nodiscard]] bool isHisTurn(std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool isWaiting(const Turn& turn) const;
+    void waitForPlace(std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] static PlaceWish wishOf(const model::Action& action);
+    [[nodiscard]] static TurnsKey turnsOf(const model::Action& action);
+    void sendTo(RuleHost& host, std::uint32_t agent, const glm::vec3& point, float atLeast);
     [[nodiscard]] bool sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool standUp(RuleHost& host, std::uint32_t agent);
     [[nodiscard]] bool wait(RuleHost& host, std::uint32_t agent, const model::Action& action);
     void flee(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool approach(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool comeNear(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool giveWay(RuleHost& host, std::uint32_t agent, std::uint32_t other);
     [[nodiscard]] bool lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action);
     [[nodiscard]] std::optional<Aim> aimOf(RuleHost& host, std::uint32_t agent,
                                            const model::Action& action);
@@ -274,6 +328,14 @@ private:
                                               std::uint8_t tag);
     [[nodiscard]] std::uint32_t agentNamed(model::IndividualId id) const;
     void send(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void tell(RuleHost& host, std::uint32_t agent, std::uint32_t other,
+              const model::Action& action);
+    /// Among whom those are whom a sent event reaches; null: everybody.
+    [[nodiscard]] const std::vector<std::uint32_t>* findMeant(RuleHost& host, std::uint32_t agent,
+                                                              const model::Action& action);
+    void fillCells(RuleHost& host);
+    void fillGroups(RuleHost& host);
+    [[nodiscard]] std::vector<std::uint32_t>& carriersOf(std::uint8_t tag);
     [[nodiscard]] bool isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
                                std::uint32_t other) const;
     void hold(std::uint32_t agent, model::PlaceId place);
@@ -288,6 +350,7 @@ private:
     void complain(Problem problem);
     /// Begins with the rule's name.
     void complainOf(std::uint32_t rule, const std::string& problem);
+    void checkRules(const model::Scene& scene);
 
     std::vector<model::Rule> m_rules; ///< enabled ones, the first matters most
     std::vector<bool> m_bringsBack;   ///< rules that those who have left still hear
@@ -298,10 +361,21 @@ private:
     std::vector<std::uint32_t> m_happenedTo; ///< agents to whom something did in this step
     std::vector<std::uint32_t> m_lit;        ///< agents, in any order
     std::vector<RuleMemory> m_memory;        ///< by rule
-    std::vector<Event> m_events;             ///< heap: the earliest first
+    std::map<TurnsKey, std::deque<Turn>> m_turns;
+    std::uint64_t m_tickets = 0;
+    std::vector<ClipEnd> m_clipsEnded; ///< in this step
+    Budget m_left;
+    std::uint32_t m_goesOnFirst = 0; ///< agent with whom a step begins to go on
+    bool m_isStormSaid = false;      ///< in this step
+    // Of this step, once somebody has asked.
+    NearCells m_cells;                                             ///< where people are
+    std::map<std::uint32_t, std::vector<std::uint32_t>> m_groups;  ///< agents, ascending
+    std::map<std::uint8_t, std::vector<std::uint32_t>> m_carriers; ///< of a tag, ascending
+    std::vector<std::uint32_t> m_meant;
+    std::vector<Event> m_events; ///< heap: the earliest first
     std::vector<std::pair<model::IndividualId, std::uint32_t>> m_agentOf; ///< ascending
     /// Who has a tag, by tag: as of this step, for those that were asked for.
-    std::map<std::uint8_t, std::vector<std::uint32_t>> m_tagged;
+    std::map<std::uint8_t, NearCells> m_tagged;
     std::map<model::RuleId, std::uint64_t> m_counts;
     std::vector<RuleFired> m_log;
     std::vector<Problem> m_problems;

@@ -5,8 +5,15 @@
 #include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
 
-/// In which order rules do what they do: what repeats, and what is one of several.
+/// In which order rules do what they do: what repeats, what is one of several, and what comes
+/// after.
 namespace crowd::behavior {
+
+namespace {
+
+constexpr std::size_t kMaxQueue = 8;
+
+} // namespace
 
 std::size_t RuleEngine::drawAlternative(RuleHost& host, std::uint32_t agent,
                                         const model::Actions& actions,
@@ -80,6 +87,61 @@ std::uint32_t RuleEngine::lineAfter(Mind& mind, const model::Actions& actions,
         }
     }
     return static_cast<std::uint32_t>(next);
+}
+
+/// Those of the same rule that wait already count too.
+bool RuleEngine::isQueueable(std::uint32_t index, std::uint32_t agent) const
+{
+    const model::Rule& rule = m_rules[index];
+    const std::vector<Waiting>& queue = m_minds[agent].queue;
+    const auto waiting = std::ranges::count(queue, rule.id, &Waiting::rule);
+    return queue.size() < kMaxQueue && (rule.cooldownSeconds <= 0.0F || waiting == 0) &&
+           (rule.limit == 0 ||
+            m_memory[index].of[agent].count + static_cast<std::size_t>(waiting) < rule.limit);
+}
+
+void RuleEngine::takeNextOfQueue(RuleHost& host, std::uint32_t agent)
+{
+    Mind& mind = m_minds[agent];
+    while (mind.rule == kNone && !mind.queue.empty()) {
+        const Waiting next = mind.queue.front();
+        mind.queue.erase(mind.queue.begin());
+        const auto found = std::ranges::find(m_rules, next.rule, &model::Rule::id);
+        const auto index = static_cast<std::uint32_t>(found - m_rules.begin());
+        if (found != m_rules.end() && isDue(index, agent)) {
+            begin(host, index, agent, next.cause);
+        }
+    }
+}
+
+/// Rules that wait for a clip to be over. What else the rule that let it be played has to do comes
+/// first.
+void RuleEngine::endClips(RuleHost& host)
+{
+    for (std::size_t i = 0; i < m_clipsEnded.size(); ++i) {
+        const ClipEnd end = m_clipsEnded[i];
+        const bool wasFree = m_minds[end.agent].rule == kNone;
+        for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
+            if (m_rules[rule].trigger.kind == model::TriggerKind::ClipEnded && rule != end.rule &&
+                (m_bringsBack[rule] || !host.isGone(end.agent))) {
+                hearClipEnd(host, rule, end);
+            }
+        }
+        if (wasFree && m_minds[end.agent].rule != kNone) {
+            goOn(host, end.agent);
+        }
+    }
+}
+
+void RuleEngine::hearClipEnd(RuleHost& host, std::uint32_t rule, const ClipEnd& end)
+{
+    Mind& mind = m_minds[end.agent];
+    if (mind.rule == kNone) {
+        fire(host, rule, end.agent, end.cause);
+    } else if (m_rules[rule].meeting != model::RuleMeeting::Ignore && isDue(rule, end.agent) &&
+               isQueueable(rule, end.agent) && holds(host, m_rules[rule], end.agent, end.cause)) {
+        mind.queue.push_back({m_rules[rule].id, end.cause});
+    }
 }
 
 } // namespace crowd::behavior

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "behavior/rules/RuleEngine.h"
@@ -15,14 +14,6 @@ namespace {
 
 constexpr float kStandsBelow = 0.1F; ///< m/s
 constexpr float kSpeedMargin = 0.1F; ///< share of a limit by which it must be crossed
-
-std::uint64_t tagCellOf(float x, float z, float size)
-{
-    const auto column = static_cast<std::int64_t>(std::floor(x / size));
-    const auto row = static_cast<std::int64_t>(std::floor(z / size));
-    return static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL ^
-           static_cast<std::uint64_t>(row);
-}
 
 bool compares(float asked, model::Comparison comparison, float value)
 {
@@ -94,7 +85,7 @@ bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t ag
         return !std::exchange(memory.wasThere, true);
     case model::TriggerKind::Arrived: {
         const bool isErrand = (happened & PathFollower::EndedErrand) != 0;
-        const model::PlaceId reached = isErrand ? m_minds[agent].goal : host.reachedPlace(agent);
+        const model::PlaceId reached = isErrand ? m_minds[agent].arrived : host.reachedPlace(agent);
         return (isErrand ? reached != 0 : (happened & PathFollower::ReachedPlace) != 0) &&
                (trigger.place == 0 || reached == trigger.place);
     }
@@ -157,37 +148,17 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
 {
     const model::Trigger trigger = m_rules[rule].trigger;
     const std::uint64_t bit = std::uint64_t{1} << trigger.tag;
-    const float size = std::max(0.5F, trigger.metres);
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
+    NearCells tagged;
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
         if ((m_minds[agent].tags & bit) != 0 && !host.isGone(agent)) {
-            const glm::vec3 at = host.position(agent);
-            cells[tagCellOf(at.x, at.z, size)].push_back(agent);
+            tagged.add(agent, host.position(agent));
         }
     }
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
         if (host.isGone(agent)) {
             continue;
         }
-        const glm::vec3 at = host.position(agent);
-        float nearest = trigger.metres;
-        std::uint32_t who = kNone;
-        for (int side = 0; side < 9 && !cells.empty(); ++side) {
-            const int across = side % 3 - 1;
-            const int along = side / 3 - 1;
-            const auto cell = cells.find(tagCellOf(at.x + static_cast<float>(across) * size,
-                                                   at.z + static_cast<float>(along) * size, size));
-            if (cell == cells.end()) {
-                continue;
-            }
-            for (const std::uint32_t other : cell->second) {
-                const float away = flatDistance(host.position(other), at);
-                if (other != agent && (away < nearest || (away == nearest && other < who))) {
-                    nearest = away;
-                    who = other;
-                }
-            }
-        }
+        const std::uint32_t who = tagged.nearest(host.position(agent), trigger.metres, agent);
         const bool isNear = who != kNone;
         if (std::exchange(m_memory[rule].of[agent].wasThere, isNear) != isNear && isNear) {
             fire(host, rule, agent, {0.0F, host.position(who), true, host.id(who)});
@@ -207,7 +178,7 @@ void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule)
         Memory& memory = m_memory[rule].of[agent];
         const bool isFree =
             rooms(host)
-                .choose(model::PlaceChoice::Ahead, 0, path, host.position(agent), own)
+                .choose({model::PlaceChoice::Ahead, 0, path}, host.position(agent), own)
                 .has_value();
         const bool isKnown = memory.wasThere && memory.place == own;
         memory.place = own;
@@ -227,22 +198,6 @@ void RuleEngine::lookAround(RuleHost& host)
             lookAt(host, rule);
         }
     }
-}
-
-/// How many have taken the places, as of now.
-PlaceRooms& RuleEngine::rooms(RuleHost& host)
-{
-    if (!m_places.isCounted()) {
-        std::vector<PlaceRooms::Guest> guests;
-        guests.reserve(m_minds.size());
-        for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
-            if (!host.isGone(agent)) {
-                guests.push_back({host.position(agent), m_minds[agent].holds});
-            }
-        }
-        m_places.count(guests);
-    }
-    return m_places;
 }
 
 bool RuleEngine::holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,

@@ -164,7 +164,9 @@ private:
     void leave(std::uint32_t agent) override;
     void appear(std::uint32_t agent, const glm::vec3& point) override;
     [[nodiscard]] float speed(std::uint32_t agent) const override;
+    [[nodiscard]] glm::vec2 wantedVelocity(std::uint32_t agent) const override;
     bool sit(std::uint32_t agent, float metres) override;
+    [[nodiscard]] bool hasSeats() override;
     [[nodiscard]] bool isSittingDown(std::uint32_t agent) const override;
     float standUp(std::uint32_t agent) override;
     void leaveSeat(std::uint32_t agent) override;
@@ -200,6 +202,8 @@ private:
     [[nodiscard]] int clipNamed(const Shown& shown, const char* name) const;
     [[nodiscard]] const model::TemplateEntry* entryOf(const Shown& shown) const;
     void readTemplates(const model::Scene& scene);
+    void adoptTemplates(const model::Scene& scene);
+    void adoptTemplate(std::uint32_t agent, const std::vector<model::TemplateEntry>& former);
     void countGroups(const model::Population& people);
     void addPeople(const SessionPlan& plan);
     void addBodies();

@@ -10,15 +10,20 @@ namespace crowd::behavior {
 
 namespace {
 
+/// Whether clips move people over the ground at another speed.
+bool isGaitOther(const model::TemplateEntry& a, const model::TemplateEntry& b)
+{
+    return !std::ranges::equal(a.clipSpeeds, b.clipSpeeds, [](float x, float y) {
+        return x == y || (std::isnan(x) && std::isnan(y));
+    });
+}
+
 bool isSameList(const std::vector<model::TemplateEntry>& a,
                 const std::vector<model::TemplateEntry>& b)
 {
     return std::ranges::equal(a, b, [](const auto& left, const auto& right) {
         return left.id == right.id && left.asset == right.asset &&
-               left.clipNames == right.clipNames &&
-               std::ranges::equal(left.clipSpeeds, right.clipSpeeds, [](float x, float y) {
-                   return x == y || (std::isnan(x) && std::isnan(y));
-               });
+               left.clipNames == right.clipNames && !isGaitOther(left, right);
     });
 }
 
@@ -44,7 +49,7 @@ void forEdited(const model::Population& before, const model::Population& now,
 void Session::adopt(const model::Scene& scene, bool arePosesKept)
 {
     if (!isSameList(*m_templates, scene.templates)) {
-        readTemplates(scene);
+        adoptTemplates(scene);
     }
     adoptPaths(scene);
     countGroups(scene.population);
@@ -61,6 +66,43 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     m_ownNumbers = m_rules.ownNumbers();
     for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
         touch(agent);
+    }
+}
+
+/// Everybody finds his own template among those that there are now.
+void Session::adoptTemplates(const model::Scene& scene)
+{
+    const auto former = m_templates;
+    readTemplates(scene);
+    for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
+        adoptTemplate(agent, *former);
+    }
+}
+
+void Session::adoptTemplate(std::uint32_t agent, const std::vector<model::TemplateEntry>& former)
+{
+    Shown& shown = touch(agent);
+    const model::TemplateEntry* before =
+        shown.table < former.size() ? &former[shown.table] : nullptr;
+    const auto now =
+        std::ranges::find(*m_templates, before != nullptr ? before->id : templateOf(agent),
+                          &model::TemplateEntry::id);
+    shown.table = static_cast<std::uint32_t>(now - m_templates->begin());
+    const bool isSame = before != nullptr && now != m_templates->end() &&
+                        now->asset == before->asset && now->clipNames == before->clipNames;
+    if (isSame && !isGaitOther(*before, *now)) {
+        return;
+    }
+    shown.style = styleOf(m_population, agent, shown.table);
+    shown.gait = 0;
+    shown.lastGait = 0;
+    shown.fromGait = 0;
+    if (!isSame) { // clips are counted anew
+        shown.order = -1;
+        shown.base = -1;
+        shown.hasLast = false;
+        shown.fadeBegin = -1.0;
+        forgetLook(agent, model::columns::clip.id);
     }
 }
 

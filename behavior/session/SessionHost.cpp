@@ -147,6 +147,12 @@ float Session::speed(std::uint32_t agent) const
     return m_bearings.speed[agent];
 }
 
+glm::vec2 Session::wantedVelocity(std::uint32_t agent) const
+{
+    const Body& body = m_crowd.bodies()[agent];
+    return body.preferredSpeed > 0.0F ? glm::vec2(body.desiredX, body.desiredZ) : glm::vec2(0.0F);
+}
+
 void Session::appear(std::uint32_t agent, const glm::vec3& point)
 {
     leaveSeat(agent);

@@ -33,7 +33,7 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     }
     m_poses = {m_session->pose()};
     m_wanted = seconds;
-    m_report = {m_session->warnings(), {}, 0.0};
+    m_report = {m_session->problems(), {}, 0.0};
     m_tally = m_session->tally();
     m_thread = std::jthread([this](std::stop_token token) { run(std::move(token)); });
 }

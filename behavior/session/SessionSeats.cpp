@@ -65,6 +65,14 @@ void Session::readSeats()
     }
 }
 
+bool Session::hasSeats()
+{
+    if (m_seats.empty()) {
+        readSeats();
+    }
+    return !m_seats.empty();
+}
+
 bool Session::sit(std::uint32_t agent, float metres)
 {
     if (m_seats.empty()) {

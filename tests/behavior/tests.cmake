@@ -7,11 +7,16 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleAims
     tst_RuleLooks
     tst_RuleNumbers
+    tst_RuleQueue
     tst_RuleSeats
     tst_RuleSequences
+    tst_RuleSets
+    tst_RuleStorm
     tst_RuleTriggers
+    tst_RuleWalks
     tst_Rules
     tst_Session
+    tst_SessionEdits
     tst_SessionPlayer
     tst_SessionSteps
     tst_StrideKernel

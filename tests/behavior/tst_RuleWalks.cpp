@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include "tests/behavior/RuleScenes.h"
+#include "tests/program/Test.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+using model::PlaceChoice;
+using model::PlaceRole;
+using model::TriggerKind;
+
+namespace {
+
+Action goTo(model::PlaceId place)
+{
+    Action go = action(ActionKind::GoToPlace);
+    go.place = place;
+    return go;
+}
+
+Action leaveAt(PlaceChoice choice, model::PlaceId place = 0, model::PathId path = 0)
+{
+    Action leave = action(ActionKind::LeaveScene);
+    leave.choice = choice;
+    leave.place = place;
+    leave.path = path;
+    return leave;
+}
+
+bool isGone(const Session& session, std::size_t row)
+{
+    return placeOf(session, row).y < -1000.0F;
+}
+
+/// How near somebody gets to a point before he has left, or within so many steps.
+float nearestTo(Session& session, std::size_t row, const glm::vec3& point, int steps)
+{
+    float nearest = 1e9F;
+    for (int i = 0; i < steps && !isGone(session, row); ++i) {
+        nearest = std::min(nearest, behavior::flatDistance(placeOf(session, row), point));
+        session.step();
+    }
+    return nearest;
+}
+
+} // namespace
+
+/// Rules that send people from one place to the next, and out.
+class TestRuleWalks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void walksFollowEachOther();
+    void goingToSomebodyAfterAWalkIsWalked();
+    void everyPlaceOnTheWayIsNoticed();
+    void whoLeavesTakesTheExitThatIsMeant_data();
+    void whoLeavesTakesTheExitThatIsMeant();
+    void whoHasNowhereToLeaveAtStays_data();
+    void whoHasNowhereToLeaveAtStays();
+    void exitsAreTakenByNoMoreThanHaveRoom();
+};
+
+void TestRuleWalks::walksFollowEachOther()
+{
+    model::Scene scene = rowOf(1);
+    scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}, {2, "b", {8.0F, 0.0F, 6.0F}, 0.2F}};
+    scene.rules = {onEvent("go", {goTo(1), goTo(2), action(ActionKind::LeaveScene)})};
+    Session session(scene);
+    session.send("go", 0.0F, {1});
+    run(session, 300);
+    QVERIFY(!isGone(session, 0)); // 6 m are walked by now, 14 m are not
+    const float nearest = nearestTo(session, 0, scene.places[1].position, 900);
+    QVERIFY2(nearest < 1.0F, QByteArray::number(static_cast<double>(nearest)));
+    QVERIFY(isGone(session, 0));
+}
+
+void TestRuleWalks::goingToSomebodyAfterAWalkIsWalked()
+{
+    model::Scene scene = rowOf(6); // the last one at x = 10
+    scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}};
+    Action meet = action(ActionKind::GoToPerson);
+    meet.aim = model::ActionAim::Tagged;
+    meet.tag = 4;
+    meet.metres = 1.5F;
+    meet.seconds = 0.0F;
+    scene.population.setValues<std::uint64_t>(model::columns::tags,
+                                              std::vector<model::IndividualId>{6},
+                                              std::vector<std::uint64_t>{std::uint64_t{1} << 4U});
+    scene.rules = {onEvent("go", {goTo(1), meet, tagWith(1)})};
+    Session session(scene);
+    session.send("go", 0.0F, {1});
+    run(session, 900);
+    QVERIFY(hasTag(session, 0, 1));
+    const float away = behavior::flatDistance(placeOf(session, 0), placeOf(session, 5));
+    QVERIFY2(away < 2.5F, QByteArray::number(static_cast<double>(away)));
+}
+
+void TestRuleWalks::everyPlaceOnTheWayIsNoticed()
+{
+    model::Scene scene = rowOf(1);
+    scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}, {2, "b", {6.0F, 0.0F, 6.0F}, 0.2F}};
+    scene.rules = {onEvent("go", {goTo(1), goTo(2)})};
+    for (const model::PlaceId place : {1U, 2U}) {
+        Rule seen = when(TriggerKind::Arrived, {tagWith(static_cast<std::uint8_t>(place))});
+        seen.trigger.place = place;
+        seen.meeting = model::RuleMeeting::Queue;
+        seen.id = 1 + place;
+        scene.rules.push_back(seen);
+    }
+    Session session(scene);
+    session.send("go", 0.0F, {1});
+    run(session, 900);
+    QVERIFY(hasTag(session, 0, 1));
+    QVERIFY(hasTag(session, 0, 2));
+    QCOMPARE(session.rules().count(2), std::uint64_t{1});
+    QCOMPARE(session.rules().count(3), std::uint64_t{1});
+}
+
+void TestRuleWalks::whoLeavesTakesTheExitThatIsMeant_data()
+{
+    QTest::addColumn<int>("choice");
+    QTest::addColumn<model::PlaceId>("place");
+    QTest::addColumn<model::PathId>("path");
+    QTest::addColumn<std::size_t>("at");
+    const auto row = [](const char* name, PlaceChoice choice, model::PlaceId place,
+                        model::PathId path, std::size_t at) {
+        QTest::newRow(name) << static_cast<int>(choice) << place << path << at;
+    };
+    row("the one that is named", PlaceChoice::Given, 1, 0, 0);
+    row("the nearest exit, no spot", PlaceChoice::Nearest, 0, 0, 1);
+    row("the nearest of that name", PlaceChoice::Nearest, 3, 0, 2);
+    row("the nearest of a path", PlaceChoice::Nearest, 0, 1, 3);
+    row("the nearest free exit", PlaceChoice::NearestFree, 0, 0, 1);
+    row("the first free one of a path", PlaceChoice::FirstFree, 0, 1, 4);
+}
+
+void TestRuleWalks::whoLeavesTakesTheExitThatIsMeant()
+{
+    QFETCH(const int, choice);
+    QFETCH(const model::PlaceId, place);
+    QFETCH(const model::PathId, path);
+    QFETCH(const std::size_t, at);
+    model::Scene scene = rowOf(1);
+    scene.places = {{1, "gate", {0.0F, 0.0F, 12.0F}, 0.5F},
+                    {2, "side", {-6.0F, 0.0F, 0.0F}, 0.5F},
+                    {3, "spot", {0.0F, 0.0F, -4.0F}, 0.5F},
+                    {4, "near", {5.0F, 0.0F, 5.0F}, 0.5F},
+                    {5, "far", {12.0F, 0.0F, -5.0F}, 0.5F}};
+    scene.places[0].role = PlaceRole::Exit;
+    scene.places[1].role = PlaceRole::Exit;
+    scene.paths = {{1, "way", model::PathKind::Simple, {5, 4}}};
+    scene.rules = {onEvent("home", {leaveAt(static_cast<PlaceChoice>(choice), place, path)})};
+    Session session(scene);
+    session.send("home", 0.0F, {1});
+    const float nearest = nearestTo(session, 0, scene.places[at].position, 900);
+    QVERIFY2(nearest < 1.2F, QByteArray::number(static_cast<double>(nearest)));
+    QVERIFY(isGone(session, 0));
+}
+
+void TestRuleWalks::whoHasNowhereToLeaveAtStays_data()
+{
+    QTest::addColumn<int>("choice");
+    QTest::addColumn<model::PlaceId>("place");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("a place that is gone")
+        << static_cast<int>(PlaceChoice::Given) << model::PlaceId{9} << QByteArray("not there");
+    QTest::newRow("no exit") << static_cast<int>(PlaceChoice::Nearest) << model::PlaceId{0}
+                             << QByteArray("at an exit, but there is none");
+}
+
+void TestRuleWalks::whoHasNowhereToLeaveAtStays()
+{
+    QFETCH(const int, choice);
+    QFETCH(const model::PlaceId, place);
+    QFETCH(const QByteArray, said);
+    model::Scene scene = rowOf(1);
+    scene.rules = {onEvent("home", {leaveAt(static_cast<PlaceChoice>(choice), place), tagWith(1)})};
+    Session session(scene);
+    session.send("home", 0.0F, {1});
+    run(session, 60);
+    QVERIFY(!isGone(session, 0));
+    QVERIFY(hasTag(session, 0, 1)); // on with the next
+    QCOMPARE(session.problems().size(), std::size_t{1});
+    QVERIFY2(session.problems().front().text.find(said.constData()) != std::string::npos,
+             session.problems().front().text.c_str());
+}
+
+void TestRuleWalks::exitsAreTakenByNoMoreThanHaveRoom()
+{
+    model::Scene scene = rowOf(4);
+    scene.places = {{1, "near", {3.0F, 0.0F, 6.0F}, 0.3F}, {2, "far", {3.0F, 0.0F, 30.0F}, 0.3F}};
+    for (model::Place& place : scene.places) {
+        place.role = PlaceRole::Exit;
+        place.capacity = 2;
+    }
+    scene.rules = {onEvent("home", {leaveAt(PlaceChoice::NearestFree)})};
+    Session session(scene);
+    session.send("home", 0.0F, {1, 2, 3, 4});
+    run(session, 400);
+    std::size_t gone = 0;
+    for (std::size_t row = 0; row < 4; ++row) {
+        gone += isGone(session, row) ? 1 : 0;
+    }
+    QCOMPARE(gone, std::size_t{2});
+    run(session, 900);
+    for (std::size_t row = 0; row < 4; ++row) {
+        QVERIFY(isGone(session, row));
+    }
+}
+
+CROWD_TEST(TestRuleWalks)
+#include "tst_RuleWalks.moc"
