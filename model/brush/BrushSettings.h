@@ -186,7 +186,7 @@ struct EventSettings
 struct PlaceSettings
 {
     float radiusMetres = 1.5F;
-    PathKind kind = PathKind::Cyclic;     ///< of new paths
+    PathKind kind = PathKind::Simple;     ///< of new paths
     PlaceRole role = PlaceRole::Obstacle; ///< of the environment brush
     friend bool operator==(const PlaceSettings&, const PlaceSettings&) = default;
 };

@@ -126,6 +126,7 @@ void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
     click(studio, {160, 200}); // begins another path
     QCOMPARE(scene.paths.size(), std::size_t{2});
     QCOMPARE(scene.paths[0].places, (std::vector<model::PlaceId>{1, 2, 3}));
+    QCOMPARE(scene.paths[0].kind, model::PathKind::Simple); // it ends where it was ended
     QCOMPARE(scene.paths[1].places, (std::vector<model::PlaceId>{4}));
     const std::string full = bytesOf(studio);
     const QImage painted = studio.picture();

@@ -145,8 +145,8 @@ void addPlaces(BrushForm& form, BrushKind kind)
              BrushForm::tr("Jump to the first place")},
             [](const BrushSettings& s) { return static_cast<int>(s.place.kind); },
             [](BrushSettings& s, int i) { s.place.kind = static_cast<model::PathKind>(i); });
-        form.addNote(BrushForm::tr("Each click adds a place, Enter ends the path. The next click "
-                                   "begins another one."));
+        form.addNote(BrushForm::tr("Each click adds a place, Enter ends the path; a click on its "
+                                   "first place closes it. The next click begins another one."));
     }
 }
 

@@ -49,6 +49,12 @@ std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
     return {240, 150, 40};
 }
 
+/// Whether a click on a place leads the path back to where it began.
+bool closesAt(const model::Path& path, model::PlaceId place)
+{
+    return path.places.size() > 2 && path.places.front() == place;
+}
+
 /// Adds places while the button is held, each at once.
 class PaintPlaces : public DragSession
 {
@@ -113,7 +119,7 @@ private:
             if (isLast) {
                 return;
             }
-            if (path != nullptr && path->places.size() > 2 && path->places.front() == hit->place) {
+            if (path != nullptr && closesAt(*path, hit->place)) {
                 close(*path);
                 return;
             }
@@ -233,6 +239,10 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
         const auto from = last == nullptr ? std::nullopt : view.project(last->position);
         if (from) {
             picture.arrow = QLineF(QPointF(from->x, from->y), input.position());
+        }
+        const auto hit = placeAt(m_context, input.position());
+        if (hit && !hit->isBorder && closesAt(*path, hit->place)) {
+            picture.label = PlaceToolText::tr("Close the path");
         }
     }
 }
