@@ -70,6 +70,8 @@ private Q_SLOTS:
     void everyReadyMadeSetIsSound_data();
     void everyReadyMadeSetIsSound();
     void aRuleSaysWhatIsWrong();
+    void aQueueWithoutAPathAsksForOne();
+    void whatIsNotChosenYetIsNotGone();
     void everyKindHasASentenceAndFields();
     void cuesAreButtonsAndKeys();
     void tagsAndNumbersGetNames();
@@ -168,6 +170,9 @@ void TestBehaviourDocks::everyReadyMadeSetIsSound()
     entry.id = 1;
     entry.clipNames = {"idle", "clap", "sit_clap", "cheer", "sit_cheer", "wave"};
     scene.templates.push_back(entry);
+    scene.places = {{1, "exit", {}, 1.0F}, {2, "front", {}, 1.0F}, {3, "behind", {}, 1.0F}};
+    scene.places[0].role = model::PlaceRole::Exit;
+    scene.paths = {{1, "line", model::PathKind::Simple, {2, 3}}};
     for (const model::Rule& rule : model::rulesOf(static_cast<model::RuleSet>(set), scene)) {
         QCOMPARE(ruleProblem(scene, rule), QString());
         QVERIFY(!ruleSentence(scene, rule).isEmpty());
@@ -181,12 +186,39 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
     choose(desk, "addRule", RulesDock::tr("A New Rule"));
     auto* problem = desk.dock->findChild<QLabel*>(QStringLiteral("ruleProblem"));
     QTRY_VERIFY(problem->isVisible());
-    QVERIFY2(problem->text().contains(QStringLiteral("clip")), qPrintable(problem->text()));
+    QVERIFY2(problem->text().contains(QStringLiteral("type the event")),
+             qPrintable(problem->text())); // nothing happens while it is being made
     auto* more = desk.dock->findChild<QToolButton*>(QStringLiteral("addAction"));
     QTest::mouseClick(more, Qt::LeftButton);
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{2});
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().rules[0].actions.size(), std::size_t{1});
+}
+
+/// Nobody is sent to, or served at, any place there is.
+void TestBehaviourDocks::aQueueWithoutAPathAsksForOne()
+{
+    const model::Scene scene;
+    for (const model::Rule& rule : model::rulesOf(model::RuleSet::Queue, scene)) {
+        const QString sentence = ruleSentence(scene, rule);
+        QVERIFY2(!sentence.contains(QStringLiteral("any place")), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QStringLiteral("gone")), qPrintable(sentence));
+        QVERIFY2(ruleProblem(scene, rule).contains(QStringLiteral("choose a p")),
+                 qPrintable(ruleProblem(scene, rule)));
+    }
+}
+
+/// What is chosen first is asked for, not missed.
+void TestBehaviourDocks::whatIsNotChosenYetIsNotGone()
+{
+    const model::Scene scene;
+    model::Rule rule;
+    rule.trigger.event = "go";
+    rule.actions.emplace_back().kind = model::ActionKind::GoToPlace;
+    QVERIFY(ruleProblem(scene, rule).contains(QStringLiteral("choose a place")));
+    QVERIFY(!ruleSentence(scene, rule).contains(QStringLiteral("any place")));
+    rule.actions[0].place = 5;
+    QVERIFY(ruleProblem(scene, rule).contains(QStringLiteral("not there any more")));
 }
 
 /// Whatever a rule may hold, its editor can be built and says it in words.

@@ -4,11 +4,13 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/docks/RuleItemDelegate.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
 
@@ -72,6 +74,11 @@ private Q_SLOTS:
     void theListHasKeys();
     void conditionsReadAsSentences_data();
     void conditionsReadAsSentences();
+    void leavingReadsAsASentence_data();
+    void leavingReadsAsASentence();
+    void whatLastsSaysHowLong();
+    void countingMovesNothing();
+    void theLogOfAnotherSceneIsForgotten();
 };
 
 void TestRulesList::buttonsSayWhatTheyDo()
@@ -203,8 +210,9 @@ void TestRulesList::conditionsReadAsSentences_data()
     add(ConditionKind::Number, "a number above 3", "a number not above 3");
     add(ConditionKind::Speed, "speed above 3", "speed not above 3");
     add(ConditionKind::Payload, "the event’s number above 3", "the event’s number not above 3");
-    add(ConditionKind::IsFull, "any place full", "any place not full");
-    add(ConditionKind::PeopleIn, "people in any place above 3", "people in any place not above 3");
+    // Of a place that is still to be chosen.
+    add(ConditionKind::IsFull, "… full", "… not full");
+    add(ConditionKind::PeopleIn, "people in … above 3", "people in … not above 3");
     add(ConditionKind::Property, "height above 3", "height not above 3");
 }
 
@@ -224,6 +232,121 @@ void TestRulesList::conditionsReadAsSentences()
     rule.actions.emplace_back().kind = model::ActionKind::Stop;
     QCOMPARE(ruleSentence({}, rule),
              QStringLiteral("When “go” reaches someone, %1: stop").arg(text));
+}
+
+void TestRulesList::leavingReadsAsASentence_data()
+{
+    using model::PlaceChoice;
+    QTest::addColumn<int>("choice");
+    QTest::addColumn<model::PlaceId>("place");
+    QTest::addColumn<model::PathId>("path");
+    QTest::addColumn<QString>("text");
+    const auto row = [](const char* text, PlaceChoice choice, model::PlaceId place,
+                        model::PathId path) {
+        QTest::newRow(text) << static_cast<int>(choice) << place << path << QString::fromUtf8(text);
+    };
+    row("leave the scene", PlaceChoice::Given, 0, 0);
+    row("leave the scene at gate", PlaceChoice::Given, 1, 0);
+    row("leave the scene at …", PlaceChoice::Given, model::kNotChosen, 0);
+    row("leave the scene at the nearest exit", PlaceChoice::Nearest, 0, 0);
+    row("leave the scene at the nearest place of way", PlaceChoice::Nearest, 0, 1);
+    row("leave the scene at the nearest free exit", PlaceChoice::NearestFree, 0, 0);
+    row("leave the scene at the nearest free place named gate", PlaceChoice::NearestFree, 1, 0);
+    row("leave the scene at the first free place of way", PlaceChoice::FirstFree, 0, 1);
+}
+
+void TestRulesList::leavingReadsAsASentence()
+{
+    QFETCH(const int, choice);
+    QFETCH(const model::PlaceId, place);
+    QFETCH(const model::PathId, path);
+    QFETCH(const QString, text);
+    model::Scene scene;
+    scene.places = {{1, "gate", {}, 1.0F}};
+    scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
+    model::Rule rule;
+    rule.trigger.event = "go";
+    model::Action& leave = rule.actions.emplace_back();
+    leave.kind = model::ActionKind::LeaveScene;
+    leave.choice = static_cast<model::PlaceChoice>(choice);
+    leave.place = place;
+    leave.path = path;
+    QCOMPARE(ruleSentence(scene, rule), QStringLiteral("When “go” reaches someone: %1").arg(text));
+}
+
+void TestRulesList::whatLastsSaysHowLong()
+{
+    model::Rule rule;
+    rule.trigger.event = "go";
+    rule.actions.emplace_back().kind = model::ActionKind::Follow;
+    rule.actions[0].seconds = 0.0F;
+    QVERIFY(ruleSentence({}, rule).endsWith(QStringLiteral("until something else comes")));
+    rule.actions[0].seconds = 5.0F;
+    QVERIFY(ruleSentence({}, rule).endsWith(QStringLiteral("for 5 s")));
+}
+
+/// While it plays, each count has a column of its own.
+void TestRulesList::countingMovesNothing()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    std::vector<model::Rule> rules = desk.document.scene().rules;
+    for (model::Rule& rule : rules) {
+        rule.actions.emplace_back().kind = model::ActionKind::Stop;
+    }
+    auto edit = desk.document.beginEdit();
+    edit->setRules(std::move(rules));
+    edit->commit(QStringLiteral("Rules"));
+    crowd::testing::addPeople(desk.document, 3, 2.0F);
+    desk.state.transport().setPlaying(true);
+    const auto plays = [&](const auto& isSo) {
+        desk.state.advance(1.0 / 30.0);
+        return isSo();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return desk.state.session().isRunning(); }), 30000);
+    const auto count = [&] { return desk.list->item(0)->data(kRuleCountRole).toString(); };
+    QTRY_VERIFY(desk.list->item(0)->data(kRuleCountRole).isValid());
+    QVERIFY(count().isEmpty());
+    QCoreApplication::processEvents();
+    std::vector<QRect> before;
+    for (int row = 0; row < 3; ++row) {
+        before.push_back(desk.list->visualItemRect(desk.list->item(row)));
+    }
+    const int height = desk.list->height();
+    model::EventSettings event;
+    event.name = "event1";
+    desk.state.session().send(event, desk.document.scene().population.ids());
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return !count().isEmpty(); }), 30000);
+    QCoreApplication::processEvents();
+    for (int row = 0; row < 3; ++row) {
+        QCOMPARE(desk.list->visualItemRect(desk.list->item(row)),
+                 before[static_cast<std::size_t>(row)]);
+    }
+    QCOMPARE(desk.list->height(), height);
+}
+
+void TestRulesList::theLogOfAnotherSceneIsForgotten()
+{
+    RulesListDesk desk;
+    QVERIFY(desk.begin());
+    auto* log = desk.dock->findChild<QPlainTextEdit*>(QStringLiteral("ruleLog"));
+    std::vector<model::Rule> rules = desk.document.scene().rules;
+    rules[0].trigger.kind = model::TriggerKind::Start;
+    rules[0].actions.emplace_back().kind = model::ActionKind::Stop;
+    auto edit = desk.document.beginEdit();
+    edit->setRules(std::move(rules));
+    edit->commit(QStringLiteral("Rules"));
+    crowd::testing::addPeople(desk.document, 3, 2.0F);
+    desk.state.transport().setPlaying(true);
+    const auto plays = [&](const auto& isSo) {
+        desk.state.advance(1.0 / 30.0);
+        return isSo();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return !log->toPlainText().isEmpty(); }), 30000);
+    desk.state.session().stop();
+    QVERIFY(!log->toPlainText().isEmpty()); // to be read after it has played
+    desk.document.replaceScene(crowd::testing::smallTheatre(), {});
+    QTRY_VERIFY(log->toPlainText().isEmpty());
 }
 
 CROWD_WINDOW_TEST(TestRulesList)

@@ -132,7 +132,7 @@ void BranchList::addRow(const model::Path& path, std::size_t index)
     addPaths(whither, path, index);
     whither->setStretch(0, 2);
     addNumberField(whither, static_cast<double>(path.branches[index].weight), 0.0, kMostWeight,
-                   tr(" : 1"), [this, index](double weight) {
+                   tr(" × as often"), [this, index](double weight) {
                        change(tr("Change the weight of a branch"), [&](model::Path& each) {
                            each.branches[index].weight = static_cast<float>(weight);
                        });

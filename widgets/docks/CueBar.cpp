@@ -19,7 +19,7 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kCuesInARow = 3;
+constexpr int kCuesInARow = 2; // so that their names fit beside each other
 
 QString cueTip(const model::Scene& scene, const model::Cue& cue)
 {

@@ -178,6 +178,7 @@ void EnvironmentDock::buildSizeRow()
     });
     m_capacity = new NumberField(0.0, static_cast<double>(model::kMaxPlaceCapacity), 0, this);
     m_capacity->setObjectName(QStringLiteral("placeCapacity"));
+    m_capacity->setZeroText(tr("all who fit"));
     m_capacity->setToolTip(tr("So many have room, for rules that ask whether it is full or free; "
                               "0: as many as can stand in it, two on a square metre, but one where "
                               "people line up"));

@@ -19,8 +19,16 @@ void NumberField::setValue(std::optional<double> value)
 {
     m_value = value;
     if (!hasFocus() || !isModified()) {
-        setText(value ? QLocale().toString(*value, 'f', m_decimals) : QString());
+        const bool isZero = value && *value == 0.0 && !m_zeroText.isEmpty();
+        setPlaceholderText(isZero ? m_zeroText : tr("mixed"));
+        setText(value && !isZero ? QLocale().toString(*value, 'f', m_decimals) : QString());
     }
+}
+
+void NumberField::setZeroText(const QString& text)
+{
+    m_zeroText = text;
+    setValue(m_value);
 }
 
 void NumberField::finish()

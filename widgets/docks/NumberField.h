@@ -16,6 +16,7 @@ public:
     NumberField(double low, double high, int decimals, QWidget* parent);
 
     void setValue(std::optional<double> value); ///< none: mixed; without signal
+    void setZeroText(const QString& text);      ///< stands there instead of 0
 
 Q_SIGNALS:
     void valueEdited(double value);
@@ -27,6 +28,7 @@ private:
     double m_high;
     int m_decimals;
     std::optional<double> m_value;
+    QString m_zeroText;
 };
 
 } // namespace crowd::widgets

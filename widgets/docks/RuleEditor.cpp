@@ -80,6 +80,16 @@ QHBoxLayout* RuleEditor::indentedRowIn(QVBoxLayout* layout) const
     return row;
 }
 
+QHBoxLayout* RuleEditor::labelledRowIn(QVBoxLayout* layout, const QString& label,
+                                       const QString& tip) const
+{
+    QHBoxLayout* row = indentedRowIn(layout);
+    auto* shown = new QLabel(label);
+    shown->setToolTip(tip);
+    row->addWidget(shown);
+    return row;
+}
+
 void RuleEditor::addTextButton(QHBoxLayout* row, const char* name, const QString& text,
                                const QString& tip, const Change& change)
 {
@@ -350,15 +360,14 @@ void RuleEditor::addMeeting(QVBoxLayout* layout)
     addChoiceField(rowIn(layout), yieldNames(), static_cast<int>(m_rule.yields), [this](int index) {
         m_apply([&](Rule& each) { each.yields = static_cast<model::RuleYield>(index); });
     });
-    QHBoxLayout* row = indentedRowIn(layout);
-    row->addWidget(new QLabel(tr("pause")));
+    QHBoxLayout* row =
+        labelledRowIn(layout, tr("pause"), tr("Before it comes again for the same person"));
     addNumberField(row, static_cast<double>(m_rule.cooldownSeconds), 0.0, 3600.0, tr(" s"),
                    [this](double value) {
                        m_apply(
                            [&](Rule& each) { each.cooldownSeconds = static_cast<float>(value); });
                    });
-    row = indentedRowIn(layout);
-    row->addWidget(new QLabel(tr("at most")));
+    row = labelledRowIn(layout, tr("at most"), tr("So often for the same person"));
     addCountField(
         row, m_rule.limit, 1000, tr(" ×"),
         [this](std::uint32_t limit) { m_apply([&](Rule& each) { each.limit = limit; }); },

@@ -29,6 +29,9 @@ private:
     QHBoxLayout* rowIn(QVBoxLayout* layout) const;
     /// What belongs to the row above, a little further in.
     QHBoxLayout* indentedRowIn(QVBoxLayout* layout) const;
+    /// Indented, with what a number means in front of it.
+    [[nodiscard]] QHBoxLayout* labelledRowIn(QVBoxLayout* layout, const QString& label,
+                                             const QString& tip = {}) const;
     void addTextButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
                        const Change& change);
     void addTrigger(QVBoxLayout* layout);
@@ -44,6 +47,7 @@ private:
     [[nodiscard]] QString wordBefore(std::size_t index) const;
     void addBlockFields(QVBoxLayout* layout, std::size_t index);
     void addActionFields(QVBoxLayout* layout, std::size_t index);
+    void addLeaveFields(QVBoxLayout* layout, std::size_t index);
     void addSendFields(QVBoxLayout* layout, std::size_t index);
     void addGoFields(QVBoxLayout* layout, std::size_t index);
     void addPropertyFields(QVBoxLayout* layout, std::size_t index);

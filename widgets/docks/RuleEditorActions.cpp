@@ -30,8 +30,9 @@ void setKind(Action& action, ActionKind kind)
     } else if (kind == ActionKind::WaitForEvent) {
         action.seconds = 0.0F;
     } else if (kind == ActionKind::Follow || kind == ActionKind::GoToPerson) {
-        action.metres = 1.5F;
-        action.seconds = kind == ActionKind::Follow ? 10.0F : 0.0F;
+        // A whole arm's length further than two who talk: whom many follow must get out.
+        action.metres = kind == ActionKind::Follow ? 2.5F : 1.5F;
+        action.seconds = 0.0F;
     }
     if (kind == ActionKind::SetProperty) {
         action.value = 1.0F;
@@ -184,6 +185,38 @@ void RuleEditor::addGoFields(QVBoxLayout* layout, std::size_t index)
     }
 }
 
+/// Where they are, at one place, or at which of several exits.
+void RuleEditor::addLeaveFields(QVBoxLayout* layout, std::size_t index)
+{
+    const Action& action = m_rule.actions[index];
+    const bool isGiven = action.choice == model::PlaceChoice::Given;
+    const QStringList names{tr("where they are"), tr("at this place"), tr("at the nearest"),
+                            tr("at the nearest free one"), tr("at the first free one")};
+    const int chosen = isGiven ? (action.place != 0 ? 1 : 0) : static_cast<int>(action.choice) + 1;
+    addChoiceField(indentedRowIn(layout), names, chosen, [this, index](int choice) {
+        setAction(index, [&](Action& each) {
+            const bool isHere = choice == 0;
+            each.choice = choice < 2 ? model::PlaceChoice::Given
+                                     : static_cast<model::PlaceChoice>(choice - 1);
+            each.path = choice < 2 || each.path == model::kNotChosen ? 0 : each.path;
+            each.place = isHere || choice > 1 ? 0 : model::kNotChosen;
+        });
+    });
+    const auto setPlace = [this, index](model::PlaceId id) {
+        setAction(index, [&](Action& each) { each.place = id; });
+    };
+    if (!isGiven) {
+        addPathField(indentedRowIn(layout), m_scene, action.path, tr("of all exits"),
+                     [this, index](model::PathId id) {
+                         setAction(index, [&](Action& each) { each.path = id; });
+                     });
+    }
+    if (isGiven ? action.place != 0 : action.path == 0) {
+        addPlaceField(indentedRowIn(layout), m_scene, action.place,
+                      isGiven ? QString() : tr("with any name"), setPlace);
+    }
+}
+
 void RuleEditor::addSendFields(QVBoxLayout* layout, std::size_t index)
 {
     const Action& action = m_rule.actions[index];
@@ -195,16 +228,19 @@ void RuleEditor::addSendFields(QVBoxLayout* layout, std::size_t index)
     addChoiceField(row, reachNames(), static_cast<int>(action.reach), [this, index](int reach) {
         setAction(index, [&](Action& each) { each.reach = static_cast<model::EventReach>(reach); });
     });
-    row = indentedRowIn(layout);
     if (action.reach == model::EventReach::Near) {
-        addNumber(row, index, &Action::metres, 0.0, 1000.0, tr(" m"));
+        addNumber(labelledRowIn(layout, tr("within"), tr("Whoever is nearer hears it")), index,
+                  &Action::metres, 0.0, 1000.0, tr(" m"));
     } else if (action.reach == model::EventReach::Tagged) {
-        addTagField(row, m_scene, action.tag, [this, index](std::uint8_t tag) {
+        addTagField(indentedRowIn(layout), m_scene, action.tag, [this, index](std::uint8_t tag) {
             setAction(index, [&](Action& each) { each.tag = tag; });
         });
     }
-    addNumber(row, index, &Action::secondsPerMetre, 0.0, 60.0, tr(" s/m"), tr("at once"));
-    addNumber(row, index, &Action::value, -1e6, 1e6, {});
+    addNumber(labelledRowIn(layout, tr("runs at"), tr("How long it takes from one to the next")),
+              index, &Action::secondsPerMetre, 0.0, 60.0, tr(" s/m"), tr("once for all"));
+    addNumber(labelledRowIn(layout, tr("its number"),
+                            tr("Rules that hear it can ask for it, or walk as fast")),
+              index, &Action::value, -1e6, 1e6, {});
 }
 
 /// Whom or what it is about.
@@ -278,9 +314,9 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
                           setAction(index, [&](Action& each) { each.place = id; });
                       });
     };
-    const auto addEdited = [&](float Action::*member, double high, const QString& suffix,
-                               const QString& zero = {}) {
-        addNumber(indentedRowIn(layout), index, member, 0.0, high, suffix, zero);
+    const auto addEdited = [&](const QString& label, float Action::*member, double high,
+                               const QString& suffix, const QString& zero = {}) {
+        addNumber(labelledRowIn(layout, label), index, member, 0.0, high, suffix, zero);
     };
     const auto setClips = [this, index](const std::vector<model::ClipWeight>& clips) {
         setAction(index, [&](Action& each) { each.clips = clips; });
@@ -294,7 +330,7 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
                            setAction(index, [&](Action& each) { each.isLooped = choice == 1; });
                        });
         if (action.isLooped) {
-            addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"));
+            addNumber(indentedRowIn(layout), index, &Action::seconds, 0.0, 3600.0, tr(" s"));
         }
         addClipWeights(layout, action.clips, setClips);
         break;
@@ -316,35 +352,33 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         break;
     case ActionKind::LookAt:
         addAimFields(layout, index, true);
-        addEdited(&Action::seconds, 3600.0, tr(" s"), tr("until something else comes"));
+        addEdited(tr("for"), &Action::seconds, 3600.0, tr(" s"), tr("until something else comes"));
         break;
     case ActionKind::GoToPerson:
-    case ActionKind::Follow: {
+    case ActionKind::Follow:
         addAimFields(layout, index, false);
-        QHBoxLayout* row = indentedRowIn(layout);
-        row->addWidget(new QLabel(tr("up to")));
-        addNumber(row, index, &Action::metres, 0.0, 100.0, tr(" m"));
-        row->itemAt(row->count() - 1)->widget()->setToolTip(tr("How near they come"));
-        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"),
+        addNumber(labelledRowIn(layout, tr("up to"), tr("How near they come")), index,
+                  &Action::metres, 0.0, 100.0, tr(" m"));
+        addEdited(action.kind == ActionKind::Follow ? tr("for") : tr("at most"), &Action::seconds,
+                  3600.0, tr(" s"),
                   action.kind == ActionKind::Follow ? tr("until something else comes")
                                                     : tr("however long"));
         break;
-    }
     case ActionKind::LeaveScene:
-        addPlace(tr("where they are"));
+        addLeaveFields(layout, index);
         break;
     case ActionKind::Appear:
         addPlace({});
         break;
     case ActionKind::Flee:
         addAimFields(layout, index, true);
-        addEdited(&Action::metres, 1000.0, tr(" m"));
+        addEdited(tr("for"), &Action::metres, 1000.0, tr(" m"));
         break;
     case ActionKind::SitDown:
-        addEdited(&Action::metres, 1000.0, tr(" m"), tr("however far"));
+        addEdited(tr("within"), &Action::metres, 1000.0, tr(" m"), tr("however far"));
         break;
     case ActionKind::Wait:
-        addEdited(&Action::seconds, 3600.0, tr(" s"));
+        addEdited(tr("about"), &Action::seconds, 3600.0, tr(" s"));
         break;
     case ActionKind::WaitForEvent: {
         QHBoxLayout* row = indentedRowIn(layout);
@@ -352,11 +386,11 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
                      [this, index](const QString& text) {
                          setAction(index, [&](Action& each) { each.event = text.toStdString(); });
                      });
-        addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"), tr("for ever"));
+        addEdited(tr("at most"), &Action::seconds, 3600.0, tr(" s"), tr("for ever"));
         break;
     }
     case ActionKind::SetSpeed:
-        addEdited(&Action::value, 10.0, tr(" m/s"), tr("the event’s"));
+        addEdited(tr("to"), &Action::value, 10.0, tr(" m/s"), tr("the event’s number"));
         break;
     case ActionKind::AddTag:
     case ActionKind::RemoveTag:
@@ -373,6 +407,7 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
         addArtistNumberField(row, m_scene, action.number, [this, index](model::NumberId number) {
             setAction(index, [&](Action& each) { each.number = number; });
         });
+        row->addWidget(new QLabel(action.kind == ActionKind::SetNumber ? tr("to") : tr("by")));
         addNumber(row, index, &Action::value, -1e6, 1e6, {});
         break;
     }

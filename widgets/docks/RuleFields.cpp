@@ -33,7 +33,11 @@ void addEntryField(QHBoxLayout* row, const std::vector<Entry>& entries, std::uin
 {
     QStringList names;
     std::vector<std::uint32_t> ids;
-    if (!any.isEmpty() || id == 0 || entries.empty()) {
+    if (id == model::kNotChosen) {
+        names << RuleFieldsText::tr("choose…");
+        ids.push_back(id);
+    }
+    if (!any.isEmpty() || id == 0 || (entries.empty() && ids.empty())) {
         names << (any.isEmpty() ? RuleFieldsText::tr("choose…") : any);
         ids.push_back(0);
     }

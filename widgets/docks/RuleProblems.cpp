@@ -3,6 +3,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "model/scene/RuleFlaws.h"
 #include "model/scene/RuleSequence.h"
 #include "widgets/docks/RuleTexts.h"
 
@@ -61,7 +62,7 @@ bool needsPlace(const Action& action)
     case ActionKind::LookAt:
         return action.aim == ActionAim::Place;
     case ActionKind::LeaveScene:
-        return action.place != 0;
+        return action.path == 0 && action.place != 0;
     default:
         return false;
     }
@@ -70,8 +71,8 @@ bool needsPlace(const Action& action)
 bool needsPath(const Action& action)
 {
     return action.kind == ActionKind::FollowPath ||
-           (action.kind == ActionKind::GoToPlace && action.choice != PlaceChoice::Given &&
-            action.path != 0);
+           ((action.kind == ActionKind::GoToPlace || action.kind == ActionKind::LeaveScene) &&
+            action.choice != PlaceChoice::Given && action.path != 0);
 }
 
 QString actionProblem(const Scene& scene, const Action& action)
@@ -93,9 +94,6 @@ QString actionProblem(const Scene& scene, const Action& action)
     if (isToPerson && action.aim == ActionAim::Place) {
         return RuleProblemsText::tr("A place is nobody to go after: choose whom.");
     }
-    if (action.kind == ActionKind::WaitForEvent && action.event.empty()) {
-        return RuleProblemsText::tr("The event to wait for has no name: type one.");
-    }
     if (action.kind == ActionKind::SetProperty && action.property == SettableProperty::Tint &&
         !action.slot.empty() && !hasSlot(scene, action.slot)) {
         return RuleProblemsText::tr("Nobody has a slot of that name: choose one.");
@@ -112,10 +110,76 @@ QString actionProblem(const Scene& scene, const Action& action)
             return RuleProblemsText::tr("Nobody has a clip to play: choose one.");
         }
     }
-    if (action.kind == ActionKind::SendEvent && action.event.empty()) {
-        return RuleProblemsText::tr("The event to send has no name: type one.");
+    return {};
+}
+
+/// What is still to be chosen, so that it does nothing yet.
+QString gapText(RuleGap gap)
+{
+    switch (gap) {
+    case RuleGap::Event:
+        return RuleProblemsText::tr("It does nothing yet: type the event that it waits for.");
+    case RuleGap::SentEvent:
+        return RuleProblemsText::tr("It does nothing yet: type the event to send.");
+    case RuleGap::AwaitedEvent:
+        return RuleProblemsText::tr("It does nothing yet: type the event to wait for.");
+    case RuleGap::Clip:
+        return RuleProblemsText::tr("It does nothing yet: choose a clip.");
+    case RuleGap::Place:
+        return RuleProblemsText::tr("It does nothing yet: choose a place.");
+    case RuleGap::Path:
+        return RuleProblemsText::tr("It does nothing yet: choose a path.");
+    case RuleGap::Number:
+        return RuleProblemsText::tr("It does nothing yet: choose a number; make one below, under "
+                                    "“Tags and numbers”.");
+    case RuleGap::Template:
+        return RuleProblemsText::tr("It does nothing yet: choose a template.");
+    case RuleGap::Deed:
+        return RuleProblemsText::tr("It does nothing yet: add something to do.");
     }
     return {};
+}
+
+QString flawText(const Scene& scene, const RuleFlaw& flaw)
+{
+    const auto found = std::ranges::find(scene.rules, flaw.other, &Rule::id);
+    const QString other =
+        found == scene.rules.end() ? QString() : QString::fromStdString(found->name);
+    switch (flaw.kind) {
+    case RuleFlawKind::Unfinished:
+        return gapText(flaw.gap);
+    case RuleFlawKind::NeverTrue:
+        return RuleProblemsText::tr(
+            "It never comes: its conditions exclude each other. Remove one of them.");
+    case RuleFlawKind::Hidden:
+        return RuleProblemsText::tr("It never comes: “%1” above it comes at the same occasion. Let "
+                                    "this one wait until they are free, or give one of them a "
+                                    "condition.")
+            .arg(other);
+    case RuleFlawKind::BrokenOff:
+        return RuleProblemsText::tr("It gets nothing done: “%1” breaks it off at once. Let one of "
+                                    "them wait until they are free, or give it a condition.")
+            .arg(other);
+    case RuleFlawKind::Undone:
+        return RuleProblemsText::tr("It undoes what “%1” does at the same occasion. Give one of "
+                                    "them a condition.")
+            .arg(other);
+    case RuleFlawKind::NoSeats:
+        return RuleProblemsText::tr(
+            "The scene has no seats to sit on: bring a stage with seats along.");
+    case RuleFlawKind::NoExit:
+        return RuleProblemsText::tr("There is no exit to leave at, so people stay: paint one with "
+                                    "the environment brush (I).");
+    }
+    return {};
+}
+
+/// What is wrong beside what is still to be chosen.
+QString otherFlaw(const Scene& scene, const Rule& rule)
+{
+    const std::vector<RuleFlaw> flaws = flawsOf(scene);
+    const auto found = std::ranges::find(flaws, rule.id, &RuleFlaw::rule);
+    return found == flaws.end() ? QString() : flawText(scene, *found);
 }
 
 } // namespace
@@ -123,8 +187,8 @@ QString actionProblem(const Scene& scene, const Action& action)
 QString ruleProblem(const Scene& scene, const Rule& rule)
 {
     const Trigger& trigger = rule.trigger;
-    if (trigger.kind == TriggerKind::Event && trigger.event.empty()) {
-        return RuleProblemsText::tr("The event has no name: type one.");
+    if (const std::optional<RuleGap> gap = gapOf(rule)) {
+        return gapText(*gap);
     }
     const bool isPlace = trigger.kind == TriggerKind::Arrived ||
                          trigger.kind == TriggerKind::Entered || trigger.kind == TriggerKind::Left;
@@ -154,9 +218,6 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
                 "A condition asks for something that is not there: choose again.");
         }
     }
-    if (rule.actions.empty()) {
-        return RuleProblemsText::tr("It does nothing yet: add something to do.");
-    }
     for (std::size_t line = 0; line < rule.actions.size(); ++line) {
         const QString block = blockProblem(rule.actions, line);
         const QString problem = block.isEmpty() ? actionProblem(scene, rule.actions[line]) : block;
@@ -164,7 +225,7 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
             return problem;
         }
     }
-    return {};
+    return otherFlaw(scene, rule);
 }
 
 } // namespace crowd::widgets

@@ -27,20 +27,37 @@ QString number(float value)
     return QLocale().toString(static_cast<double>(value), 'g', 3);
 }
 
+/// What stands for something that is still to be chosen.
+QString openText()
+{
+    return RuleTextsContext::tr("…");
+}
+
+/// One that must be chosen: 0 is none.
 QString placeText(const Scene& scene, PlaceId id)
 {
     const Place* place = scene.findPlace(id);
-    return id == 0 ? RuleTextsContext::tr("any place")
-                   : (place != nullptr ? QString::fromStdString(place->name)
-                                       : RuleTextsContext::tr("(gone)"));
+    return id == 0 || id == kNotChosen ? openText()
+                                       : (place != nullptr ? QString::fromStdString(place->name)
+                                                           : RuleTextsContext::tr("(gone)"));
 }
 
 QString pathText(const Scene& scene, PathId id)
 {
     const Path* path = scene.findPath(id);
-    return id == 0 ? RuleTextsContext::tr("any path")
-                   : (path != nullptr ? QString::fromStdString(path->name)
-                                      : RuleTextsContext::tr("(gone)"));
+    return id == 0 || id == kNotChosen ? openText()
+                                       : (path != nullptr ? QString::fromStdString(path->name)
+                                                          : RuleTextsContext::tr("(gone)"));
+}
+
+QString anyPlaceText(const Scene& scene, PlaceId id)
+{
+    return id == 0 ? RuleTextsContext::tr("any place") : placeText(scene, id);
+}
+
+QString anyPathText(const Scene& scene, PathId id)
+{
+    return id == 0 ? RuleTextsContext::tr("any path") : pathText(scene, id);
 }
 
 QString numberText(const Scene& scene, NumberId id)
@@ -100,6 +117,32 @@ QString goText(const Scene& scene, const Action& action)
     return text.trimmed();
 }
 
+/// At which of several exits, or of other places.
+QString leaveText(const Scene& scene, const Action& action)
+{
+    if (action.choice == PlaceChoice::Given) {
+        return action.place == 0 ? RuleTextsContext::tr("leave the scene")
+                                 : RuleTextsContext::tr("leave the scene at %1")
+                                       .arg(placeText(scene, action.place));
+    }
+    const bool isOfAll = action.path == 0 && action.place == 0;
+    const QString of = action.path != 0
+                           ? RuleTextsContext::tr("of %1").arg(pathText(scene, action.path))
+                           : RuleTextsContext::tr("named %1").arg(placeText(scene, action.place));
+    switch (action.choice) {
+    case PlaceChoice::Nearest:
+        return isOfAll ? RuleTextsContext::tr("leave the scene at the nearest exit")
+                       : RuleTextsContext::tr("leave the scene at the nearest place %1").arg(of);
+    case PlaceChoice::NearestFree:
+        return isOfAll
+                   ? RuleTextsContext::tr("leave the scene at the nearest free exit")
+                   : RuleTextsContext::tr("leave the scene at the nearest free place %1").arg(of);
+    default:
+        return isOfAll ? RuleTextsContext::tr("leave the scene at the first free exit")
+                       : RuleTextsContext::tr("leave the scene at the first free place %1").arg(of);
+    }
+}
+
 QString triggerText(const Scene& scene, const Trigger& trigger)
 {
     const QString event = QString::fromStdString(trigger.event);
@@ -110,14 +153,16 @@ QString triggerText(const Scene& scene, const Trigger& trigger)
         return RuleTextsContext::tr("When “%1” reaches someone").arg(event);
     case TriggerKind::Arrived:
         return RuleTextsContext::tr("When someone arrives at %1")
-            .arg(placeText(scene, trigger.place));
+            .arg(anyPlaceText(scene, trigger.place));
     case TriggerKind::Entered:
-        return RuleTextsContext::tr("When someone enters %1").arg(placeText(scene, trigger.place));
+        return RuleTextsContext::tr("When someone enters %1")
+            .arg(anyPlaceText(scene, trigger.place));
     case TriggerKind::Left:
-        return RuleTextsContext::tr("When someone leaves %1").arg(placeText(scene, trigger.place));
+        return RuleTextsContext::tr("When someone leaves %1")
+            .arg(anyPlaceText(scene, trigger.place));
     case TriggerKind::PathEnded:
         return RuleTextsContext::tr("When someone reaches the end of %1")
-            .arg(pathText(scene, trigger.path));
+            .arg(anyPathText(scene, trigger.path));
     case TriggerKind::ClipEnded:
         return RuleTextsContext::tr("When someone’s clip is over");
     case TriggerKind::Every:
@@ -154,7 +199,7 @@ QString stateText(const Scene& scene, const Condition& condition)
     case ConditionKind::InPlace:
         return RuleTextsContext::tr("in %1").arg(placeText(scene, condition.place));
     case ConditionKind::FollowsPath:
-        return RuleTextsContext::tr("walking %1").arg(pathText(scene, condition.path));
+        return RuleTextsContext::tr("walking %1").arg(anyPathText(scene, condition.path));
     case ConditionKind::IsSeated:
         return RuleTextsContext::tr("seated");
     default:
@@ -200,7 +245,7 @@ QString clipText(const Action& action)
     for (const ClipWeight& clip : action.clips) {
         names << QString::fromStdString(clip.clip);
     }
-    return names.join(RuleTextsContext::tr(" or "));
+    return names.isEmpty() ? openText() : names.join(RuleTextsContext::tr(" or "));
 }
 
 QString reachText(const Scene& scene, const Action& action)
@@ -238,7 +283,7 @@ QString followText(const Scene& scene, const Action& action)
     const QString whom = aimText(scene, action);
     return action.seconds > 0.0F
                ? RuleTextsContext::tr("follow %1 for %2 s").arg(whom, number(action.seconds))
-               : RuleTextsContext::tr("follow %1").arg(whom);
+               : RuleTextsContext::tr("follow %1 until something else comes").arg(whom);
 }
 
 QString lookText(const Scene& scene, const Action& action)
@@ -246,7 +291,7 @@ QString lookText(const Scene& scene, const Action& action)
     const QString whom = aimText(scene, action);
     return action.seconds > 0.0F
                ? RuleTextsContext::tr("look at %1 for %2 s").arg(whom, number(action.seconds))
-               : RuleTextsContext::tr("keep looking at %1").arg(whom);
+               : RuleTextsContext::tr("look at %1 until something else comes").arg(whom);
 }
 
 QString propertyText(const Action& action)
@@ -303,9 +348,7 @@ QString actionText(const Scene& scene, const Action& action)
         return RuleTextsContext::tr("send “%1” to %2")
             .arg(QString::fromStdString(action.event), reachText(scene, action));
     case ActionKind::LeaveScene:
-        return action.place == 0 ? RuleTextsContext::tr("leave the scene")
-                                 : RuleTextsContext::tr("leave the scene at %1")
-                                       .arg(placeText(scene, action.place));
+        return leaveText(scene, action);
     case ActionKind::Again:
         return RuleTextsContext::tr("do it again");
     case ActionKind::SitDown:

@@ -17,6 +17,7 @@
 #include "widgets/docks/CueBar.h"
 #include "widgets/docks/NamesForm.h"
 #include "widgets/docks/RuleEditor.h"
+#include "widgets/docks/RuleItemDelegate.h"
 #include "widgets/docks/RuleTexts.h"
 
 namespace crowd::widgets {
@@ -43,6 +44,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     layout->addWidget(new CueBar(state, content));
     m_list->setObjectName(QStringLiteral("ruleList"));
     m_list->setWordWrap(true);
+    m_list->setItemDelegate(new RuleItemDelegate(m_list));
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -86,6 +88,9 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     });
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::SceneReplaced>(change)) {
+                    forgetLog(); // it is of another scene
+                }
                 if (std::holds_alternative<model::RulesChanged>(change) ||
                     std::holds_alternative<model::PathsChanged>(change) ||
                     std::holds_alternative<model::TemplatesChanged>(change) ||
@@ -97,7 +102,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
     connect(&m_state.session(), &SessionControl::stateChanged, this, [this] {
         if (m_state.session().isRunning()) {
-            m_fired.clear();
+            forgetLog();
             m_counting.start();
         } else {
             m_counting.stop();
@@ -255,16 +260,14 @@ void RulesDock::refreshCounts()
         if (found == scene.rules.end()) {
             continue;
         }
-        const QString sentence = ruleSentence(scene, *found);
         const std::uint64_t count = isRunning ? m_state.session().firedCount(id) : 0;
         const QString text =
-            count > 0
-                ? tr("%1 (%2 ×)").arg(sentence, QLocale().toString(static_cast<qulonglong>(count)))
-                : sentence;
-        if (item->text() != text) {
-            item->setText(text);
-            m_fit.start();
+            count > 0 ? tr("%1 ×").arg(QLocale().toString(static_cast<qulonglong>(count)))
+                      : QString();
+        if (item->data(kRuleCountRole).isValid() != isRunning) {
+            m_fit.start(); // once: from here on counting moves nothing
         }
+        item->setData(kRuleCountRole, isRunning ? QVariant(text) : QVariant());
     }
     m_isFilling = false;
     const std::vector<behavior::RuleFired> fired = m_state.session().takeLog();
@@ -274,6 +277,13 @@ void RulesDock::refreshCounts()
     if (!fired.empty()) {
         showLog();
     }
+}
+
+void RulesDock::forgetLog()
+{
+    (void)m_state.session().takeLog();
+    m_fired.clear();
+    showLog();
 }
 
 /// Goes on to the end, unless the artist reads further up.

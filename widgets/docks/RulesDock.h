@@ -60,6 +60,7 @@ private:
     void moveDown();
     void tryRule();
     void showLog();
+    void forgetLog();
     [[nodiscard]] const model::Rule* current() const;
 
     EditorState& m_state;

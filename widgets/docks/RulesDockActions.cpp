@@ -124,8 +124,7 @@ void RulesDock::addRule()
 {
     std::vector<Rule> made(1);
     made.front().name = tr("New rule").toStdString();
-    made.front().trigger.event = "cheer";
-    made.front().actions.emplace_back();
+    made.front().actions.emplace_back(); // it does nothing until its event and a clip are chosen
     made.front().yields = model::RuleYield::Anybody;
     model::giveIds(made, m_state.scene());
     m_current = made.front().id;
