@@ -12,6 +12,7 @@
 #include "render/gl/SoftwareTuning.h"
 #include "render/passes/BackgroundPass.h"
 #include "render/passes/CrowdPass.h"
+#include "render/passes/OutlinePass.h"
 #include "render/passes/OverlayPass.h"
 #include "render/passes/StagePass.h"
 
@@ -29,6 +30,7 @@ struct Passes
     StagePass stage;
     BackgroundPass background;
     OverlayPass overlay;
+    OutlinePass outline;
 };
 
 void beginState()
@@ -134,6 +136,9 @@ model::Result<void> Renderer::initialize()
     if (auto overlay = passes->overlay.initialize(); !overlay) {
         return overlay;
     }
+    if (auto outline = passes->outline.initialize(); !outline) {
+        return outline;
+    }
     m_private->passes = std::move(passes);
     return {};
 }
@@ -183,11 +188,6 @@ model::Result<void> Renderer::Private::drawPasses(const PassContext& context) co
     if (auto drawn = passes->stage.drawBlended(context); !drawn) {
         return drawn;
     }
-    markDrawn(context, true);
-    if (auto drawn = passes->crowd.drawOutlines(context); !drawn) {
-        return drawn;
-    }
-    glDisable(GL_STENCIL_TEST);
     passes->overlay.draw(context);
     return passes->crowd.drawGhosts(context);
 }
@@ -209,7 +209,12 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     if (drawn) {
         drawn = drawPasses(context);
     }
-    passes->target.end(target);
+    const bool isHighlighted = passes->crowd.hasHighlighted();
+    passes->target.end(target, isHighlighted);
+    if (isHighlighted) {
+        passes->outline.draw(context, passes->target.resolved(),
+                             passes->crowd.highlightedPart(context));
+    }
     endState();
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;

@@ -18,6 +18,20 @@ GlRenderbuffer makeStorage(GLenum format, glm::ivec2 size, int samples)
     return storage;
 }
 
+GlTexture makeTexture(glm::ivec2 size)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
 bool isComplete()
 {
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -54,11 +68,12 @@ model::Result<void> PictureTarget::make()
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               m_drawnDepth.name());
     bool isUsable = isComplete();
-    m_resolvedColor = makeStorage(GL_SRGB8_ALPHA8, m_size, 0);
+    m_copy.reset();
+    m_resolvedColor = makeTexture(m_size);
     m_resolved = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              m_resolvedColor.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           m_resolvedColor.name(), 0);
     isUsable = isUsable && isComplete();
     if (!isUsable) {
         return model::Error{"The graphics driver offers no framebuffer of " +
@@ -68,21 +83,37 @@ model::Result<void> PictureTarget::make()
     return {};
 }
 
-void PictureTarget::end(const std::uint32_t* framebuffer)
+void PictureTarget::makeCopy()
 {
+    // Not sRGB: what is drawn into it is encoded already, as in a window's framebuffer.
+    m_copyColor = makeStorage(GL_RGBA8, m_size, 0);
+    m_copy = GlFramebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_copy.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              m_copyColor.name());
+}
+
+void PictureTarget::end(const std::uint32_t* framebuffer, bool needsCopy)
+{
+    m_isCopied = needsCopy && framebuffer == nullptr;
+    if (m_isCopied && !m_copy) {
+        makeCopy();
+    }
+    const std::uint32_t copy = m_copy.name();
+    const std::uint32_t* const target = m_isCopied ? &copy : framebuffer;
     // The bytes are copied as they are, encoded.
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved.name());
     glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
-    if (framebuffer != nullptr) {
+    if (target != nullptr) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved.name());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *framebuffer);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *target);
         glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_COLOR_BUFFER_BIT,
                           GL_NEAREST);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer != nullptr ? *framebuffer : m_resolved.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, target != nullptr ? *target : m_resolved.name());
 }
 
 std::vector<std::uint8_t> PictureTarget::read() const
@@ -91,7 +122,7 @@ std::vector<std::uint8_t> PictureTarget::read() const
     std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(m_size.y));
     GLint before = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved.name());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_isCopied ? m_copy.name() : m_resolved.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));

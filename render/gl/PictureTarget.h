@@ -20,14 +20,18 @@ public:
     /// that is drawn into.
     [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples);
     /// Resolves; then copies to `framebuffer`'s origin unless it is null. Leaves that one (or the
-    /// resolved one) bound.
-    void end(const std::uint32_t* framebuffer);
-    /// RGBA8 of the resolved picture, rows from the top.
+    /// resolved one) bound. Where something more is drawn from resolved(), the copy is needed and
+    /// goes to a framebuffer of its own instead of none.
+    void end(const std::uint32_t* framebuffer, bool needsCopy);
+    /// The texture with the resolved picture, alpha as it was drawn.
+    [[nodiscard]] std::uint32_t resolved() const { return m_resolvedColor.name(); }
+    /// RGBA8 of the finished picture, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> read() const;
     [[nodiscard]] glm::ivec2 size() const { return m_size; }
 
 private:
     [[nodiscard]] model::Result<void> make();
+    void makeCopy();
 
     glm::ivec2 m_size{0};
     int m_samples = -1;
@@ -35,7 +39,10 @@ private:
     GlRenderbuffer m_drawnColor;
     GlRenderbuffer m_drawnDepth;
     GlFramebuffer m_resolved;
-    GlRenderbuffer m_resolvedColor;
+    GlTexture m_resolvedColor;
+    GlFramebuffer m_copy; ///< made when first needed
+    GlRenderbuffer m_copyColor;
+    bool m_isCopied = false; ///< the finished picture is there, not in m_resolved
 };
 
 } // namespace crowd::render

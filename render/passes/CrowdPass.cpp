@@ -26,20 +26,8 @@ constexpr int kFramesBeforeDropping = 600;
 constexpr std::size_t kSoftwarePiece = 100;
 constexpr int kShadowCorners = 8;
 constexpr float kShadowStrength = 0.42F;
-constexpr float kSelectedTint = 0.22F;
-constexpr float kHoveredTint = 0.14F;
-constexpr float kOutlinePixels = 2.0F;
-constexpr std::size_t kFewOutlined = 200; ///< more get four sides instead of eight
-constexpr std::size_t kMostOutlined = 5000;
-/// Diagonals at even places.
-constexpr std::array<glm::vec2, 8> kSides{{{0.75F, 0.75F},
-                                           {1.0F, 0.0F},
-                                           {-0.75F, 0.75F},
-                                           {0.0F, 1.0F},
-                                           {0.75F, -0.75F},
-                                           {-1.0F, 0.0F},
-                                           {-0.75F, -0.75F},
-                                           {0.0F, -1.0F}}};
+/// Arms and jumps reach out of a template's bounds: so many times its size.
+constexpr float kReachOfClips = 1.5F;
 
 double millisecondsSince(Clock::time_point start)
 {
@@ -58,11 +46,6 @@ std::size_t writeRows(TexelBuffer& buffer, std::span<const Record> records,
         rows += range.count;
     }
     return rows;
-}
-
-glm::vec4 highlight(const glm::vec3& srgb, float strength)
-{
-    return {linearFromSrgb(srgb), strength};
 }
 
 } // namespace
@@ -98,7 +81,6 @@ Result<void> CrowdPass::initialize()
         rows->placement.reserve(sizeof(PlacementRecord));
         rows->appearance.reserve(sizeof(AppearanceRecord));
     }
-    m_outlineInstances = GlBuffer::create();
     return {};
 }
 
@@ -299,11 +281,7 @@ void CrowdPass::setUniforms(const PassContext& context, const Drawing& drawing,
     shader.set("verticesPerKeyframe", verticesPerKeyframe);
     shader.set("choicesPerSlot", gpu.choicesPerSlot());
     shader.set("tintableSlots", gpu.tintableSlots());
-    shader.set("selectedTint", highlight(context.input.selectionColor, kSelectedTint));
-    shader.set("hoveredTint", highlight(glm::vec3(1.0F), kHoveredTint));
     shader.set("opacity", drawing.opacity);
-    shader.set("outlineShift", drawing.outlineShift);
-    shader.set("viewForward", context.input.view.camera().forward());
 }
 
 void CrowdPass::drawGroup(const PassContext& context, const MeshGroup& group,
@@ -338,8 +316,7 @@ Result<void> CrowdPass::drawRun(const PassContext& context, const Drawing& drawi
     glBindVertexArray(level.array.name());
     glBindBuffer(GL_ARRAY_BUFFER, drawing.instances.name());
     for (const MeshGroup& group : level.groups) {
-        auto shader =
-            program(drawing.isOutline ? drawing.defines : drawing.defines + definesOf(group.state));
+        auto shader = program(drawing.defines + definesOf(group.state));
         if (!shader) {
             return shader.error();
         }
@@ -409,27 +386,33 @@ void CrowdPass::drawShadows(const PassContext& context)
     glDisable(GL_BLEND);
 }
 
-/// Each highlighted individual in one colour, shifted to all sides behind itself.
-Result<void> CrowdPass::drawOutlines(const PassContext& context)
+PixelRect CrowdPass::highlightedPart(const PassContext& context) const
 {
-    if (!context.input.frame || m_plan.highlighted().empty() ||
-        m_plan.highlighted().size() > kMostOutlined) {
-        return {};
-    }
-    uploadInstances(m_outlineInstances, m_plan.highlighted());
-    Drawing drawing{m_rows, m_outlineInstances, "OUTLINE ", 1.0F, true};
-    const bool isMany = m_plan.highlighted().size() > kFewOutlined;
-    for (std::size_t side = 0; side < kSides.size(); side += isMany ? 2 : 1) {
-        drawing.outlineShift =
-            kSides[side] * (2.0F * kOutlinePixels) / glm::vec2(context.pixelSize);
-        for (const InstanceRun& run : m_plan.highlightedRuns()) {
-            const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
-            if (auto drawn = drawRun(context, drawing, gpuOf(entry.asset), run); !drawn) {
-                return drawn;
+    constexpr float kRim = 4.0F;
+    const View& view = context.input.view;
+    const glm::vec2 size(context.pixelSize);
+    const float ratio = size.y / view.size().y;
+    glm::vec2 low = size;
+    glm::vec2 high(0.0F);
+    for (const InstanceRun& run : m_plan.highlightedRuns()) {
+        const Bounds& box = (*m_entries)[static_cast<std::size_t>(run.entry)].asset->bounds;
+        const float far = glm::length(glm::max(glm::abs(box.low), glm::abs(box.high)));
+        for (const Instance& instance : m_plan.highlighted().subspan(run.first, run.count)) {
+            const PlacementRecord& place =
+                m_records.placements()[instance.rowAndFlags & Instance::kRowMask];
+            const float reach = far * kReachOfClips * std::max(place.height, place.girth);
+            const auto foot = view.project(place.position);
+            if (!foot || foot->z <= reach) {
+                return {{0, 0}, context.pixelSize};
             }
+            const glm::vec2 middle(foot->x * ratio, size.y - foot->y * ratio);
+            const float pixels = (reach * view.pixelsPerMetre(foot->z - reach) + kRim) * ratio;
+            low = glm::min(low, middle - pixels);
+            high = glm::max(high, middle + pixels);
         }
     }
-    return {};
+    return {glm::ivec2(glm::max(glm::floor(low), 0.0F)),
+            glm::ivec2(glm::min(glm::ceil(high), size))};
 }
 
 Result<void> CrowdPass::drawGhosts(const PassContext& context)

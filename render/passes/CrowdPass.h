@@ -12,13 +12,14 @@
 #include "render/crowd/TemplateGpu.h"
 #include "render/gl/GlObjects.h"
 #include "render/gl/ShaderProgram.h"
+#include "render/passes/OutlinePass.h"
 #include "render/passes/PassContext.h"
 
 namespace crowd::render {
 
-/// Draws all individuals of a frame, the shadows and outlines that go with them, and ghosts.
-/// Order of calls per picture: prepare, drawPeople, then (after the stage) drawShadows,
-/// drawOutlines, drawGhosts.
+/// Draws all individuals of a frame, the shadows that go with them, and ghosts. Who is highlighted
+/// is left in the alpha of the picture, for OutlinePass.
+/// Order of calls per picture: prepare, drawPeople, then (after the stage) drawShadows, drawGhosts.
 class CrowdPass
 {
 public:
@@ -29,8 +30,11 @@ public:
     [[nodiscard]] model::Result<void> prepare(const PassContext& context);
     [[nodiscard]] model::Result<void> drawPeople(const PassContext& context);
     void drawShadows(const PassContext& context);
-    [[nodiscard]] model::Result<void> drawOutlines(const PassContext& context);
     [[nodiscard]] model::Result<void> drawGhosts(const PassContext& context);
+    /// Whether somebody in the picture is selected or hovered.
+    [[nodiscard]] bool hasHighlighted() const { return !m_plan.highlighted().empty(); }
+    /// What they cover, generously.
+    [[nodiscard]] PixelRect highlightedPart(const PassContext& context) const;
 
 private:
     /// Per-row buffers: of the population, or of the ghosts.
@@ -47,8 +51,6 @@ private:
         const GlBuffer& instances;
         std::string defines; ///< added to those of the group
         float opacity = 1.0F;
-        bool isOutline = false;
-        glm::vec2 outlineShift{0.0F}; ///< normalised device coordinates
     };
 
     [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
@@ -91,7 +93,6 @@ private:
     CrowdPlan m_plan;
     RowBuffers m_rows;
     RowBuffers m_ghostRows;
-    GlBuffer m_outlineInstances;
 };
 
 } // namespace crowd::render

@@ -307,7 +307,7 @@ Result<void> PaperMethod::draw(const RenderInput& input)
     }
     drawStages(input);
     drawBackground(input);
-    m_target.end(nullptr);
+    m_target.end(nullptr, false);
     return {};
 }
 

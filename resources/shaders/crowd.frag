@@ -7,7 +7,7 @@ uniform sampler2DArray images; // alpha holds the tint mask where the material i
 in vec3 maskedTint;
 #endif
 #ifdef CUTOUT
-flat in float alphaCutoff;
+flat in vec2 cutoffAndHighlight;
 #endif
 #ifdef SEPARATE_MASK
 flat in float maskLayer;
@@ -17,6 +17,10 @@ in vec3 emissive;
 #endif
 #ifdef OPACITY
 uniform float opacity;
+#endif
+#if defined(REPLACED) && defined(TEXTURED)
+in vec4 replacement;
+const float kDarkest = 0.01; // as in crowd.vert
 #endif
 
 out vec4 fragment;
@@ -44,18 +48,21 @@ void main()
 #ifdef TINT_IN_TEXTURE
     result.rgb *= mix(vec3(1.0), maskedTint, mask);
 #endif
+#ifdef REPLACED
+    float brightness = dot(result.rgb, vec3(0.2126, 0.7152, 0.0722));
+    result.rgb = mix(result.rgb, replacement.rgb * (brightness + kDarkest), replacement.w * mask);
+#endif
 #endif
 #ifdef SPECIAL
     result.rgb += emissive;
 #endif
 #ifdef CUTOUT
-    if (result.a < alphaCutoff) {
+    if (result.a < cutoffAndHighlight.x) {
         discard;
     }
-    result.a = 1.0;
+#ifndef BLENDED
+    result.a = cutoffAndHighlight.y;
 #endif
-#if !defined(BLENDED) && !defined(CUTOUT)
-    result.a = 1.0;
 #endif
 #ifdef OPACITY
     result.a *= opacity;

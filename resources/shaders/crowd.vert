@@ -9,21 +9,20 @@ layout(location = 5) in float keyframeBlend;
 uniform usamplerBuffer keyframes; // PackedVertex: keyframe by keyframe
 uniform samplerBuffer clipBoxes;  // per clip: low, size / 65535
 uniform samplerBuffer placement;  // per row: position cos | sin height girth lift
-uniform usamplerBuffer appearance; // per row: 4 tints | 4 tints | choices choices parts radius
+uniform usamplerBuffer appearance; // per row: 4 tints | 4 tints | choices choices parts radius+modes
 uniform samplerBuffer materials;  // per slot and choice, see below
 uniform mat4 viewProjection;
 uniform uint verticesPerKeyframe;
 uniform int choicesPerSlot;
 uniform uint tintableSlots; // bit per slot
-uniform vec4 selectedTint;  // linear, strength in w
-uniform vec4 hoveredTint;
 
 const uint kRowMask = 0x00FFFFFFu;
 const uint kSelectedBit = 0x80000000u;
 const uint kHoveredBit = 0x40000000u;
 const uint kNoPart = 255u;
+const uint kModesMask = 255u; // in the lowest bits of the radius: slots whose colour is replaced
 
-out vec4 color; // lit base colour, alpha
+out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
 #ifdef TEXTURED
 out vec3 textureUv; // and the layer: one interpolated vector less
 #endif
@@ -31,7 +30,7 @@ out vec3 textureUv; // and the layer: one interpolated vector less
 out vec3 maskedTint;
 #endif
 #ifdef CUTOUT
-flat out float alphaCutoff;
+flat out vec2 cutoffAndHighlight;
 #endif
 #ifdef SEPARATE_MASK
 flat out float maskLayer;
@@ -39,10 +38,9 @@ flat out float maskLayer;
 #ifdef SPECIAL
 out vec3 emissive;
 #endif
-#ifdef OUTLINE
-uniform vec2 outlineShift; // in normalised device coordinates
-uniform vec3 viewForward;
-const float kOutlineDepth = 0.5; // metres
+#if defined(REPLACED) && defined(TEXTURED)
+out vec4 replacement; // times the luminance drawn so far; strength in w
+const float kDarkest = 0.01; // black takes a colour too
 #endif
 
 vec3 octahedral(uint code)
@@ -60,16 +58,36 @@ vec3 srgbToLinear(vec3 c)
     return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
 }
 
-// What the slot's tint multiplies the base colour by, inside its mask.
-vec3 tintOf(int texel, uint slot)
+// The slot's tint: linear, strength in w.
+vec4 tintOf(int texel, uint slot)
 {
     if (slot >= 8u || (tintableSlots >> slot & 1u) == 0u) {
-        return vec3(1.0);
+        return vec4(1.0, 1.0, 1.0, 0.0);
     }
     uint packedTint = texelFetch(appearance, texel + int(slot >> 2))[slot & 3u];
     vec4 tint = vec4(packedTint & 255u, packedTint >> 8 & 255u, packedTint >> 16 & 255u,
                      packedTint >> 24) * (1.0 / 255.0);
-    return mix(vec3(1.0), srgbToLinear(tint.rgb), tint.a);
+    return vec4(srgbToLinear(tint.rgb), tint.a);
+}
+
+#ifdef REPLACED
+float luminance(vec3 c)
+{
+    return dot(c, vec3(0.2126, 0.7152, 0.0722));
+}
+#endif
+
+// Goes to the alpha of the picture, from which the outlines are drawn: nobody 1, else less than
+// 0.6; neighbours mostly differ, so that a line shows between them. As in outline.frag.
+float highlightOf(uint flags)
+{
+    if ((flags & kHoveredBit) != 0u) {
+        return 8.0 / 255.0;
+    }
+    if ((flags & kSelectedBit) != 0u) {
+        return float(32u + ((flags & kRowMask) * 2654435761u >> 29) * 16u) / 255.0;
+    }
+    return 1.0;
 }
 
 void main()
@@ -99,14 +117,6 @@ void main()
                                   turn.x * point.z - turn.y * point.x);
     n = normalize(vec3(turn.x * n.x + turn.y * n.z, n.y, turn.x * n.z - turn.y * n.x));
     gl_Position = viewProjection * vec4(world, 1.0);
-#ifdef OUTLINE
-    // Drawn shifted to several sides, a little behind itself, so that only a rim shows.
-    vec4 behind = viewProjection * vec4(world + viewForward * kOutlineDepth, 1.0);
-    gl_Position.z = behind.z / behind.w * gl_Position.w;
-    gl_Position.xy += outlineShift * gl_Position.w;
-    color = vec4((instance.x & kSelectedBit) != 0u ? selectedTint.rgb : hoveredTint.rgb, 1.0);
-    return;
-#endif
 
     int choice = slot < 8u ? int(choices[slot >> 2] >> ((slot & 3u) * 8u) & 255u) : 0;
     int material = (int(slot) * choicesPerSlot + min(choice, choicesPerSlot - 1)) * 5;
@@ -119,7 +129,21 @@ void main()
     light = mix(light, vec3(1.0), properties.w);
     emissive = texelFetch(materials, material + 4).rgb;
 #endif
-    vec3 tint = tintOf(row * 3, slot);
+    vec4 slotTint = tintOf(row * 3, slot);
+    vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);
+#ifdef REPLACED
+    // The tint itself, lighter and darker as the base colour is around its mean.
+    bool isReplaced = slot < 8u && ((choices.w & kModesMask) >> slot & 1u) != 0u;
+    float shade = max(max(vertexColor.r, vertexColor.g), vertexColor.b);
+    tint = isReplaced ? vec3(1.0) : tint;
+#ifdef TEXTURED
+    float mean = texelFetch(materials, material + 2).w * luminance(vertexColor.rgb);
+    replacement = vec4(slotTint.rgb * light * (shade / (mean * luminance(light) + kDarkest)),
+                       isReplaced ? slotTint.w : 0.0);
+#else
+    base.rgb = mix(base.rgb, slotTint.rgb * shade, isReplaced ? slotTint.w : 0.0);
+#endif
+#endif
 #ifdef TINT_IN_TEXTURE
     maskedTint = tint;
 #else
@@ -134,13 +158,11 @@ void main()
     maskLayer = properties.y;
 #endif
 #ifdef CUTOUT
-    alphaCutoff = properties.z;
+    cutoffAndHighlight = vec2(properties.z, highlightOf(instance.x));
 #endif
+#ifdef CUTOUT
     color = vec4(base.rgb * light, base.a);
-    if ((instance.x & kSelectedBit) != 0u) {
-        color.rgb = mix(color.rgb, selectedTint.rgb, selectedTint.w);
-    }
-    if ((instance.x & kHoveredBit) != 0u) {
-        color.rgb = mix(color.rgb, hoveredTint.rgb, hoveredTint.w);
-    }
+#else
+    color = vec4(base.rgb * light, highlightOf(instance.x));
+#endif
 }
