@@ -131,6 +131,8 @@ void bindParts(py::module_& module)
         .def_readwrite("palette_strength", &CreateSettings::paletteStrength, "0–1.")
         .def_readwrite("varies_outfit", &CreateSettings::variesOutfit,
                        "Any material of each slot, else the first.")
+        .def_readwrite("varies_faces", &CreateSettings::variesFaces,
+                       "Any skin, hair and face; None: as varies_outfit.")
         .def_readwrite("varies_parts", &CreateSettings::variesParts,
                        "Each part worn or not, else as the template has them.")
         .def_property("phase", rangeGetter(&CreateSettings::phase),
@@ -153,6 +155,10 @@ void bindChanges(py::module_& module)
         .def_readwrite("percent", &DeleteSettings::percent, "Of those in the area.");
     py::class_<ColourSettings>(module, "ColourSettings", "Tints of slots.")
         .def_readwrite("slot", &ColourSettings::slot, "By name; empty: all tintable slots.")
+        .def_readwrite("spares_body", &ColourSettings::sparesBody,
+                       "Of all slots, not skin, hair and face, where there is anything else.")
+        .def_readwrite("replaces", &ColourSettings::replaces,
+                       "The colour itself, whatever the material's; else it multiplies that one.")
         .def_readwrite("colors", &ColourSettings::colors,
                        "List of (red, green, blue), 0–255. Assign a whole list.")
         .def_readwrite("strength", &ColourSettings::strength, "0–1.")

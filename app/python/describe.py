@@ -263,6 +263,7 @@ same names as keywords.
 | `height`, `girth` | float32 | scales, above zero |
 | `tint` | 8 × 4 uint8 | of each slot: red, green, blue (sRGB), strength; one colour for all slots where it is written |
 | `tint0` … `tint7` | 4 × uint8 | of one slot |
+| `tintReplaces` | uint16 | bit i: the tint of slot i is the colour itself; else it multiplies the material's |
 | `choices` | 8 × uint8 | the material of each slot |
 | `parts` | uint32 | bit i shows part i of the template |
 | `clip` | uint16 | counts in `Template.clip_names`; names are taken too |

@@ -114,6 +114,11 @@ std::string textOf(const DistributionCurve& curve)
     return pythonList(items, 0);
 }
 
+std::string textOf(const std::optional<bool>& value)
+{
+    return value ? pythonText(*value) : "None";
+}
+
 template<class T>
 std::string textOf(const T& value)
 {
@@ -158,6 +163,7 @@ void addCreation(Differences& all, const CreateSettings& was, const CreateSettin
     all.add("create.palette", was.palette, now.palette);
     all.add("create.palette_strength", was.paletteStrength, now.paletteStrength);
     all.add("create.varies_outfit", was.variesOutfit, now.variesOutfit);
+    all.add("create.varies_faces", was.variesFaces, now.variesFaces);
     all.add("create.varies_parts", was.variesParts, now.variesParts);
     all.add("create.phase", was.phase, now.phase);
     all.add("create.clips", was.clips, now.clips);
@@ -187,6 +193,8 @@ void addChanges(Differences& all, const BrushSettings& was, const BrushSettings&
 {
     all.add("removal.percent", was.removal.percent, now.removal.percent);
     all.add("colour.slot", was.colour.slot, now.colour.slot);
+    all.add("colour.spares_body", was.colour.sparesBody, now.colour.sparesBody);
+    all.add("colour.replaces", was.colour.replaces, now.colour.replaces);
     all.add("colour.colors", was.colour.colors, now.colour.colors);
     all.add("colour.strength", was.colour.strength, now.colour.strength);
     all.add("colour.blends", was.colour.blends, now.colour.blends);

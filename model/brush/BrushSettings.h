@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -107,7 +108,9 @@ struct CreateSettings
     std::vector<PaintColor> palette; ///< tints of clothes; empty: none
     float paletteStrength = 1.0F;    ///< 0..1
     bool variesOutfit = true;        ///< any material of each slot, else the first
-    bool variesParts = false;        ///< each part worn or not, else as the template has them
+    /// Any skin, hair and face; unset: as variesOutfit.
+    std::optional<bool> variesFaces;
+    bool variesParts = false; ///< each part worn or not, else as the template has them
     ValueRange phase{0.0F, 1.0F};
     std::vector<ClipWeight> clips; ///< empty: the template's default, seated on a seat
     HeadingSettings heading{HeadingMode::Random};
@@ -125,7 +128,10 @@ struct DeleteSettings
 
 struct ColourSettings
 {
-    std::string slot; ///< by name; empty: all tintable slots
+    std::string slot;        ///< by name; empty: all tintable slots
+    bool sparesBody = false; ///< of all, not skin, hair and face, where there is anything else
+    /// The colour as it was chosen, whatever the material's; else it multiplies that one.
+    bool replaces = false;
     /// Uniform takes the first; Random one of them, or between them with `blends`; Gradient runs
     /// through them from first to last. Never empty.
     std::vector<PaintColor> colors{{214, 64, 48}, {48, 96, 214}};

@@ -38,6 +38,8 @@ void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
                 const Template& after)
 {
     std::array<Tint, kMaxTintSlots> tints{};
+    const std::uint16_t oldModes = rows.column(columns::tintReplaces)[row];
+    std::uint16_t modes = 0;
     MaterialChoices choices{};
     const auto count = std::min<std::size_t>(after.slots.size(), kMaxTintSlots);
     for (std::size_t slot = 0; slot < count; ++slot) {
@@ -46,6 +48,7 @@ void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
             continue;
         }
         tints[slot] = rows.column(columns::tint(old))[row];
+        modes = static_cast<std::uint16_t>(modes | ((oldModes >> old & 1U) << slot));
         const std::uint8_t choice =
             rows.column(columns::materialChoices)[row][static_cast<std::size_t>(old)];
         choices[slot] = choice < after.slots[slot].choices.size() ? choice : std::uint8_t{0};
@@ -53,6 +56,7 @@ void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
     for (int slot = 0; slot < kMaxTintSlots; ++slot) {
         rows.column(columns::tint(slot))[row] = tints[static_cast<std::size_t>(slot)];
     }
+    rows.column(columns::tintReplaces)[row] = modes;
     rows.column(columns::materialChoices)[row] = choices;
     rows.column(columns::parts)[row] = defaultParts(after);
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <set>
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
 #include "model/brush/CreationSite.h"
 #include "model/brush/Operator.h"
+#include "model/brush/SlotChoice.h"
 
 namespace crowd::model {
 
@@ -31,29 +30,6 @@ const TemplateWeight* chosenTemplate(std::span<const TemplateWeight> mix, double
         }
     }
     return last;
-}
-
-/// Whether the colours that new people wear leave a slot as it is, going by the words of its name.
-bool isOfTheBody(const std::string& slot)
-{
-    static const std::set<std::string> kBody{"beard", "body", "brows", "eye",  "eyes", "face",
-                                             "fur",   "hair", "head",  "skin", "teeth"};
-    std::string word;
-    for (std::size_t i = 0; i <= slot.size(); ++i) {
-        const auto letter = static_cast<unsigned char>(i < slot.size() ? slot[i] : ' ');
-        const bool startsWord = std::isupper(letter) != 0 && i > 0 &&
-                                std::islower(static_cast<unsigned char>(slot[i - 1])) != 0;
-        if (std::isalpha(letter) == 0 || startsWord) {
-            if (kBody.contains(word)) {
-                return true;
-            }
-            word.clear();
-        }
-        if (std::isalpha(letter) != 0) {
-            word += static_cast<char>(std::tolower(letter));
-        }
-    }
-    return false;
 }
 
 /// Fills rows one by one.
@@ -121,7 +97,14 @@ private:
     {
         MaterialChoices& choices = m_rows.column(columns::materialChoices)[row];
         const std::size_t slots = std::min(asset.slots.size(), choices.size());
-        for (std::size_t slot = 0; slot < slots && m_settings.create.variesOutfit; ++slot) {
+        const CreateSettings& create = m_settings.create;
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            const bool varies = isOfTheBody(asset.slots[slot].name)
+                                    ? create.variesFaces.value_or(create.variesOutfit)
+                                    : create.variesOutfit;
+            if (!varies) {
+                continue;
+            }
             const std::size_t count = std::min<std::size_t>(asset.slots[slot].choices.size(), 256);
             if (count > 1) {
                 const double u = randomUnit(spot.key, DrawPurpose::Outfit, slot);

@@ -7,6 +7,7 @@
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
+#include "model/brush/SlotChoice.h"
 #include "model/scene/NearestPath.h"
 
 namespace crowd::model {
@@ -136,18 +137,15 @@ Tint steppedTint(const Tint& from, const Tint& to, float share)
             stepped(from.blue, to.blue, share), stepped(from.strength, to.strength, share)};
 }
 
-bool isSlotMeant(const Slot& slot, const std::string& name)
-{
-    return name.empty() ? slot.tintable : slot.name == name;
-}
-
 ChangeResult changeColours(const ChangeRequest& request)
 {
     const Scene& scene = request.edit.scene();
     const BrushSettings& settings = request.settings;
     const auto templates = scene.population.column(columns::templateId);
     const Shares shares(request);
+    const auto replaced = scene.population.column(columns::tintReplaces);
     std::array<ColumnChange<Tint>, kMaxTintSlots> changes;
+    ColumnChange<std::uint16_t> modeChange;
     bool hasSlot = false;
     forEachRow(request, [&](std::size_t row, IndividualId id) {
         const TemplateEntry* entry = scene.findTemplate(templates[row]);
@@ -155,11 +153,16 @@ ChangeResult changeColours(const ChangeRequest& request)
             return;
         }
         const std::size_t slots = std::min<std::size_t>(entry->asset->slots.size(), kMaxTintSlots);
+        const ColourSlots meant(*entry->asset, settings.colour);
+        std::uint16_t modes = replaced[row];
         for (std::size_t slot = 0; slot < slots; ++slot) {
-            if (!isSlotMeant(entry->asset->slots[slot], settings.colour.slot)) {
+            if (!meant.contains(entry->asset->slots[slot])) {
                 continue;
             }
             hasSlot = true;
+            const auto bit = static_cast<std::uint16_t>(1U << slot);
+            modes =
+                static_cast<std::uint16_t>(settings.colour.replaces ? modes | bit : modes & ~bit);
             const double share = shares.at(row, id, DrawPurpose::Colour,
                                            settings.colour.eachSlotApart ? slot + 1 : 0);
             const Tint before = scene.population.column(columns::tint(static_cast<int>(slot)))[row];
@@ -167,11 +170,13 @@ ChangeResult changeColours(const ChangeRequest& request)
             changes[slot].set(
                 id, before, settings.buildUp ? steppedTint(before, target, settings.flow) : target);
         }
+        modeChange.set(id, replaced[row], modes);
     });
     ChangeResult result;
     for (std::size_t slot = 0; slot < changes.size(); ++slot) {
         changes[slot].apply(request.edit, columns::tint(static_cast<int>(slot)), result.changed);
     }
+    modeChange.apply(request.edit, columns::tintReplaces, result.changed);
     result.reason = hasSlot ? StrokeReason::AlreadyThisColour : StrokeReason::NoSuchSlot;
     return result;
 }

@@ -31,6 +31,7 @@ constexpr std::array<ColumnInfo, kColumnCount> kColumns{{
     {"path", ColumnType::UInt32, sizeof(std::uint32_t)},
     {"walkSpeed", ColumnType::Float, sizeof(float)},
     {"walkStyle", ColumnType::UInt16, sizeof(std::uint16_t)},
+    {"tintReplaces", ColumnType::UInt16, sizeof(std::uint16_t)},
 }};
 
 } // namespace

@@ -48,6 +48,7 @@ enum class ColumnId : std::uint8_t {
     Path,
     WalkSpeed,
     WalkStyle,
+    TintReplaces,
     Count
 };
 inline constexpr std::size_t kColumnCount = static_cast<std::size_t>(ColumnId::Count);
@@ -94,6 +95,8 @@ inline constexpr ColumnKey<std::uint32_t> path{ColumnId::Path};   ///< PathId fo
 inline constexpr ColumnKey<float> walkSpeed{ColumnId::WalkSpeed}; ///< desired, m/s; 0: the usual
 /// Clip to walk with, as the clip column counts, plus 1; 0: the one that fits the speed.
 inline constexpr ColumnKey<std::uint16_t> walkStyle{ColumnId::WalkStyle};
+/// Bit i: the tint of slot i is the colour itself, whatever the material's; else it multiplies it.
+inline constexpr ColumnKey<std::uint16_t> tintReplaces{ColumnId::TintReplaces};
 /// Tint of slot 0..7.
 [[nodiscard]] constexpr ColumnKey<Tint> tint(int slot)
 {

@@ -44,6 +44,12 @@ void append(std::vector<RowRange>& ranges, std::size_t row)
 
 } // namespace
 
+std::uint32_t radiusAndModes(float radius, std::uint16_t replacedSlots)
+{
+    constexpr std::uint32_t kModes = 0xFFU;
+    return (std::bit_cast<std::uint32_t>(radius) & ~kModes) | (replacedSlots & kModes);
+}
+
 void StaticRecords::forget()
 {
     m_blockVersions.clear();
@@ -76,11 +82,13 @@ void StaticRecords::update(const Request& request)
         }
     }
     m_blockVersions.assign(versions.begin(), versions.end());
+    m_blockReplaces.resize(versions.size());
     parallelFor(m_changedBlocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             compute(request, m_changedBlocks[i]);
         }
     });
+    m_replacesColours = std::ranges::any_of(m_blockReplaces, [](auto any) { return any != 0; });
     listChanges(population.size());
 }
 
@@ -122,7 +130,9 @@ void StaticRecords::compute(const Request& request, std::size_t block)
         tints[static_cast<std::size_t>(slot)] = rows.column(columns::tint(slot));
     }
     const std::size_t end = std::min((block + 1) * Population::kBlockRows, rows.size());
+    std::uint16_t replaced = 0;
     for (std::size_t row = block * Population::kBlockRows; row < end; ++row) {
+        replaced |= rows.column(columns::tintReplaces)[row];
         const std::int32_t entry = m_entryOfId[rows.column(columns::templateId)[row]];
         float lift = 0.0F;
         float radius = 0.0F;
@@ -146,12 +156,13 @@ void StaticRecords::compute(const Request& request, std::size_t block)
         }
         look.choices = rows.column(columns::materialChoices)[row];
         look.parts = rows.column(columns::parts)[row];
-        look.shadowRadius = radius;
+        look.radiusAndModes = radiusAndModes(radius, rows.column(columns::tintReplaces)[row]);
         store(row,
               {rows.column(columns::position)[row] + glm::vec3(0.0F, lift, 0.0F), std::cos(heading),
                std::sin(heading), height, girth, lift},
               look);
     }
+    m_blockReplaces[block] = replaced != 0 ? 1 : 0;
 }
 
 } // namespace crowd::render

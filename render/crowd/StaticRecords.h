@@ -31,9 +31,12 @@ struct AppearanceRecord
     std::array<model::Tint, 8> tints{};
     model::MaterialChoices choices{};
     std::uint32_t parts = 0;
-    float shadowRadius = 0.0F; ///< metres
+    /// Metres, and in the lowest bits the slots whose tint replaces the colour: too little to see.
+    std::uint32_t radiusAndModes = 0;
 };
 static_assert(sizeof(AppearanceRecord) == 48);
+
+[[nodiscard]] std::uint32_t radiusAndModes(float radius, std::uint16_t replacedSlots);
 
 /// What the static records need of a template entry.
 struct RecordTemplate
@@ -76,6 +79,8 @@ public:
     static constexpr std::size_t kJoinedGap = 4;
     [[nodiscard]] std::span<const PlacementRecord> placements() const { return m_placements; }
     [[nodiscard]] std::span<const AppearanceRecord> appearances() const { return m_appearances; }
+    /// Whether anybody's tint replaces a colour.
+    [[nodiscard]] bool replacesColours() const { return m_replacesColours; }
     /// Metres each row is lifted.
     [[nodiscard]] std::span<const float> lifts() const { return m_lifts; }
 
@@ -85,6 +90,8 @@ private:
     void listChanges(std::size_t rows);
 
     std::vector<std::uint64_t> m_blockVersions;
+    std::vector<std::uint8_t> m_blockReplaces; ///< per block, whether a tint there replaces
+    bool m_replacesColours = false;
     std::size_t m_knownRows = 0; ///< at the front: what was listed before
     std::uint64_t m_seatsVersion = 0;
     std::uint64_t m_templatesVersion = 0;

@@ -136,6 +136,54 @@ MaterialRecord recordOf(const MaterialChoice& choice, bool isTintable, bool isOp
     return record;
 }
 
+float luminance(const glm::vec3& linear)
+{
+    return glm::dot(linear, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
+
+const std::uint8_t* texelAt(const TemplateImages& images, int layer, const glm::vec2& uv)
+{
+    const glm::vec2 place = glm::fract(uv) * glm::vec2(images.width, images.height);
+    const int x = std::clamp(static_cast<int>(place.x), 0, images.width - 1);
+    const int y = std::clamp(static_cast<int>(place.y), 0, images.height - 1);
+    const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(images.width) +
+                       static_cast<std::size_t>(x);
+    return &images.layers[static_cast<std::size_t>(layer)][texel * 4];
+}
+
+/// Mean luminance of a slot's material where a tint colours it, over its triangles.
+float tintedLuminance(const Template& asset, int slot, const MaterialRecord& record,
+                      bool isOpaqueSlot, const TemplateImages& images)
+{
+    const glm::vec3 base(record.baseColor);
+    const auto layer = static_cast<int>(record.layer);
+    if (layer == 0 || asset.levels.empty() || asset.levels.front().uv.empty()) {
+        return luminance(base);
+    }
+    const Mesh& mesh = asset.levels.front();
+    float sum = 0.0F;
+    float weight = 0.0F;
+    for (const Submesh& submesh : mesh.submeshes) {
+        for (std::uint32_t i = 0; submesh.slot == slot && i + 2 < submesh.indexCount; i += 3) {
+            const std::uint32_t* corner = &mesh.indices[submesh.firstIndex + i];
+            const glm::vec3 side = mesh.positions[corner[1]] - mesh.positions[corner[0]];
+            const glm::vec3 other = mesh.positions[corner[2]] - mesh.positions[corner[0]];
+            const glm::vec3 uv(
+                (mesh.uv[corner[0]] + mesh.uv[corner[1]] + mesh.uv[corner[2]]) / 3.0F, 1.0F);
+            const std::uint8_t* texel = texelAt(
+                images, layer,
+                {glm::dot(glm::vec3(record.uvRowU), uv), glm::dot(glm::vec3(record.uvRowV), uv)});
+            const std::array<float, 256>& linear = linearTable();
+            const float area = glm::length(glm::cross(side, other)) *
+                               (isOpaqueSlot ? static_cast<float>(texel[3]) / 255.0F : 1.0F);
+            sum += area * luminance(base * glm::vec3(linear[texel[0]], linear[texel[1]],
+                                                     linear[texel[2]]));
+            weight += area;
+        }
+    }
+    return weight > 0.0F ? sum / weight : luminance(base);
+}
+
 void chooseSampling(const Template& asset, TemplateImages& out)
 {
     bool isFirst = true;
@@ -211,13 +259,18 @@ TemplateImages templateImages(const Template& asset)
         out.choicesPerSlot = std::max(out.choicesPerSlot, static_cast<int>(slot.choices.size()));
     }
     Layers layers(asset, out);
-    for (const Slot& slot : asset.slots) {
+    for (std::size_t index = 0; index < asset.slots.size(); ++index) {
+        const Slot& slot = asset.slots[index];
         const bool isOpaque = std::ranges::all_of(slot.choices, [](const MaterialChoice& choice) {
             return choice.alphaMode == AlphaMode::Opaque;
         });
         for (std::size_t i = 0; i < static_cast<std::size_t>(out.choicesPerSlot); ++i) {
             const MaterialChoice& choice = slot.choices[i < slot.choices.size() ? i : 0];
-            out.materials.push_back(recordOf(choice, slot.tintable, isOpaque, layers));
+            MaterialRecord record = recordOf(choice, slot.tintable, isOpaque, layers);
+            record.uvRowU.w = slot.tintable ? tintedLuminance(asset, static_cast<int>(index),
+                                                              record, isOpaque, out)
+                                            : 1.0F;
+            out.materials.push_back(record);
         }
     }
     return out;

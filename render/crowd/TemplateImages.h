@@ -20,7 +20,7 @@ struct MaterialRecord
     float maskLayer = -1.0F;
     float alphaCutoff = 0.0F;
     float unlit = 0.0F;
-    glm::vec4 uvRowU{1.0F, 0.0F, 0.0F, 0.0F};
+    glm::vec4 uvRowU{1.0F, 0.0F, 0.0F, 1.0F}; ///< w: mean luminance where a tint colours it
     glm::vec4 uvRowV{0.0F, 1.0F, 0.0F, 0.0F};
     glm::vec4 emissive{0.0F};
 };

@@ -336,7 +336,8 @@ Result<void> CrowdPass::drawPeople(const PassContext& context)
     if (!context.input.frame) {
         return {};
     }
-    const Drawing drawing{m_rows, m_rows.instances, definesOf(context.input.look)};
+    Drawing drawing{m_rows, m_rows.instances, definesOf(context.input.look)};
+    drawing.defines += m_records.replacesColours() ? "REPLACED " : "";
     for (const InstanceRun& run : m_plan.runs()) {
         const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
         TemplateGpu& gpu = gpuOf(entry.asset);
@@ -448,7 +449,7 @@ Result<void> CrowdPass::drawGhost(const PassContext& context, const Ghost& ghost
         {{ghost.position + glm::vec3(0.0F, ghost.lift, 0.0F), std::cos(ghost.headingRadians),
           std::sin(ghost.headingRadians), ghost.height, ghost.girth, ghost.lift}}};
     const std::array<AppearanceRecord, 1> appearance{
-        {{ghost.tints, ghost.materialChoices, ghost.parts, 0.0F}}};
+        {{ghost.tints, ghost.materialChoices, ghost.parts, 0}}};
     m_ghostRows.placement.write(0, std::as_bytes(std::span(placement)));
     m_ghostRows.appearance.write(0, std::as_bytes(std::span(appearance)));
     uploadInstances(m_ghostRows.instances, {&instance, 1});

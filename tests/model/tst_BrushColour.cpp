@@ -14,6 +14,8 @@ class tst_BrushColour : public QObject
 
 private Q_SLOTS:
     void coloursOneSlotOrAllTintable();
+    void sparesSkinAndHairWhereThereAreClothes();
+    void replacesOrMultipliesAndUndoesBoth();
     void coloursRandomlyFromTheList();
     void gradientRunsAlongTheLine();
     void gradientFollowsThePointerUntilRelease();
@@ -35,6 +37,62 @@ void tst_BrushColour::coloursOneSlotOrAllTintable()
     QCOMPARE(scene.paint(view, settings, {pixelOf(view, {2, 0, 0})}).affected, 1);
     QCOMPARE(tintOf(scene, ids[1], 1), Tint{});
     QCOMPARE(tintOf(scene, ids[1], 2), (Tint{200, 100, 0, 128}));
+}
+
+void tst_BrushColour::sparesSkinAndHairWhereThereAreClothes()
+{
+    const auto tintsAfter = [](const std::vector<std::string>& slots, const std::string& chosen) {
+        BrushScene scene;
+        auto man = std::make_shared<Template>(*boxMan());
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            man->slots[i].name = slots[i];
+            man->slots[i].tintable = true;
+        }
+        const auto edit = scene.document.beginEdit();
+        edit->changeTemplate(boxManEntry(1, man));
+        edit->commit(QStringLiteral("Change"));
+        const Ids ids = scene.addPeople({{0, 0, 0}});
+        BrushSettings settings = colourBrush(BrushSelection::Point);
+        settings.colour.sparesBody = true;
+        settings.colour.slot = chosen;
+        const View view = fromAbove();
+        (void)scene.paint(view, settings, {pixelOf(view, {0, 0, 0})});
+        std::string painted;
+        for (int slot = 0; slot < 3; ++slot) {
+            painted += tintOf(scene, ids[0], slot).strength > 0 ? 'x' : '-';
+        }
+        return painted;
+    };
+    QCOMPARE(tintsAfter({"Hair", "top", "left_skin"}, {}), std::string("-x-"));
+    QCOMPARE(tintsAfter({"Hair", "top", "left_skin"}, "Hair"), std::string("x--"));
+    QCOMPARE(tintsAfter({"fur", "body", "eyes"}, {}), std::string("xxx")); // wears nothing
+}
+
+void tst_BrushColour::replacesOrMultipliesAndUndoesBoth()
+{
+    BrushScene scene;
+    const Ids ids = scene.addPeople({{0, 0, 0}});
+    BrushSettings settings = colourBrush(BrushSelection::Point);
+    const View view = fromAbove();
+    const std::vector<glm::dvec2> there{pixelOf(view, {0, 0, 0})};
+    const auto modes = [&] {
+        return static_cast<int>(scene.people().column(columns::tintReplaces)[0]);
+    };
+    settings.colour.slot = "top";
+    settings.colour.replaces = true;
+    QCOMPARE(scene.paint(view, settings, there).affected, 1);
+    QCOMPARE(modes(), 2);
+    settings.colour.slot = "bottom";
+    settings.colour.replaces = false;
+    QCOMPARE(scene.paint(view, settings, there).affected, 1);
+    QCOMPARE(modes(), 2);
+    settings.colour.slot = "top"; // the same colour in the other way is a change
+    QCOMPARE(scene.paint(view, settings, there).affected, 1);
+    QCOMPARE(modes(), 0);
+    QCOMPARE(scene.paint(view, settings, there).reason, StrokeReason::AlreadyThisColour);
+    scene.document.undoStack().undo();
+    QCOMPARE(modes(), 2);
+    QCOMPARE(tintOf(scene, ids[0], 1), (Tint{200, 100, 0, 255}));
 }
 
 void tst_BrushColour::coloursRandomlyFromTheList()

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void looksThroughPeople();
     void variesWithinTheRanges();
     void dressesEachInAnOutfit();
+    void facesVaryApartFromOutfits();
     void mixesTemplatesByWeight();
     void takesSeatsOnceAndSitsThemDown();
     void anAreaTakesTheSeatsThatAreMarkedInIt();
@@ -208,6 +209,42 @@ void tst_BrushCreate::dressesEachInAnOutfit()
         worn.insert(parts & 3U);
     }
     QVERIFY2(worn.size() == 4, "each part by itself");
+}
+
+void tst_BrushCreate::facesVaryApartFromOutfits()
+{
+    const auto worn = [](bool outfits, std::optional<bool> faces) {
+        BrushScene scene;
+        auto man = std::make_shared<Template>(*boxMan());
+        man->slots[0].choices.resize(3); // skin
+        man->slots[1].choices.resize(3); // top
+        const auto edit = scene.document.beginEdit();
+        edit->changeTemplate(boxManEntry(1, man));
+        edit->commit(QStringLiteral("Change"));
+        BrushSettings settings = creator(BrushSelection::Rectangle);
+        settings.create.variesOutfit = outfits;
+        settings.create.variesFaces = faces;
+        (void)scene.paint(fromAbove(), settings, kEverything);
+        const auto all = scene.people().column(columns::materialChoices);
+        return std::vector<MaterialChoices>(all.begin(), all.end());
+    };
+    const auto kinds = [](const std::vector<MaterialChoices>& all, std::size_t slot) {
+        std::set<int> found;
+        for (const MaterialChoices& each : all) {
+            found.insert(each[slot]);
+        }
+        return found.size();
+    };
+    const auto facesOnly = worn(false, true);
+    QVERIFY(facesOnly.size() > 100);
+    QCOMPARE(kinds(facesOnly, 0), std::size_t{3});
+    QCOMPARE(kinds(facesOnly, 1), std::size_t{1});
+    const auto clothesOnly = worn(true, false);
+    QCOMPARE(kinds(clothesOnly, 0), std::size_t{1});
+    QCOMPARE(kinds(clothesOnly, 1), std::size_t{3});
+    // As strokes were recorded before there was a switch for it.
+    QCOMPARE(worn(true, std::nullopt), worn(true, true));
+    QCOMPARE(worn(false, std::nullopt), worn(false, false));
 }
 
 void tst_BrushCreate::mixesTemplatesByWeight()

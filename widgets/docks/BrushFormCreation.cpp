@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "model/brush/SlotChoice.h"
 #include "widgets/docks/BrushFormParts.h"
 
 namespace crowd::widgets {
@@ -47,14 +48,27 @@ void addClothes(BrushForm& form, const EditorState& state)
         return std::ranges::any_of(asset.slots,
                                    [](const auto& slot) { return slot.choices.size() > 1; });
     });
+    const bool hasFaces = anyTemplate(state, [](const model::Template& asset) {
+        return std::ranges::any_of(asset.slots, [](const auto& slot) {
+            return slot.choices.size() > 1 && model::isOfTheBody(slot.name);
+        });
+    });
     const bool hasParts =
         anyTemplate(state, [](const model::Template& asset) { return !asset.parts.empty(); });
     form.beginRow();
     addFlag(
         form, BrushForm::tr("Outfits"),
-        BrushForm::tr("Each wears any of the materials that the template has for a slot"),
+        BrushForm::tr("Each wears any of the clothes that the template has"),
         [](BrushSettings& s) -> bool& { return s.create.variesOutfit; },
         [hasOutfits](const BrushSettings&) { return hasOutfits; });
+    addFlag(
+        form, BrushForm::tr("Faces"),
+        BrushForm::tr("Each has any of the skins, faces and hair that the template has"),
+        [](BrushSettings& s) -> bool& {
+            s.create.variesFaces = s.create.variesFaces.value_or(s.create.variesOutfit);
+            return *s.create.variesFaces;
+        },
+        [hasFaces](const BrushSettings&) { return hasFaces; });
     addFlag(
         form, BrushForm::tr("Parts"),
         BrushForm::tr("Each wears some of the template's parts, as hats and bags"),

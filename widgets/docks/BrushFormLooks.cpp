@@ -11,10 +11,12 @@ namespace {
 using model::BrushSettings;
 using model::ValueRange;
 
-/// Names of all slots of the scene's templates, each once; the first is empty: all tintable.
+constexpr int kWholes = 2; ///< choices before the slots' names: clothes, all
+
+/// Names of all slots of the scene's templates, each once.
 std::vector<std::string> slotNames(const model::Scene& scene)
 {
-    std::vector<std::string> names{std::string()};
+    std::vector<std::string> names;
     std::set<std::string> known;
     for (const model::TemplateEntry& entry : scene.templates) {
         for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
@@ -31,18 +33,27 @@ std::vector<std::string> slotNames(const model::Scene& scene)
 void addColour(BrushForm& form, const EditorState& state)
 {
     const std::vector<std::string> names = slotNames(state.scene());
-    QStringList texts{BrushForm::tr("All tintable")};
-    for (std::size_t i = 1; i < names.size(); ++i) {
-        texts << QString::fromStdString(names[i]);
+    QStringList texts{BrushForm::tr("Clothes"), BrushForm::tr("All tintable")};
+    for (const std::string& name : names) {
+        texts << QString::fromStdString(name);
     }
     form.beginSection(BrushForm::tr("Paint"), QStringLiteral("paint"));
     form.addChoice(
         BrushForm::tr("Slot"), texts,
         [names](const BrushSettings& s) {
             const auto found = std::ranges::find(names, s.colour.slot);
-            return found == names.end() ? 0 : static_cast<int>(found - names.begin());
+            const int whole = s.colour.sparesBody ? 0 : 1;
+            return found == names.end() ? whole : static_cast<int>(found - names.begin()) + kWholes;
         },
-        [names](BrushSettings& s, int i) { s.colour.slot = names[static_cast<std::size_t>(i)]; });
+        [names](BrushSettings& s, int i) {
+            s.colour.sparesBody = i == 0;
+            s.colour.slot =
+                i < kWholes ? std::string() : names[static_cast<std::size_t>(i - kWholes)];
+        });
+    form.addChoice(
+        BrushForm::tr("Mode"), {BrushForm::tr("Multiply"), BrushForm::tr("Replace")},
+        [](const BrushSettings& s) { return s.colour.replaces ? 1 : 0; },
+        [](BrushSettings& s, int i) { s.colour.replaces = i == 1; });
     addFloat(form, BrushForm::tr("Strength"), kPercent, 100.0,
              [](BrushSettings& s) -> float& { return s.colour.strength; });
     addFlag(

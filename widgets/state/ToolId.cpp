@@ -68,6 +68,7 @@ model::BrushSettings initialBrush(BrushKind kind)
     settings.kind = kind;
     switch (kind) {
     case BrushKind::Create:
+        settings.create.variesFaces = true;
         // Clothes of an ordinary evening: nobody like his neighbour, nobody glaring.
         settings.create.palette = {{42, 52, 86},   {112, 40, 48},   {58, 84, 66},   {196, 186, 168},
                                    {70, 70, 76},   {150, 112, 70},  {92, 120, 156}, {206, 160, 72},
@@ -78,6 +79,9 @@ model::BrushSettings initialBrush(BrushKind kind)
         settings.radiusPixels = 24.0F;
         break;
     case BrushKind::Colour:
+        settings.selection = model::BrushSelection::AllInCircle;
+        settings.colour.sparesBody = true;
+        break;
     case BrushKind::Orientation:
     case BrushKind::Script:
         settings.selection = model::BrushSelection::AllInCircle;
