@@ -46,12 +46,17 @@ struct Ghost
     float alpha = 0.5F;
 };
 
-/// A small disc that lies flat in the scene (free seats while the seat grid is shown).
+/// A small disc that lies flat in the scene (free seats while the seat grid is shown), or a ring or
+/// a part of one. What hides a ring, it shines through faintly.
 struct Marker
 {
     glm::vec3 position{0.0F};
     float radius = 0.12F; ///< metres
     glm::vec4 color{1.0F};
+    float innerShare = 0.0F; ///< of the radius, left out; above zero: a ring
+    float fromTurn = 0.0F;   ///< the part of the circle that is drawn
+    float toTurn = 1.0F;
+    float leastPixels = 0.0F; ///< radius that it has at least, logical pixels
 };
 
 /// A line over the scene (paths, gradient direction). Hidden parts shine through faintly.

@@ -15,6 +15,7 @@ namespace {
 constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
 constexpr float kHiddenAreaOpacity = 0.2F;
+constexpr float kHiddenRingOpacity = 0.5F;
 /// Metres that areas are taken for nearer than they are: ground that is a little uneven does not
 /// swallow them.
 constexpr float kAreaPull = 0.3F;
@@ -24,6 +25,7 @@ struct MarkerVertex
 {
     glm::vec4 positionAndRadius{0.0F};
     glm::vec4 color{1.0F};
+    glm::vec4 shape{0.0F, 0.0F, 1.0F, 0.0F}; ///< as in marker.vert
 };
 
 struct LineVertex
@@ -89,15 +91,10 @@ model::Result<void> OverlayPass::initialize()
     glBindVertexArray(m_markerArray.name());
     m_corners = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(kCorners)));
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, m_markers.name());
-    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex), nullptr);
-    glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
-                          offset(sizeof(glm::vec4)));
-    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+    for (GLuint attribute = 0; attribute < 4; ++attribute) {
         glEnableVertexAttribArray(attribute);
+        glVertexAttribDivisor(attribute, attribute == 0 ? 0 : 1);
     }
-    glVertexAttribDivisor(1, 1);
-    glVertexAttribDivisor(2, 1);
     m_lineArray = GlVertexArray::create();
     describeLines(m_lineArray, m_lines);
     m_areas = GlBuffer::create();
@@ -119,6 +116,7 @@ void OverlayPass::draw(const PassContext& context)
     glDisable(GL_BLEND);
 }
 
+/// Discs first, then rings: those are drawn a second time where something hides them.
 void OverlayPass::drawMarkers(const PassContext& context)
 {
     if (context.input.markers.empty()) {
@@ -126,16 +124,48 @@ void OverlayPass::drawMarkers(const PassContext& context)
     }
     std::vector<MarkerVertex> vertices;
     vertices.reserve(context.input.markers.size());
-    for (const Marker& marker : context.input.markers) {
-        const glm::vec3 lifted = marker.position + glm::vec3(0.0F, kMarkerLift, 0.0F);
-        vertices.push_back({glm::vec4(lifted, marker.radius), linear(marker.color)});
-    }
+    const auto add = [&](bool isRing) {
+        for (const Marker& marker : context.input.markers) {
+            if ((marker.innerShare > 0.0F) == isRing) {
+                const glm::vec3 lifted = marker.position + glm::vec3(0.0F, kMarkerLift, 0.0F);
+                vertices.push_back(
+                    {glm::vec4(lifted, marker.radius),
+                     linear(marker.color),
+                     {marker.innerShare, marker.fromTurn, marker.toTurn, marker.leastPixels}});
+            }
+        }
+    };
+    add(false);
+    const std::size_t discs = vertices.size();
+    add(true);
     stream(m_markers, vertices);
     m_marker.use();
     context.setCommon(m_marker);
+    const model::View& view = context.input.view;
+    m_marker.set("metresPerPixel", 2.0F / (view.projectionMatrix()[1][1] * view.size().y));
+    m_marker.set("opacity", 1.0F);
+    m_marker.set("eye", eyeOf(view.camera()));
+    m_marker.set("pull", kAreaPull);
     glBindVertexArray(m_markerArray.name());
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(vertices.size()));
-    context.countDraw(static_cast<std::int64_t>(vertices.size()) * 2);
+    drawMarkers(context, 0, vertices.size());
+    if (vertices.size() > discs) {
+        m_marker.set("opacity", kHiddenRingOpacity);
+        glDepthFunc(GL_GREATER);
+        drawMarkers(context, discs, vertices.size() - discs);
+        glDepthFunc(GL_LEQUAL);
+    }
+}
+
+void OverlayPass::drawMarkers(const PassContext& context, std::size_t first, std::size_t count)
+{
+    const std::size_t at = first * sizeof(MarkerVertex);
+    glBindBuffer(GL_ARRAY_BUFFER, m_markers.name());
+    for (GLuint part = 0; part < 3; ++part) {
+        glVertexAttribPointer(part + 1, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
+                              offset(at + part * sizeof(glm::vec4)));
+    }
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+    context.countDraw(static_cast<std::int64_t>(count) * 2);
 }
 
 void OverlayPass::sendAreas(const PassContext& context)

@@ -20,6 +20,7 @@ public:
 
 private:
     void drawMarkers(const PassContext& context);
+    void drawMarkers(const PassContext& context, std::size_t first, std::size_t count);
     void sendAreas(const PassContext& context);
     void drawAreas(const PassContext& context);
     void drawLines(const PassContext& context);

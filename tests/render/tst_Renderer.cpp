@@ -36,6 +36,8 @@ private Q_SLOTS:
     void skyIsBehindAnEmptyScene();
     void tintMultipliesTheSlotAlone();
     void tintHasAStrength();
+    void replacingTintIsTheColourItself();
+    void replacingTintKeepsTheShadesOfATexture();
     void slotsThatAreNotTintableKeepTheirColour();
     void hiddenPartIsNotDrawn();
     void materialChoiceIsPerIndividual();
@@ -44,8 +46,13 @@ private Q_SLOTS:
     void keyframesAreBlended();
     void seatedPeopleMeetTheirSeat();
     void stageHidesWhoIsBehind();
-    void selectionChangesThePicture();
+    void selectionIsAnOutlineThatKeepsTheColours();
+    void outlineStaysWithinWhatIsSeen();
+    void neighboursInASelectionAreApart();
+    void hoveredHasAnOutlineOfItsOwn();
     void ghostShowsWhatIsBehind();
+    void ringsAreHollowAndSharedByTheirParts();
+    void ringsShineThroughPeople();
     void areasLeavePeopleAlone();
     void areasColourAPixelOnce();
     void hiddenAreasShineFaintly();
@@ -177,6 +184,22 @@ void TestRenderer::tintHasAStrength()
     QVERIFY(isNear(pixel(kMiddle, kLegsY), {188, 188, 188}));
 }
 
+void TestRenderer::replacingTintIsTheColourItself()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::materialChoices, model::MaterialChoices{0, 1}); // a blue top
+    setAll(people, model::columns::tint(1), model::Tint{255, 64, 0, 255});
+    drawMan(people);
+    QVERIFY2(isNear(pixel(kMiddle, kBodyY), {0, 0, 0}), "orange times blue");
+    setAll(people, model::columns::tintReplaces, std::uint16_t{2});
+    drawMan(people);
+    QVERIFY(isNear(pixel(kMiddle, kBodyY), {255, 64, 0}));
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {255, 255, 255}));
+    setAll(people, model::columns::tint(1), model::Tint{255, 64, 0, 0});
+    drawMan(people);
+    QVERIFY2(isNear(pixel(kMiddle, kBodyY), {0, 0, 255}), "no strength, no tint");
+}
+
 void TestRenderer::slotsThatAreNotTintableKeepTheirColour()
 {
     model::Population people = makeRow(1);
@@ -288,18 +311,74 @@ void TestRenderer::stageHidesWhoIsBehind()
     QVERIFY(isNear(pixel(kMiddle, kHatY), {124, 124, 124}));
 }
 
-void TestRenderer::selectionChangesThePicture()
+constexpr Rgb kSelection{255, 158, 26};
+
+void TestRenderer::selectionIsAnOutlineThatKeepsTheColours()
 {
     render::RenderInput input = inputFor(frameOf(makeRow(2), {entryFor(m_man)}));
+    for (const int samples : {0, 4}) {
+        input.samples = samples;
+        input.selected = {};
+        draw(input);
+        const Rgb before = pixel(kMiddle, kBodyY);
+        const int draws = m_renderer->statistics().draws;
+        const std::array<model::IndividualId, 1> selected{1};
+        input.selected = selected;
+        draw(input);
+        QVERIFY(isNear(pixel(kMiddle, kBodyY), before, 0));
+        // Left of the legs, which end 6 pixels from the middle.
+        QVERIFY(isNear(pixel(kMiddle - 7, kLegsY), kSelection));
+        QVERIFY(isNear(pixel(kMiddle - 11, kLegsY), kGreen));
+        QVERIFY2(m_renderer->statistics().draws == draws + 1, "people are drawn once");
+        for (std::size_t i = 3; i < m_pixels.size(); i += 4) {
+            QCOMPARE(static_cast<int>(m_pixels[i]), 255);
+        }
+    }
+}
+
+void TestRenderer::outlineStaysWithinWhatIsSeen()
+{
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    const std::array<model::IndividualId, 2> selected{1, 77}; // one is not there
+    input.selected = selected;
+    input.view = {model::Camera::lookingAt({0.0F, 0.9F, 0.9F}, {0.0F, 0.9F, -4.0F}),
+                  glm::vec2(64.0F)};
+    draw(input); // the picture is full of him: no rim at its border
+    QVERIFY(isNear(pixel(1, kMiddle), pixel(kMiddle, kMiddle), 0));
+    input.view = {model::Camera::lookingAt({0.0F, 0.9F, 4.0F}, {0.0F, 0.9F, 8.0F}),
+                  glm::vec2(64.0F)};
     draw(input);
-    const Rgb before = pixel(kMiddle, kBodyY);
-    const std::array<model::IndividualId, 1> selected{1};
+    QVERIFY(isNear(pixel(kMiddle, kMiddle), kGreen));
+}
+
+void TestRenderer::neighboursInASelectionAreApart()
+{
+    model::Population people = makeRow(2);
+    const std::array<glm::vec3, 1> beside{glm::vec3(0.3F, 0.0F, -0.6F)};
+    const std::array<model::IndividualId, 1> second{2};
+    people.setValues(model::columns::position, second, std::span<const glm::vec3>(beside));
+    render::RenderInput input = inputFor(frameOf(people, {entryFor(m_man)}));
+    input.samples = 0;
+    const std::array<model::IndividualId, 2> selected{1, 2};
     input.selected = selected;
     draw(input);
-    const Rgb after = pixel(kMiddle, kBodyY);
-    QVERIFY(after.blue < before.blue - 10);
-    // An outline round the silhouette: left of the legs, which end 6 pixels from the middle.
-    QVERIFY(!isNear(pixel(kMiddle - 7, kLegsY), kGreen, 40));
+    int lines = 0;
+    for (int x = kMiddle; x < kMiddle + 8; ++x) {
+        lines += pixel(x, kLegsY).blue < 200 ? 1 : 0;
+    }
+    QVERIFY2(lines > 0, "a line where one stands before the other");
+    QVERIFY(isNear(pixel(kMiddle - 2, kLegsY), {255, 255, 255}, 0));
+}
+
+void TestRenderer::hoveredHasAnOutlineOfItsOwn()
+{
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    const std::array<model::IndividualId, 1> selected{1};
+    input.selected = selected;
+    input.hovered = 1;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle - 7, kLegsY), {255, 255, 255}));
+    QVERIFY(isNear(pixel(kMiddle, kLegsY), {255, 255, 255}));
 }
 
 void TestRenderer::ghostShowsWhatIsBehind()
@@ -323,6 +402,66 @@ std::array<render::OverlayTriangle, 2> blueSheet(float z, float alpha = 0.5F)
     const glm::vec3 c(2.0F, 2.0F, z);
     const glm::vec3 d(-2.0F, 2.0F, z);
     return {{{{a, b, c}, color}, {{a, c, d}, color}}};
+}
+
+void TestRenderer::ringsAreHollowAndSharedByTheirParts()
+{
+    render::RenderInput input = inputFor(nullptr);
+    model::Camera above = model::Camera::lookingAt({0.0F, 4.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    above.projection = model::Projection::Orthographic;
+    above.orthographicHeight = 2.0F;
+    input.view = {above, glm::vec2(64.0F)};
+    std::array<render::Marker, 2> parts{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].radius = 0.8F;
+        parts[i].innerShare = 0.5F;
+        parts[i].fromTurn = 0.5F * static_cast<float>(i);
+        parts[i].toTurn = parts[i].fromTurn + 0.5F;
+        parts[i].color =
+            i == 0 ? glm::vec4(1.0F, 0.0F, 0.0F, 1.0F) : glm::vec4(0.0F, 0.0F, 1.0F, 1.0F);
+    }
+    input.markers = parts;
+    draw(input);
+    QVERIFY2(isNear(pixel(kMiddle, kMiddle), kGreen), "hollow");
+    const Rgb left = pixel(kMiddle - 18, kMiddle);
+    const Rgb right = pixel(kMiddle + 18, kMiddle);
+    QVERIFY((isNear(left, {255, 0, 0}) && isNear(right, {0, 0, 255})) ||
+            (isNear(left, {0, 0, 255}) && isNear(right, {255, 0, 0})));
+    for (render::Marker& part : parts) {
+        part.radius = 0.01F;
+        part.leastPixels = 20.0F;
+    }
+    draw(input);
+    QVERIFY2(!isNear(pixel(kMiddle + 14, kMiddle), kGreen), "still seen from far away");
+    QVERIFY(isNear(pixel(kMiddle + 22, kMiddle), kGreen));
+}
+
+void TestRenderer::ringsShineThroughPeople()
+{
+    render::Marker ring;
+    ring.position = {0.0F, 0.4F, -0.5F}; // behind the legs
+    ring.radius = 0.6F;
+    ring.innerShare = 0.2F;
+    ring.color = {1.0F, 0.0F, 0.0F, 1.0F};
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    input.view = {model::Camera::lookingAt({0.0F, 2.5F, 3.0F}, {0.0F, 0.7F, 0.0F}),
+                  glm::vec2(64.0F)};
+    draw(input);
+    const std::vector<std::uint8_t> without = m_pixels;
+    ring.innerShare = 0.0F;
+    input.markers = {&ring, 1};
+    draw(input);
+    const auto reddened = [&] {
+        int count = 0;
+        for (std::size_t i = 0; i < m_pixels.size(); i += 4) {
+            count += without[i + 2] == 255 && m_pixels[i + 2] < 240 ? 1 : 0;
+        }
+        return count;
+    };
+    QVERIFY2(reddened() == 0, "a disc does not");
+    ring.innerShare = 0.2F;
+    draw(input);
+    QVERIFY(reddened() > 10);
 }
 
 void TestRenderer::areasLeavePeopleAlone()
@@ -433,6 +572,22 @@ void TestRenderer::textureIsDrawnAsAuthored()
     drawAsset(texturedMan(model::AlphaMode::Opaque, false), makeRow(1));
     QVERIFY(isNear(pixel(kMiddle - 3, kBodyY), {255, 0, 0}));
     QVERIFY(isNear(pixel(kMiddle + 3, kBodyY), {255, 255, 255}));
+}
+
+void TestRenderer::replacingTintKeepsTheShadesOfATexture()
+{
+    model::Population people = makeRow(1);
+    setAll(people, model::columns::tint(1), model::Tint{0, 0, 255, 255});
+    setAll(people, model::columns::tintReplaces, std::uint16_t{2});
+    drawAsset(texturedMan(model::AlphaMode::Opaque, false), people);
+    const Rgb dark = pixel(kMiddle - 3, kBodyY);
+    const Rgb bright = pixel(kMiddle + 3, kBodyY);
+    QVERIFY2(dark.red < 4 && bright.red < 4, "nothing of the texture's red and white is left");
+    QVERIFY2(dark.blue > 100 && dark.blue < 200, qPrintable(QString::number(dark.blue)));
+    QVERIFY2(bright.blue > 250, qPrintable(QString::number(bright.blue)));
+    drawAsset(texturedMan(model::AlphaMode::Opaque, true), people);
+    QVERIFY2(isNear(pixel(kMiddle - 3, kBodyY), {255, 0, 0}), "outside of the mask");
+    QVERIFY(isNear(pixel(kMiddle + 3, kBodyY), {0, 0, 255}));
 }
 
 void TestRenderer::tintMaskLimitsTheTint()

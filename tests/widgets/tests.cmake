@@ -9,6 +9,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_LabelLayout
     tst_Navigation
     tst_PathDrawing
+    tst_PeopleMarks
     tst_PickDrag
     tst_RuleLog
     tst_RulePanel

@@ -24,6 +24,8 @@ private Q_SLOTS:
     void aRectangleFollowsThePointerFrameByFrame();
     void theGhostGoesWhenItsTemplateDoes();
     void ghostStandsUnderTheCreationBrush();
+    void whoWouldBeHitIsMarkedBeforeThePress();
+    void newBrushesSpareSkinAndVaryFaces();
     void paperMappingGivesEachButtonItsSelection_data();
     void paperMappingGivesEachButtonItsSelection();
     void keysChangeSizeAndMainNumber();
@@ -140,6 +142,48 @@ void TestBrushTool::ghostStandsUnderTheCreationBrush()
     hand.hover(kCenter);
     QVERIFY(hand.tools.picture().ghosts.empty());
     QVERIFY(hand.tools.picture().circle.has_value());
+}
+
+void TestBrushTool::whoWouldBeHitIsMarkedBeforeThePress()
+{
+    Hand hand;
+    hand.press(kCenter);
+    hand.rest(1.0);
+    hand.release(kCenter);
+    const std::size_t people = hand.document.scene().population.size();
+    QVERIFY(people > 3);
+    const model::IndividualId first = hand.document.scene().population.ids()[0];
+    hand.state.setTool(ToolId::BrushColour);
+    QSignalSpy scenes(&hand.tools, &ToolController::scenePreviewChanged);
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Colour);
+    brush.radiusPixels = 300.0F;
+    brush.through = true;
+    hand.state.setBrush(brush);
+    hand.hover(kCenter);
+    QCOMPARE(hand.tools.picture().candidates.size(), people);
+    QCOMPARE(scenes.count(), 0); // marked over the picture, which is not drawn again for it
+    brush.radiusPixels = 2.0F;
+    hand.state.setBrush(brush);
+    hand.hover(hand.pixelOf(first));
+    const auto marked = hand.tools.picture().candidates;
+    QVERIFY(!marked.empty() && marked.size() < people);
+    hand.press(hand.pixelOf(first));
+    QVERIFY(hand.tools.picture().candidates.empty());
+    hand.release(hand.pixelOf(first));
+    hand.hover({5.0, 5.0});
+    QVERIFY(hand.tools.picture().candidates.empty());
+    hand.hover(hand.pixelOf(first));
+    hand.state.setTool(ToolId::Select);
+    hand.hover(hand.pixelOf(first));
+    QVERIFY(hand.tools.picture().candidates.empty());
+}
+
+void TestBrushTool::newBrushesSpareSkinAndVaryFaces()
+{
+    Hand hand;
+    QVERIFY(hand.state.brush(model::BrushKind::Colour).colour.sparesBody);
+    model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
+    QCOMPARE(brush.create.variesFaces, std::optional<bool>(true));
 }
 
 void TestBrushTool::paperMappingGivesEachButtonItsSelection_data()

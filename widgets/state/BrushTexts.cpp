@@ -178,4 +178,12 @@ QColor tagColor(const model::Scene& scene, int bit)
                                      : QColor::fromHsv(bit * 67 % 360, 200, 230);
 }
 
+QString tagText(const model::Scene& scene, int bit)
+{
+    const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
+    return named != scene.tags.end() && !named->name.empty()
+               ? QString::fromStdString(named->name)
+               : BrushTextsContext::tr("Tag %1").arg(bit + 1);
+}
+
 } // namespace crowd::widgets

@@ -24,5 +24,7 @@ namespace crowd::widgets {
 [[nodiscard]] QString placeRoleTip(model::PlaceRole role);
 /// As the artist set it, else one of a circle of hues.
 [[nodiscard]] QColor tagColor(const model::Scene& scene, int bit);
+/// Its name, else its number as artists count.
+[[nodiscard]] QString tagText(const model::Scene& scene, int bit);
 
 } // namespace crowd::widgets

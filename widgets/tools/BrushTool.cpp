@@ -8,6 +8,7 @@
 
 #include "model/base/Random.h"
 #include "widgets/tools/BrushDrags.h"
+#include "widgets/tools/Candidates.h"
 #include "widgets/tools/GhostPreview.h"
 
 namespace crowd::widgets {
@@ -173,9 +174,16 @@ void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const
 void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const
 {
     picture.ghosts.clear();
-    if (m_kind == BrushKind::Create && !pickFor(input.modifiers) &&
-        !m_context.state.document().isEditOpen()) {
+    picture.candidates.clear();
+    if (pickFor(input.modifiers) || m_context.state.document().isEditOpen()) {
+        return;
+    }
+    if (m_kind == BrushKind::Create) {
         picture.ghosts = ghostsAt(m_context, settings(), nextSeed(), input);
+    } else if (worksOnPeople(m_kind)) {
+        const BrushSettings pressed =
+            settingsForButton(settings(), Qt::LeftButton, m_context.state.viewOptions().buttons);
+        picture.candidates = candidatesAt(m_context, pressed, input);
     }
 }
 

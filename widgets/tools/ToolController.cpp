@@ -332,13 +332,16 @@ void ToolController::tick(const ToolInput& resting, double elapsedSeconds)
         refreshPicture();
         return;
     }
-    if (!m_isPreviewStale) {
+    const bool havePeopleMoved =
+        m_pointer && !m_picture.candidates.empty() && m_state.isAnimating();
+    if (!m_isPreviewStale && !havePeopleMoved) {
         return;
     }
     m_isPreviewStale = false;
     if (m_pointer && !m_isSpaceHeld) {
         m_pointer->pointer.shownSeconds = resting.pointer.shownSeconds;
         ToolPicture picture = m_picture;
+        picture.candidates.clear();
         activeTool().preview(*m_pointer, picture);
         replacePicture(std::move(picture));
     }
@@ -366,6 +369,7 @@ void ToolController::refreshPicture()
         // What takes longer stays as it was until the next frame.
         picture.ghosts = m_picture.ghosts;
         picture.hovered = m_picture.hovered;
+        picture.candidates = m_picture.candidates;
     }
     m_isPreviewStale = !m_session && m_pointer.has_value();
     replacePicture(std::move(picture));

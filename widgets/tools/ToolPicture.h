@@ -32,6 +32,7 @@ struct ToolPicture
     // Over it.
     std::optional<CircleOutline> circle;
     std::optional<QPointF> crosshair; ///< a brush that takes a single point
+    std::vector<QPointF> candidates;  ///< on whom a press would work, where they are seen
     std::optional<QRectF> rectangle;
     std::optional<QLineF> gradient;
     std::vector<QPolygonF> outlines; ///< places to come, closed

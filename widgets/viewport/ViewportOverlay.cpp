@@ -6,20 +6,18 @@
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
+#include "widgets/viewport/BrushCursor.h"
 #include "widgets/viewport/LabelLayout.h"
-#include "widgets/viewport/ToolIcons.h"
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kSymbolSize = 26;
-constexpr double kSymbolGap = 9.0;
-constexpr double kCrosshair = 5.0;
+constexpr double kSymbolSize = 26.0;
 constexpr double kTarget = 8.0;
 
-const QColor kDark(0, 0, 0, 170);
-const QColor kLight(255, 255, 255, 235);
+const QColor kDark = QColor::fromRgba(kOverlayDark);
+const QColor kLight = QColor::fromRgba(kOverlayLight);
 const QColor kAccent(255, 170, 60);
 
 /// Light on dark, so that it is seen on any ground.
@@ -73,10 +71,17 @@ void ViewportOverlay::setPicture(const ToolPicture& picture)
     m_picture = picture;
     if (m_symbolOf != picture.symbol) {
         m_symbolOf = picture.symbol;
-        m_symbol =
-            m_symbolOf ? toolSymbol(*m_symbolOf, kSymbolSize - 6, devicePixelRatioF()) : QPixmap();
+        m_symbol = m_symbolOf ? brushSymbol(*m_symbolOf, devicePixelRatioF()) : QPixmap();
     }
     update();
+}
+
+void ViewportOverlay::setBrushCarried(bool isCarried)
+{
+    if (m_isBrushCarried != isCarried) {
+        m_isBrushCarried = isCarried;
+        update();
+    }
 }
 
 void ViewportOverlay::setText(const OverlayText& text)
@@ -92,8 +97,12 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     paintPlaces(painter);
+    paintLegend(painter);
+    paintCandidates(painter);
     paintAreas(painter);
-    paintSymbol(painter);
+    if (!m_isBrushCarried) {
+        paintBrushSymbol(painter, m_picture, m_symbol, rect());
+    }
     paintLabel(painter);
     paintTexts(painter);
 }
@@ -104,6 +113,69 @@ void ViewportOverlay::setPlaces(const std::vector<PlaceLabel>& places)
         m_places = places;
         update();
     }
+}
+
+void ViewportOverlay::setLegend(const std::vector<TagLabel>& tags)
+{
+    if (m_legend != tags) {
+        m_legend = tags;
+        update();
+    }
+}
+
+/// Top left, a line a tag; what does not fit is counted.
+void ViewportOverlay::paintLegend(QPainter& painter) const
+{
+    if (m_legend.empty()) {
+        return;
+    }
+    constexpr double kEdge = 8.0;
+    constexpr double kDot = 9.0;
+    const QFontMetricsF metrics(font());
+    const double line = metrics.height() + 3.0;
+    const auto fitting = static_cast<std::size_t>(std::max(1.0, (height() * 0.6) / line));
+    const std::size_t shown = std::min(m_legend.size(), fitting);
+    QStringList texts;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < shown; ++i) {
+        texts << metrics.elidedText(m_legend[i].name, Qt::ElideRight, width() * 0.3);
+    }
+    if (shown < m_legend.size()) {
+        texts << tr("and %n more", nullptr, static_cast<int>(m_legend.size() - shown));
+    }
+    for (const QString& text : texts) {
+        widest = std::max(widest, metrics.horizontalAdvance(text));
+    }
+    const QRectF plate(kEdge, kEdge, widest + kDot + 26.0,
+                       line * static_cast<double>(texts.size()) + 10.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 22, 26, 190));
+    painter.drawRoundedRect(plate, 7.0, 7.0);
+    for (qsizetype i = 0; i < texts.size(); ++i) {
+        const QRectF row(plate.left() + 9.0, plate.top() + 5.0 + line * static_cast<double>(i),
+                         plate.width() - 14.0, line);
+        if (static_cast<std::size_t>(i) < shown) {
+            painter.setPen(QPen(m_legend[static_cast<std::size_t>(i)].color, 3.0));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawEllipse(QPointF(row.left() + kDot / 2.0, row.center().y()), kDot / 2.0,
+                                kDot / 2.0);
+        }
+        painter.setPen(kLight);
+        painter.drawText(row.adjusted(kDot + 8.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+                         texts[i]);
+    }
+}
+
+/// Whom the brush would reach.
+void ViewportOverlay::paintCandidates(QPainter& painter) const
+{
+    constexpr double kRadius = 2.5;
+    painter.setPen(QPen(kDark, 1.5));
+    painter.setBrush(kLight);
+    for (const QPointF& at : m_picture.candidates) {
+        painter.drawEllipse(at, kRadius, kRadius);
+    }
+    painter.setBrush(Qt::NoBrush);
 }
 
 void ViewportOverlay::paintPlaces(QPainter& painter) const
@@ -142,17 +214,8 @@ void ViewportOverlay::paintAreas(QPainter& painter) const
         painter.setPen(QPen(kLight, 1.5, Qt::DashLine));
         painter.drawLine(*m_picture.arrow);
     }
-    if (m_picture.circle) {
-        const double radius = m_picture.circle->radius;
-        drawTwice(painter, 1.0,
-                  [&] { painter.drawEllipse(m_picture.circle->center, radius, radius); });
-    }
-    if (m_picture.crosshair) {
-        const QPointF at = *m_picture.crosshair;
-        drawTwice(painter, 1.0, [&] {
-            painter.drawLine(at - QPointF(kCrosshair, 0.0), at + QPointF(kCrosshair, 0.0));
-            painter.drawLine(at - QPointF(0.0, kCrosshair), at + QPointF(0.0, kCrosshair));
-        });
+    if (!m_isBrushCarried) {
+        paintBrushArea(painter, m_picture);
     }
     if (m_picture.rectangle) {
         painter.setBrush(QColor(255, 255, 255, 28));
@@ -178,26 +241,6 @@ void ViewportOverlay::paintAreas(QPainter& painter) const
         painter.drawEllipse(line.p2(), 5.0, 5.0);
         painter.setBrush(Qt::NoBrush);
     }
-}
-
-void ViewportOverlay::paintSymbol(QPainter& painter) const
-{
-    if (!m_picture.symbol || m_symbol.isNull()) {
-        return;
-    }
-    // Below right of the cursor, on the other side where the picture ends.
-    QPointF corner = m_picture.symbolAt + QPointF(kSymbolGap, kSymbolGap);
-    if (corner.x() + kSymbolSize > width()) {
-        corner.setX(m_picture.symbolAt.x() - kSymbolGap - kSymbolSize);
-    }
-    if (corner.y() + kSymbolSize > height()) {
-        corner.setY(m_picture.symbolAt.y() - kSymbolGap - kSymbolSize);
-    }
-    const QRectF plate(corner, QSizeF(kSymbolSize, kSymbolSize));
-    painter.setPen(QPen(kDark, 1.0));
-    painter.setBrush(QColor(250, 250, 250, 225));
-    painter.drawRoundedRect(plate, 5.0, 5.0);
-    painter.drawPixmap(plate.topLeft() + QPointF(3.0, 3.0), m_symbol);
 }
 
 void ViewportOverlay::paintLabel(QPainter& painter) const

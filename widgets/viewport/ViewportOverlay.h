@@ -7,6 +7,7 @@
 
 #include "widgets/tools/ToolPicture.h"
 #include "widgets/viewport/PathDrawing.h"
+#include "widgets/viewport/PeopleMarks.h"
 
 namespace crowd::widgets {
 
@@ -28,22 +29,29 @@ public:
     explicit ViewportOverlay(QWidget* parent);
 
     void setPicture(const ToolPicture& picture);
+    /// The mouse cursor shows the brush: it is not painted here as well.
+    void setBrushCarried(bool isCarried);
     void setText(const OverlayText& text);
     void setPlaces(const std::vector<PlaceLabel>& places);
+    /// What the rings under people mean; empty: there are none.
+    void setLegend(const std::vector<TagLabel>& tags);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     void paintPlaces(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
+    void paintCandidates(QPainter& painter) const;
     void paintAreas(QPainter& painter) const;
-    void paintSymbol(QPainter& painter) const;
     void paintLabel(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
 
     ToolPicture m_picture;
+    bool m_isBrushCarried = false;
     OverlayText m_text;
     std::vector<PlaceLabel> m_places;
+    std::vector<TagLabel> m_legend;
     QPixmap m_symbol;
     std::optional<ToolId> m_symbolOf;
 };

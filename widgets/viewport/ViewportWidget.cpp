@@ -2,7 +2,6 @@
 #include "widgets/viewport/ViewportWidget.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <QtCore/QEvent>
@@ -26,12 +25,7 @@ constexpr qint64 kPublishMs = 250;
 constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
-
-/// Of the disc under who has a tag.
-glm::vec4 discColor(const QColor& color)
-{
-    return {color.redF(), color.greenF(), color.blueF(), 0.8F};
-}
+constexpr int kHandStillMs = 150; // the same for the brush
 
 QSurfaceFormat surfaceFormat()
 {
@@ -108,6 +102,9 @@ void ViewportWidget::connectState()
             update(); // a single step
         }
     });
+    m_handRests.setSingleShot(true);
+    m_handRests.setInterval(kHandStillMs);
+    connect(&m_handRests, &QTimer::timeout, this, [this] { m_overlay->setBrushCarried(false); });
     m_viewMotion.setSingleShot(true);
     m_viewMotion.setInterval(kViewStillMs);
     connect(&m_viewMotion, &QTimer::timeout, this, qOverload<>(&ViewportWidget::update));
@@ -184,13 +181,12 @@ render::RenderInput ViewportWidget::renderInput()
     input.selected = m_state.selection().ids();
     input.hovered = m_tools.picture().hovered;
     input.ghosts = m_tools.picture().ghosts;
+    m_marks.make(m_state, *input.frame);
     const bool isCreating = m_state.tool() == ToolId::BrushCreate;
     if (options.showSeats && isCreating && m_state.isSeatGridOn()) {
-        input.markers = queries.freeSeats();
-    } else {
-        markPeople(*input.frame);
-        input.markers = m_marks;
+        m_marks.add(queries.freeSeats());
     }
+    input.markers = m_marks.markers();
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());
         input.areasVersion = m_paths.version();
@@ -201,30 +197,6 @@ render::RenderInput ViewportWidget::renderInput()
 void ViewportWidget::refreshPlaces()
 {
     m_overlay->setPlaces(PathDrawing::labels(m_state, m_tools.queries().view()));
-}
-
-/// Discs under the feet: the first tag that somebody has, and for whom a rule has just fired.
-void ViewportWidget::markPeople(const model::CrowdFrame& frame)
-{
-    m_marks.clear();
-    const model::Population& people = frame.population;
-    const auto positions = people.column(model::columns::position);
-    if (m_state.viewOptions().showTags) {
-        const auto tags = people.column(model::columns::tags);
-        for (std::size_t row = 0; row < people.size(); ++row) {
-            if (tags[row] != 0) {
-                const int bit = std::countr_zero(tags[row]);
-                m_marks.push_back(
-                    {positions[row], 0.4F, discColor(tagColor(m_state.scene(), bit))});
-            }
-        }
-    }
-    for (const model::IndividualId id : m_state.session().lit()) {
-        const std::size_t row = people.rowOf(id);
-        if (row != model::Population::npos) {
-            m_marks.push_back({positions[row], 0.32F, {1.0F, 0.86F, 0.2F, 0.9F}});
-        }
-    }
 }
 
 void ViewportWidget::paintGL()
@@ -260,6 +232,7 @@ void ViewportWidget::finishFrame()
         return; // only the overlay was painted
     }
     m_isFrameOpen = false;
+    m_overlay->setLegend(m_marks.legend());
     const double frameMs = static_cast<double>(m_sinceDraw.nsecsElapsed()) * 1e-6;
     m_clock.noteFrameTime(frameMs);
     m_frameTimes.add(frameMs);
@@ -310,11 +283,34 @@ void ViewportWidget::refreshOverlay()
 {
     const ToolPicture& picture = m_tools.picture();
     m_overlay->setPicture(picture);
-    if (cursor().shape() != picture.cursor) {
-        setCursor(picture.cursor);
-    }
+    refreshCursor();
     refreshText();
     refreshClock();
+}
+
+/// Where pictures follow each other slowly, the window system carries the brush; once the hand
+/// rests it is painted into the picture again, at the same place.
+void ViewportWidget::refreshCursor()
+{
+    const ToolPicture& picture = m_tools.picture();
+    const bool isSlow = m_clock.isRunning() && m_frameTimes.median() > kSlowMs;
+    const auto carried =
+        isSlow ? m_brushCursor.cursorFor(picture, devicePixelRatioF()) : std::nullopt;
+    if (!carried) {
+        m_overlay->setBrushCarried(false);
+        if (cursor().shape() != picture.cursor) {
+            setCursor(picture.cursor);
+        }
+        return;
+    }
+    if (cursor() != *carried) {
+        setCursor(*carried);
+    }
+    if (picture.symbolAt != m_brushAt) {
+        m_brushAt = picture.symbolAt;
+        m_overlay->setBrushCarried(true);
+        m_handRests.start();
+    }
 }
 
 QString ViewportWidget::helpText() const

@@ -10,9 +10,11 @@
 
 #include "widgets/state/EditorState.h"
 #include "widgets/tools/ToolController.h"
+#include "widgets/viewport/BrushCursor.h"
 #include "widgets/viewport/FrameClock.h"
 #include "widgets/viewport/FrameStatistics.h"
 #include "widgets/viewport/PathDrawing.h"
+#include "widgets/viewport/PeopleMarks.h"
 
 class QSinglePointEvent;
 
@@ -87,6 +89,7 @@ private:
     void showPopup(const QPointF& position);
     void refreshClock();
     void refreshOverlay();
+    void refreshCursor();
     void refreshText();
     void pressWorkButton();
     [[nodiscard]] QString helpText() const;
@@ -94,7 +97,6 @@ private:
     void publishStatistics(bool isAtRest);
     void chooseQuality();
     void refreshPlaces();
-    void markPeople(const model::CrowdFrame& frame);
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const QString& problem);
     void takeKeys();
@@ -127,7 +129,10 @@ private:
     int m_bakedBefore = 0; ///< clips finished when the present baking began
     QString m_problem;
     PathDrawing m_paths;
-    std::vector<render::Marker> m_marks; ///< under people: tags, and for whom a rule fired
+    PeopleMarks m_marks;
+    BrushCursor m_brushCursor;
+    QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still
+    QPointF m_brushAt{-1.0, -1.0}; ///< at that movement
 };
 
 } // namespace crowd::widgets

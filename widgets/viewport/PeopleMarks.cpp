@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/PeopleMarks.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "widgets/state/BrushTexts.h"
+
+namespace crowd::widgets {
+
+namespace {
+
+constexpr std::size_t kTags = 64;
+constexpr float kRingRadius = 0.42F; ///< metres: a little more than a person takes
+constexpr float kRingInner = 0.66F;  ///< share of the radius
+constexpr float kLeastPixels = 4.0F; ///< seen from far away
+constexpr float kFiredRadius = 0.26F;
+constexpr glm::vec4 kFiredColor{1.0F, 0.86F, 0.2F, 0.9F};
+
+glm::vec4 ringColor(const QColor& color)
+{
+    return {color.redF(), color.greenF(), color.blueF(), 0.95F};
+}
+
+} // namespace
+
+bool showsTags(const EditorState& state)
+{
+    return state.viewOptions().showTags || state.tool() == ToolId::BrushTag ||
+           state.tool() == ToolId::BrushUntag;
+}
+
+void PeopleMarks::addRing(const glm::vec3& position, std::uint64_t tags,
+                          std::span<const glm::vec4> colors)
+{
+    const float part = 1.0F / static_cast<float>(std::popcount(tags));
+    float from = 0.0F;
+    for (; tags != 0; tags &= tags - 1) {
+        render::Marker ring{position, kRingRadius,
+                            colors[static_cast<std::size_t>(std::countr_zero(tags))]};
+        ring.innerShare = kRingInner;
+        ring.fromTurn = from;
+        ring.toTurn = from + part;
+        ring.leastPixels = kLeastPixels;
+        m_markers.push_back(ring);
+        from += part;
+    }
+}
+
+void PeopleMarks::make(const EditorState& state, const model::CrowdFrame& frame)
+{
+    m_markers.clear();
+    m_legend.clear();
+    const model::Population& people = frame.population;
+    const auto positions = people.column(model::columns::position);
+    if (showsTags(state)) {
+        std::array<glm::vec4, kTags> colors{};
+        for (std::size_t bit = 0; bit < kTags; ++bit) {
+            colors[bit] = ringColor(tagColor(state.scene(), static_cast<int>(bit)));
+        }
+        std::uint64_t worn = 0;
+        const auto tags = people.column(model::columns::tags);
+        for (std::size_t row = 0; row < people.size(); ++row) {
+            if (tags[row] != 0) {
+                addRing(positions[row], tags[row], colors);
+                worn |= tags[row];
+            }
+        }
+        for (; worn != 0; worn &= worn - 1) {
+            const int bit = std::countr_zero(worn);
+            m_legend.push_back({tagText(state.scene(), bit), tagColor(state.scene(), bit)});
+        }
+    }
+    for (const model::IndividualId id : state.session().lit()) {
+        const std::size_t row = people.rowOf(id);
+        if (row != model::Population::npos) {
+            m_markers.push_back({positions[row], kFiredRadius, kFiredColor});
+        }
+    }
+}
+
+void PeopleMarks::add(std::span<const render::Marker> others)
+{
+    m_markers.insert(m_markers.end(), others.begin(), others.end());
+}
+
+} // namespace crowd::widgets
