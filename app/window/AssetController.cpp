@@ -13,6 +13,7 @@
 #include "model/gltf/ImportProposal.h"
 #include "model/project/SceneAssets.h"
 #include "widgets/dialogs/ImportDialog.h"
+#include "widgets/dialogs/LibraryDialog.h"
 #include "widgets/dialogs/MissingAssetsDialog.h"
 
 namespace crowd::app {
@@ -44,11 +45,14 @@ std::string entryName(const QString& path)
     return QFileInfo(path).completeBaseName().toStdString();
 }
 
-/// The new template is what the create brush paints until the artist mixes in others.
-void paintWith(widgets::EditorState& state, model::TemplateId id)
+/// The new templates are what the create brush paints until the artist mixes in others.
+void paintWith(widgets::EditorState& state, const std::vector<model::TemplateId>& ids)
 {
     model::BrushSettings brush = state.brush(model::BrushKind::Create);
-    brush.create.mix = {{id, 1.0F}};
+    brush.create.mix.clear();
+    for (const model::TemplateId id : ids) {
+        brush.create.mix.push_back({id, 1.0F});
+    }
     state.setBrush(brush);
 }
 
@@ -72,11 +76,20 @@ QString nearestFolder(const QString& path)
 AssetController::AssetController(widgets::EditorState& state, QWidget* window)
     : QObject(window), m_state(state), m_window(window), m_task(window)
 {
-    connect(&m_task, &BackgroundTask::ended, this, [this] {
-        if (!isBusy()) {
-            Q_EMIT becameIdle();
-        }
-    });
+    connect(&m_task, &BackgroundTask::ended, this, &AssetController::goOn);
+}
+
+void AssetController::goOn()
+{
+    if (m_task.isRunning() || m_dialog != nullptr) {
+        return;
+    }
+    if (!m_waiting.isEmpty()) {
+        proposeTemplate(m_waiting.takeFirst());
+        return;
+    }
+    m_batch.clear();
+    Q_EMIT becameIdle();
 }
 
 void AssetController::show(QDialog* dialog)
@@ -85,9 +98,7 @@ void AssetController::show(QDialog* dialog)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::finished, this, [this] {
         m_dialog = nullptr;
-        if (!isBusy()) {
-            Q_EMIT becameIdle();
-        }
+        goOn();
     });
     dialog->open();
 }
@@ -99,8 +110,67 @@ QString AssetController::askForModel(const QString& title)
 
 void AssetController::importTemplate()
 {
-    if (const QString path = askForModel(tr("Import Template")); !path.isEmpty()) {
-        proposeTemplate(path);
+    importTemplates(
+        QFileDialog::getOpenFileNames(m_window, tr("Import Templates"), {}, modelFilter()));
+}
+
+void AssetController::importTemplates(const QStringList& paths)
+{
+    const bool isFree = !isBusy();
+    m_waiting += paths;
+    if (isFree) {
+        goOn();
+    }
+}
+
+void AssetController::addFromLibrary()
+{
+    if (isBusy()) {
+        return;
+    }
+    m_task.start(
+        tr("Reading the library…"),
+        [](const BackgroundTask::Progress& report) {
+            model::Scene library;
+            library.templates = model::builtinCast();
+            model::loadAssets(library, loadProgress(report));
+            return library.templates;
+        },
+        [this](std::vector<model::TemplateEntry> library) {
+            if (library.empty()) {
+                fail(tr("There is no library"),
+                     tr("The built-in characters were not found. Install them beside the program "
+                        "or name their folder in CROWDBRUSH_RESOURCES.")
+                         .toStdString());
+                return;
+            }
+            auto* dialog = new widgets::LibraryDialog(std::move(library), m_state.scene().templates,
+                                                      m_state.keyframes(), m_window);
+            connect(dialog, &QDialog::accepted, this,
+                    [this, dialog] { addEntries(dialog->chosen()); });
+            show(dialog);
+        });
+}
+
+/// In one undo step.
+void AssetController::addEntries(std::vector<model::TemplateEntry> entries)
+{
+    if (entries.empty()) {
+        return;
+    }
+    m_state.document().interruptEdit();
+    const auto edit = m_state.document().beginEdit();
+    std::vector<model::TemplateId> ids;
+    for (model::TemplateEntry& entry : entries) {
+        entry.id = 0; // the scene gives it one
+        ids.push_back(edit->addTemplate(entry));
+    }
+    edit->commit(tr("Add %n template(s)", nullptr, static_cast<int>(ids.size())));
+    paintWith(m_state, ids);
+    m_state.showStatus(tr("%n template(s) ready: the create brush paints them.", nullptr,
+                          static_cast<int>(ids.size())));
+    for (const model::TemplateId id : ids) {
+        Q_EMIT templateAdded(id);
     }
 }
 
@@ -194,7 +264,8 @@ void AssetController::put(model::TemplateEntry entry, const model::TemplatePtr& 
     const auto edit = m_state.document().beginEdit();
     const model::TemplateId id = edit->addTemplate(entry);
     edit->commit(undoText);
-    paintWith(m_state, id);
+    m_batch.push_back(id);
+    paintWith(m_state, m_batch);
     m_state.showStatus(
         tr("“%1” is ready: the create brush paints it.").arg(QString::fromStdString(entry.name)));
     Q_EMIT templateAdded(id);

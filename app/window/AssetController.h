@@ -24,7 +24,10 @@ class AssetController : public QObject
 public:
     AssetController(widgets::EditorState& state, QWidget* window);
 
-    void importTemplate(); ///< asks for a file
+    void importTemplate(); ///< asks for files
+    /// Files chosen together: each has its dialog, one after the other.
+    void importTemplates(const QStringList& paths);
+    void addFromLibrary(); ///< asks which of the built-in cast
     void importStage();    ///< asks for a file
     /// A file from the artist's hands (dropped, or named on the command line): asks whether it is
     /// to be a template or the stage when `asks`, otherwise takes what it looks like.
@@ -42,7 +45,10 @@ public:
     /// Reads a missing asset from `path`, and others that are missing from near it: one undo step.
     void locateAt(const model::MissingAsset& asset, const QString& path);
     /// Reading, or a dialog of its own is open.
-    [[nodiscard]] bool isBusy() const { return m_task.isRunning() || m_dialog != nullptr; }
+    [[nodiscard]] bool isBusy() const
+    {
+        return m_task.isRunning() || m_dialog != nullptr || !m_waiting.isEmpty();
+    }
 
 Q_SIGNALS:
     void becameIdle();
@@ -51,6 +57,8 @@ Q_SIGNALS:
 
 private:
     void proposeTemplate(const QString& path);
+    void goOn(); ///< with what waits, once nothing runs
+    void addEntries(std::vector<model::TemplateEntry> entries);
     void put(model::TemplateEntry entry, const model::TemplatePtr& asset, const QString& undoText);
     void locate(const model::MissingAsset& asset); ///< asks for the file
     void take(const FoundAssets& found);
@@ -61,7 +69,9 @@ private:
     widgets::EditorState& m_state;
     QWidget* m_window;
     BackgroundTask m_task;
-    QPointer<QDialog> m_dialog; ///< open now
+    QPointer<QDialog> m_dialog;             ///< open now
+    QStringList m_waiting;                  ///< to be proposed after it
+    std::vector<model::TemplateId> m_batch; ///< imported with it so far
 };
 
 } // namespace crowd::app

@@ -6,6 +6,7 @@
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QMimeData>
+#include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QKeyEvent>
 #include <QtWidgets/QApplication>
@@ -36,6 +37,7 @@ namespace {
 constexpr int kToolIconSize = 22;
 constexpr int kLeftWidth = 280;
 constexpr int kConsoleHeight = 170;
+const QString kShowTagsKey = QStringLiteral("view/showTags");
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -124,6 +126,8 @@ void MainWindow::addDocks()
     individual->raise();
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,
             &AssetController::importTemplate);
+    connect(templates, &widgets::TemplatesDock::libraryRequested, &m_assets,
+            &AssetController::addFromLibrary);
     connect(templates, &widgets::TemplatesDock::locateRequested, &m_assets,
             &AssetController::locateTemplate);
     connect(templates, &widgets::TemplatesDock::removeRequested, &m_assets,
@@ -237,6 +241,10 @@ void MainWindow::connectParts()
     connect(&m_state, &widgets::EditorState::toolChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::brushChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
+    connect(&m_state, &widgets::EditorState::viewOptionsChanged, this,
+            [](const widgets::ViewOptions& options) {
+                QSettings().setValue(kShowTagsKey, options.showTags);
+            });
     connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
     connect(&m_state.paths(), &widgets::PathFocus::changed, this, refresh);
     connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, refresh);
@@ -369,6 +377,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     m_state.keyframes().setBudget(static_cast<std::size_t>(preferences.keyframeMegabytes) << 20U);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
+    options.showTags = QSettings().value(kShowTagsKey, options.showTags).toBool();
     m_state.setViewOptions(options);
     m_viewport->update(); // a larger budget lets more people move
 }

@@ -75,7 +75,10 @@ const WindowAction kFileActions[] = {
     {{"collect", QT_TRANSLATE_NOOP("Actions", "&Collect Assets"), "collect", "Ctrl+Alt+S",
       QT_TRANSLATE_NOOP("Actions", "Save the scene with copies of all its models beside it")},
      [](MainWindow& w, bool) { (void)w.files().collectAssets(); }},
-    {{"import-template", QT_TRANSLATE_NOOP("Actions", "&Import Template…"), "import", "Ctrl+I",
+    {{"library", QT_TRANSLATE_NOOP("Actions", "Add from &Library…"), "add", "Ctrl+Alt+L",
+      QT_TRANSLATE_NOOP("Actions", "Choose built-in characters to paint with")},
+     [](MainWindow& w, bool) { w.assets().addFromLibrary(); }},
+    {{"import-template", QT_TRANSLATE_NOOP("Actions", "&Import Templates…"), "import", "Ctrl+I",
       QT_TRANSLATE_NOOP("Actions", "Bring in an animated glTF model to paint with")},
      [](MainWindow& w, bool) { w.assets().importTemplate(); }},
     {{"import-stage", QT_TRANSLATE_NOOP("Actions", "Import Sta&ge…"), "stage", "Ctrl+Shift+I",
@@ -256,9 +259,10 @@ const WindowAction kOtherActions[] = {
      [](MainWindow& w, bool) { w.showAbout(); }},
 };
 
-constexpr const char* kFileMenu[] = {
-    "new-theatre", "new-ground", "open", "@recent",         "@examples",    "", "save",
-    "save-as",     "collect",    "",     "import-template", "import-stage", "", "quit"};
+constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@recent",
+                                     "@examples",    "",           "save",    "save-as",
+                                     "collect",      "",           "library", "import-template",
+                                     "import-stage", "",           "quit"};
 constexpr const char* kEditMenu[] = {
     "undo",     "redo",       "",           "delete",      "@path-of-places",
     "path-end", "",           "select-all", "select-none", "select-invert",

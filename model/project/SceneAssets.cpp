@@ -2,8 +2,10 @@
 #include "model/project/SceneAssets.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <mutex>
 
+#include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 
 #include "model/gltf/GltfImport.h"
@@ -71,13 +73,22 @@ ImportProgress importProgress(const LoadProgress& progress, const std::string& w
     return [progress, what](float fraction) { return progress(what, fraction); };
 }
 
-TemplateEntry builtinTemplate(TemplateId id, const char* name)
+TemplateEntry builtinTemplate(TemplateId id, const std::string& name)
 {
     TemplateEntry entry;
     entry.id = id;
     entry.name = name;
-    entry.path = std::string("builtin:templates/") + name + ".glb";
+    entry.path = "builtin:templates/" + name + ".glb";
     return entry;
+}
+
+std::vector<TemplateEntry> builtinTemplates(std::initializer_list<const char*> names)
+{
+    std::vector<TemplateEntry> entries;
+    for (const char* name : names) {
+        entries.push_back(builtinTemplate(static_cast<TemplateId>(entries.size() + 1), name));
+    }
+    return entries;
 }
 
 /// The file to read, or why there can be none.
@@ -218,10 +229,23 @@ Result<Scene> loadScene(const QString& path, const LoadProgress& progress)
     return scene;
 }
 
+std::vector<TemplateEntry> builtinCast()
+{
+    const QDir folder(builtinFolder() + QStringLiteral("/templates"));
+    std::vector<TemplateEntry> entries;
+    for (const QFileInfo& file :
+         folder.entryInfoList({QStringLiteral("*.glb")}, QDir::Files, QDir::Name)) {
+        entries.push_back(builtinTemplate(static_cast<TemplateId>(entries.size() + 1),
+                                          file.completeBaseName().toStdString()));
+    }
+    return entries;
+}
+
 Scene newEmptyGround()
 {
     Scene scene;
-    scene.templates = {builtinTemplate(1, "man"), builtinTemplate(2, "woman")};
+    scene.templates = builtinTemplates(
+        {"man", "woman", "man_2", "woman_2", "boy", "girl", "old_man", "old_woman"});
     scene.cameras.push_back(
         {"Overview", Camera::lookingAt({0.0F, 6.0F, 16.0F}, {0.0F, 0.8F, 0.0F})});
     scene.cameras.push_back(
@@ -232,6 +256,7 @@ Scene newEmptyGround()
 Scene newEmptyTheatre()
 {
     Scene scene = newEmptyGround();
+    scene.templates = builtinTemplates({"patrician", "matron", "citizen", "labourer", "priest"});
     StageEntry theatre;
     theatre.id = 1;
     theatre.name = "theatre";

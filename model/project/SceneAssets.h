@@ -33,8 +33,11 @@ void loadAssets(Scene& scene, const LoadProgress& progress = {});
 /// appended to both.
 void attachAsset(TemplateEntry& entry, TemplatePtr asset);
 
-/// A scene without people: the built-in man and woman as templates, a camera, and for the theatre
-/// the built-in theatre as stage. Assets are not loaded.
+/// Every built-in template, by name, ids from 1. Assets are not loaded.
+[[nodiscard]] std::vector<TemplateEntry> builtinCast();
+
+/// A scene without people: built-in templates that suit it, cameras, and for the theatre the
+/// built-in theatre as stage. Assets are not loaded.
 [[nodiscard]] Scene newEmptyGround();
 [[nodiscard]] Scene newEmptyTheatre();
 

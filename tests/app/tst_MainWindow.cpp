@@ -15,6 +15,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QSpinBox>
@@ -67,6 +68,9 @@ private Q_SLOTS:
     void droppedModelBecomesATemplate();
     void keysThatAreNoShortcutsYetStillAct();
     void severalDroppedFilesComeOneAfterTheOther();
+    void severalImportedFilesAreOneMix();
+    void libraryAddsWhomTheArtistChooses();
+    void shownTagsAreRemembered();
     void unsupportedFileIsRefusedAtOnce();
     void twoScenesInARowDoNotCollide();
     void examplesOpenAsNewScenes();
@@ -312,6 +316,71 @@ void MainWindowTest::severalDroppedFilesComeOneAfterTheOther()
     QCOMPARE(stages.count(), 1);
     QCOMPARE(document().scene().templates.size(), std::size_t{2});
     QCOMPARE(document().scene().stages.size(), std::size_t{1});
+}
+
+void MainWindowTest::severalImportedFilesAreOneMix()
+{
+    openScene(plainScene(4), QStringLiteral("a.crowd"));
+    QSignalSpy added(&m_window->assets(), &app::AssetController::templateAdded);
+    int dialogs = 0;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&dialogs] {
+        if (QDialog* dialog = openDialog()) {
+            ++dialogs;
+            dialogs == 2 ? dialog->reject() : dialog->accept(); // one of them after all not
+        }
+    });
+    answering.start(50);
+    m_window->assets().importTemplates({QStringLiteral(CROWD_RESOURCES "/templates/woman.glb"),
+                                        QStringLiteral(CROWD_RESOURCES "/templates/beetle.glb"),
+                                        QStringLiteral(CROWD_RESOURCES "/templates/dog.glb")});
+    QTRY_COMPARE_WITH_TIMEOUT(added.count(), 2, 3 * kPatienceMs);
+    QTRY_VERIFY(!m_window->assets().isBusy());
+    QCOMPARE(dialogs, 3);
+    QCOMPARE(document().scene().templates.size(), std::size_t{3});
+    QCOMPARE(m_window->state().brush(model::BrushKind::Create).create.mix.size(), std::size_t{2});
+}
+
+void MainWindowTest::libraryAddsWhomTheArtistChooses()
+{
+    openScene(plainScene(4), QStringLiteral("a.crowd"));
+    QSignalSpy added(&m_window->assets(), &app::AssetController::templateAdded);
+    QStringList offered;
+    bool isManChoosable = true;
+    const DialogAnswer answer([&](QDialog& dialog) {
+        auto* list = dialog.findChild<QListWidget*>();
+        for (int row = 0; list != nullptr && row < list->count(); ++row) {
+            QListWidgetItem* item = list->item(row);
+            offered << item->text();
+            if (item->text() == QLatin1String("man")) {
+                isManChoosable = item->flags().testFlag(Qt::ItemIsSelectable);
+            }
+            item->setSelected(item->text() == QLatin1String("priest") ||
+                              item->text() == QLatin1String("old woman"));
+        }
+        dialog.accept();
+    });
+    m_window->actions().action("library")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(added.count(), 2, 3 * kPatienceMs);
+    QVERIFY(answer.hasAnswered());
+    QVERIFY(offered.size() > 10);
+    QCOMPARE(document().scene().templates.size(), std::size_t{3});
+    QCOMPARE(m_window->state().brush(model::BrushKind::Create).create.mix.size(), std::size_t{2});
+    document().undoStack().undo();
+    QCOMPARE(document().scene().templates.size(), std::size_t{1});
+}
+
+void MainWindowTest::shownTagsAreRemembered()
+{
+    QVERIFY(!m_window->state().viewOptions().showTags);
+    m_window->actions().action("tags")->trigger();
+    QVERIFY(m_window->state().viewOptions().showTags);
+    openWindow();
+    QVERIFY(m_window->state().viewOptions().showTags);
+    QVERIFY(m_window->actions().action("tags")->isChecked());
+    m_window->actions().action("tags")->trigger();
+    openWindow();
+    QVERIFY(!m_window->state().viewOptions().showTags);
 }
 
 void MainWindowTest::unsupportedFileIsRefusedAtOnce()

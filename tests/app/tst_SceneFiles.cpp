@@ -460,6 +460,8 @@ void SceneFilesTest::newScenesAreEmpty()
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
     QVERIFY(document().scene().population.isEmpty());
     QVERIFY(document().scene().worldSeats().size() > 500);
+    QCOMPARE(document().scene().templates.size(), std::size_t{5}); // who goes to that theatre
+    QCOMPARE(document().scene().templates.front().name, std::string("patrician"));
     QVERIFY(!document().isModified() && document().path().isEmpty());
     m_window->actions().action("new-ground")->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, kPatienceMs);

@@ -32,7 +32,7 @@ TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Templates"), "templates", parent), m_state(state), m_list(new QListWidget(this)),
       m_weight(
           new ValueSlider(tr("Weight"), {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this)),
-      m_import(new QToolButton(this))
+      m_library(new QToolButton(this)), m_import(new QToolButton(this))
 {
     m_list->setItemDelegate(new TemplateDelegate(m_list));
     m_list->setViewMode(QListView::IconMode);
@@ -46,7 +46,11 @@ TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
     m_list->setToolTip(tr("Ticked templates are painted by the create brush; a double click "
                           "paints one alone"));
     m_weight->setToolTip(tr("How often the chosen template comes in the mix"));
-    m_import->setToolTip(tr("Import a template"));
+    m_library->setToolTip(tr("Add from the library of built-in characters"));
+    m_library->setAutoRaise(true);
+    m_library->setIcon(iconNamed("add"));
+    m_library->setObjectName(QStringLiteral("library"));
+    m_import->setToolTip(tr("Import templates from files"));
     m_import->setAutoRaise(true);
     m_import->setIcon(iconNamed("import"));
 
@@ -56,6 +60,7 @@ TemplatesDock::TemplatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(m_list, 1);
     auto* row = new QHBoxLayout;
     row->addWidget(m_weight, 1);
+    row->addWidget(m_library);
     row->addWidget(m_import);
     layout->addLayout(row);
     setWidget(content);
@@ -76,6 +81,7 @@ void TemplatesDock::connectParts()
                 }
             });
     connect(&m_state, &EditorState::brushChanged, this, &TemplatesDock::refreshMix);
+    connect(m_library, &QToolButton::clicked, this, &TemplatesDock::libraryRequested);
     connect(m_import, &QToolButton::clicked, this, &TemplatesDock::importRequested);
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
@@ -98,6 +104,7 @@ void TemplatesDock::changeEvent(QEvent* event)
 {
     DockBase::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
+        m_library->setIcon(iconNamed("add"));
         m_import->setIcon(iconNamed("import"));
         m_pictures.clear(); // their ground is the list's
         m_rebuild.start();
@@ -233,7 +240,9 @@ void TemplatesDock::showMenu(const QPoint& position)
 {
     QListWidgetItem* item = m_list->itemAt(position);
     QMenu menu(this);
-    menu.addAction(iconNamed("import"), tr("Import Template…"), this,
+    menu.addAction(iconNamed("add"), tr("Add from Library…"), this,
+                   [this] { Q_EMIT libraryRequested(); });
+    menu.addAction(iconNamed("import"), tr("Import Templates…"), this,
                    [this] { Q_EMIT importRequested(); });
     if (item != nullptr) {
         const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());

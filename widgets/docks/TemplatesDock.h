@@ -27,6 +27,7 @@ public:
 
 Q_SIGNALS:
     void importRequested();
+    void libraryRequested();
     void locateRequested(crowd::model::TemplateId id);
     void removeRequested(crowd::model::TemplateId id);
 
@@ -47,6 +48,7 @@ private:
     EditorState& m_state;
     QListWidget* m_list;
     ValueSlider* m_weight;
+    QToolButton* m_library;
     QToolButton* m_import;
     QTimer m_rebuild; ///< several changes in a row make one rebuild
     std::map<model::TemplatePtr, QIcon> m_pictures;
