@@ -16,6 +16,7 @@ constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
 constexpr float kHiddenAreaOpacity = 0.2F;
 constexpr float kHiddenRingOpacity = 0.5F;
+constexpr float kRingPull = 0.15F; ///< as kAreaPull; feet stay in front of it
 /// Metres that areas are taken for nearer than they are: ground that is a little uneven does not
 /// swallow them.
 constexpr float kAreaPull = 0.3F;
@@ -145,7 +146,7 @@ void OverlayPass::drawMarkers(const PassContext& context)
     m_marker.set("metresPerPixel", 2.0F / (view.projectionMatrix()[1][1] * view.size().y));
     m_marker.set("opacity", 1.0F);
     m_marker.set("eye", eyeOf(view.camera()));
-    m_marker.set("pull", kAreaPull);
+    m_marker.set("pull", kRingPull);
     glBindVertexArray(m_markerArray.name());
     drawMarkers(context, 0, vertices.size());
     if (vertices.size() > discs) {
