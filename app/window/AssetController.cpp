@@ -74,7 +74,8 @@ QString nearestFolder(const QString& path)
 } // namespace
 
 AssetController::AssetController(widgets::EditorState& state, QWidget* window)
-    : QObject(window), m_state(state), m_window(window), m_task(window)
+    : QObject(window), m_state(state), m_window(window),
+      m_task(window, [&state] { return !state.document().isEditOpen(); })
 {
     connect(&m_task, &BackgroundTask::ended, this, &AssetController::goOn);
 }
@@ -299,6 +300,9 @@ void AssetController::addStage(const QString& path)
 
 void AssetController::removeTemplate(model::TemplateId id)
 {
+    if (m_state.document().isEditOpen()) {
+        return; // in the middle of a stroke
+    }
     const auto used = m_state.scene().population.column(model::columns::templateId);
     const auto users = std::ranges::count(used, id);
     if (users > 0) {
@@ -359,7 +363,6 @@ void AssetController::locateAt(const model::MissingAsset& asset, const QString& 
 /// The entries may have changed while the files were read: only paths and assets are new.
 void AssetController::take(const FoundAssets& found)
 {
-    m_state.document().interruptEdit();
     const auto edit = m_state.document().beginEdit();
     for (const auto& [id, path, asset] : found.templates) {
         if (const model::TemplateEntry* entry = m_state.scene().findTemplate(id)) {

@@ -49,6 +49,8 @@ public:
     {
         return m_task.isRunning() || m_dialog != nullptr || !m_waiting.isEmpty();
     }
+    /// Not busy, and nobody is in the middle of a stroke.
+    [[nodiscard]] bool mayStart() const { return !isBusy() && !m_state.document().isEditOpen(); }
 
 Q_SIGNALS:
     void becameIdle();

@@ -9,13 +9,16 @@
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
+#include <QtCore/QTimer>
 #include <QtWidgets/QProgressDialog>
 
 namespace crowd::app {
 
 /// One piece of long work on a thread of its own, with a progress dialog that appears after a
-/// moment and can cancel it. The result is handed over on the main thread; nothing is when the work
-/// was cancelled, or when the owner dies first (the thread is then asked to stop and waited for).
+/// moment and can cancel it. The result is handed over on the main thread, as soon as the window is
+/// free to take it: never in the middle of a stroke, which a dialog would cut off and another edit
+/// would collide with. Nothing is handed over when the work was cancelled, or when the owner dies
+/// first (the thread is then asked to stop and waited for).
 class BackgroundTask : public QObject
 {
     Q_OBJECT
@@ -24,7 +27,8 @@ public:
     /// Returns false when the work is to stop. Any thread.
     using Progress = std::function<bool(const QString& what, float fraction)>;
 
-    explicit BackgroundTask(QWidget* window);
+    /// `isFree`: results may be handed over and dialogs may be shown now. Main thread.
+    BackgroundTask(QWidget* window, std::function<bool()> isFree);
     ~BackgroundTask() override;
 
     [[nodiscard]] bool isRunning() const { return m_thread.joinable(); }
@@ -42,10 +46,8 @@ public:
             QMetaObject::invokeMethod(
                 this,
                 [this, value, finished] {
-                    if (end()) {
-                        finished(std::move(*value));
-                    }
-                    Q_EMIT ended();
+                    m_handOver = [value, finished] { finished(std::move(*value)); };
+                    handOver();
                 },
                 Qt::QueuedConnection);
         });
@@ -56,10 +58,17 @@ Q_SIGNALS:
 
 private:
     void begin(const QString& title);
+    void showProgress();      ///< as soon as the window is free
+    void handOver();          ///< as soon as the window is free
     [[nodiscard]] bool end(); ///< false when it was cancelled
+    void giveKeysBack();
     bool report(const QString& what, float fraction);
 
     QWidget* m_window;
+    std::function<bool()> m_isFree;
+    std::function<void()> m_handOver;    ///< what waits to be handed over
+    QTimer m_patience;                   ///< until the dialog comes
+    QTimer m_look;                       ///< whether the window is free by now
     QProgressDialog* m_dialog = nullptr; ///< child of the window, while running
     std::thread m_thread;
     std::atomic<bool> m_isCancelled{false};

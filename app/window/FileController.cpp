@@ -55,7 +55,8 @@ QString usualFolder(const QString& documentPath)
 } // namespace
 
 FileController::FileController(widgets::EditorState& state, QWidget* window)
-    : QObject(window), m_state(state), m_window(window), m_task(window), m_autosaver(state, this)
+    : QObject(window), m_state(state), m_window(window),
+      m_task(window, [&state] { return !state.document().isEditOpen(); }), m_autosaver(state, this)
 {
     connect(&m_task, &BackgroundTask::ended, this, &FileController::becameIdle);
 }
@@ -96,6 +97,7 @@ void FileController::newGround()
 
 void FileController::showNew(model::Scene scene)
 {
+    const std::uint64_t revision = m_state.document().revision();
     m_task.start(
         tr("Preparing a new scene…"),
         [scene = std::move(scene)](const BackgroundTask::Progress& report) {
@@ -103,7 +105,11 @@ void FileController::showNew(model::Scene scene)
             model::loadAssets(loaded, sceneProgress(report));
             return loaded;
         },
-        [this](model::Scene loaded) { take(std::move(loaded), {}); });
+        [this, revision](model::Scene loaded) {
+            if (mayStillLeaveScene(revision)) {
+                take(std::move(loaded), {});
+            }
+        });
 }
 
 void FileController::open()
@@ -224,18 +230,21 @@ void FileController::load(const Opening& opening)
 {
     const QString shown = opening.documentPath.isEmpty() ? opening.file : opening.documentPath;
     const FileStamp stamp = stampOf(opening.documentPath);
+    const std::uint64_t revision = m_state.document().revision();
     m_task.start(
         tr("Opening %1…").arg(QFileInfo(shown).fileName()),
         [file = opening.file](const BackgroundTask::Progress& report) {
             return model::loadScene(file, sceneProgress(report));
         },
-        [this, opening, stamp](model::Result<model::Scene> scene) {
+        [this, opening, stamp, revision](model::Result<model::Scene> scene) {
             if (!scene) {
                 reportFailure(tr("The scene could not be opened"), scene.error().message);
                 return;
             }
-            take(std::move(scene).value(), opening);
-            m_stamp = stamp;
+            if (mayStillLeaveScene(revision)) {
+                take(std::move(scene).value(), opening);
+                m_stamp = stamp;
+            }
         });
 }
 
@@ -386,6 +395,11 @@ bool FileController::collectAssets()
                                      QStringLiteral("\n\n") + left.join(QLatin1Char('\n')));
     }
     return true;
+}
+
+bool FileController::mayStillLeaveScene(std::uint64_t revision)
+{
+    return m_state.document().revision() == revision || mayLeaveScene();
 }
 
 bool FileController::mayLeaveScene()

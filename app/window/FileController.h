@@ -77,6 +77,8 @@ private:
     [[nodiscard]] RecoveryAnswer askForRecovery(const QString& question, const QString& recovery);
     [[nodiscard]] QString askForSavePath();
     [[nodiscard]] bool mayOverwrite(const QString& path);
+    /// Asks again when the scene was changed since it had this revision.
+    [[nodiscard]] bool mayStillLeaveScene(std::uint64_t revision);
     void load(const Opening& opening);
     void showNew(model::Scene scene);
     void take(model::Scene scene, const Opening& opening);

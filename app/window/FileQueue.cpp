@@ -88,7 +88,7 @@ void FileQueue::add(const QStringList& models, bool asks)
 void FileQueue::next()
 {
     const bool isFree =
-        !m_files.isBusy() && !m_assets.isBusy() && QApplication::activeModalWidget() == nullptr;
+        !m_files.isBusy() && m_assets.mayStart() && QApplication::activeModalWidget() == nullptr;
     if (!isFree) {
         return;
     }

@@ -1,5 +1,6 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_CommandLine
+    tst_Interruptions
     tst_MainWindow
     tst_SceneFiles
     tst_StepMenu

@@ -13,6 +13,9 @@ void EnvironmentDock::assignSelected(model::PathId id)
 {
     const std::vector<model::IndividualId> ids(m_state.selection().ids().begin(),
                                                m_state.selection().ids().end());
+    if (m_state.document().isEditOpen()) {
+        return; // in the middle of a stroke
+    }
     if (ids.empty()) {
         m_state.showStatus(tr("Nobody is selected: select people first (V), or paint them with "
                               "the walk brush (W)."));

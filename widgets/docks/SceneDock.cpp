@@ -241,6 +241,9 @@ void SceneDock::renameTemplate(model::TemplateId id, const std::string& name)
 
 void SceneDock::removeStage(std::uint8_t id)
 {
+    if (m_state.document().isEditOpen()) {
+        return; // in the middle of a stroke
+    }
     const auto edit = m_state.document().beginEdit();
     edit->removeStage(id);
     edit->commit(tr("Remove stage"));
