@@ -19,4 +19,5 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_Transport
     tst_ViewportCamera
     tst_WheelInPanels
+    tst_WorkBar
 )

@@ -56,6 +56,21 @@ void WorkBar::setStatus(const WorkStatus& status)
         return;
     }
     m_status = status;
+    if (m_isChanging) {
+        return; // the one that is being shown is followed by this one
+    }
+    // The progress bar paints at once, and the picture behind it may have the next status by then.
+    m_isChanging = true;
+    WorkStatus shown;
+    do {
+        shown = m_status;
+        present(shown);
+    } while (shown != m_status);
+    m_isChanging = false;
+}
+
+void WorkBar::present(const WorkStatus& status)
+{
     m_text->setText(status.text);
     m_bar->setVisible(status.done >= 0.0);
     m_bar->setRange(0, kSteps);

@@ -37,7 +37,10 @@ Q_SIGNALS:
     void buttonPressed();
 
 private:
+    void present(const WorkStatus& status);
+
     WorkStatus m_status;
+    bool m_isChanging = false;
     // Children of this widget.
     QLabel* m_text;
     QProgressBar* m_bar;
