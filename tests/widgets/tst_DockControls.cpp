@@ -50,6 +50,8 @@ private Q_SLOTS:
     void rangesAreTyped_data();
     void rangesAreTyped();
     void escapeGivesUpTyping();
+    void aDoubleClickOnlyTypes_data();
+    void aDoubleClickOnlyTypes();
     void aTypedNumberIsTakenOnce();
     void numberListsGoBothWays_data();
     void numberListsGoBothWays();
@@ -103,6 +105,43 @@ void DockControlsTest::rangeEndsAreDraggedApart()
     QVERIFY(edited.count() >= 4);
 }
 
+void DockControlsTest::aDoubleClickOnlyTypes_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::newRow("nothing") << "";
+    QTest::newRow("no number") << "tall";
+    QTest::newRow("half a range") << "0.3 tall";
+}
+
+void DockControlsTest::aDoubleClickOnlyTypes()
+{
+    QFETCH(QString, text);
+    ShownRange shown;
+    const auto doubleClick = [](QWidget& slider) {
+        QTest::mouseClick(&slider, Qt::LeftButton, {}, {190, 10}); // QTest leaves it out
+        QTest::mouseDClick(&slider, Qt::LeftButton, {}, {190, 10});
+    };
+    doubleClick(shown.slider);
+    QCOMPARE(shown.slider.value(), (model::ValueRange{0.25F, 0.75F}));
+    auto* line = shown.slider.findChild<QLineEdit*>();
+    QVERIFY(line != nullptr);
+    line->setText(text);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(shown.slider.value(), (model::ValueRange{0.25F, 0.75F}));
+
+    ValueSlider single(QStringLiteral("Size"), {0.0, 1.0, 0.05, 2, {}, false}, nullptr);
+    single.resize(200, 24);
+    single.setValue(0.5);
+    single.show();
+    doubleClick(single);
+    QCOMPARE(single.value(), 0.5);
+    line = single.findChild<QLineEdit*>();
+    QVERIFY(line != nullptr);
+    line->setText(text);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(single.value(), 0.5);
+}
+
 void DockControlsTest::theMiddleMovesBothEnds()
 {
     ShownRange shown;
@@ -118,6 +157,7 @@ void DockControlsTest::rangesAreTyped_data()
     QTest::addColumn<float>("low");
     QTest::addColumn<float>("high");
     QTest::newRow("two numbers") << "0.1 0.4" << 0.1F << 0.4F;
+    QTest::newRow("with a hyphen") << "0.1-0.4" << 0.1F << 0.4F;
     QTest::newRow("the higher first") << "0.4 0.1" << 0.1F << 0.4F;
     QTest::newRow("one number for both") << "0.5" << 0.5F << 0.5F;
     QTest::newRow("beyond the range") << "0.5 7" << 0.5F << 1.0F;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "widgets/docks/ValueSlider.h"
+
 #include <QtCore/QLocale>
 
 namespace crowd::widgets {
@@ -37,16 +39,13 @@ void NumberField::finish()
         return;
     }
     setModified(false);
-    bool isNumber = false;
-    double typed = QLocale().toDouble(text(), &isNumber);
-    if (!isNumber) {
-        typed = text().toDouble(&isNumber); // a point is understood everywhere
-    }
-    if (!isNumber) {
+    const std::optional<double> number = typedNumber(text());
+    if (!number) {
+        refuseTyped(*this, text());
         setValue(m_value);
         return;
     }
-    typed = std::clamp(typed, m_low, m_high);
+    const double typed = std::clamp(*number, m_low, m_high);
     setValue(typed);
     Q_EMIT valueEdited(typed);
 }

@@ -133,6 +133,8 @@ void RangeSlider::mouseMoveEvent(QMouseEvent* event)
 
 void RangeSlider::mouseDoubleClickEvent(QMouseEvent*)
 {
+    // Its first click was meant for nothing else.
+    edit(static_cast<double>(m_pressValue.low), static_cast<double>(m_pressValue.high));
     type();
 }
 
@@ -172,12 +174,15 @@ void RangeSlider::type()
     };
     typeOverBar(*this, text(m_value.low) + QLatin1Char(' ') + text(m_value.high),
                 [this](const QString& typed) {
-                    static const QRegularExpression kGap(QStringLiteral("[\\s–;]+"));
+                    static const QRegularExpression kGap(
+                        QStringLiteral("[\\s–;]+|(?<=\\d)-(?=[\\d.,])"));
                     const QStringList pieces = typed.split(kGap, Qt::SkipEmptyParts);
                     const auto low = pieces.isEmpty() ? std::nullopt : typedNumber(pieces.front());
                     const auto high = pieces.isEmpty() ? std::nullopt : typedNumber(pieces.back());
                     if (low && high) {
                         edit(std::min(*low, *high), std::max(*low, *high));
+                    } else {
+                        refuseTyped(*this, typed);
                     }
                 });
 }

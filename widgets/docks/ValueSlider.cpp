@@ -9,6 +9,7 @@
 #include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QToolTip>
 
 namespace crowd::widgets {
 
@@ -109,12 +110,23 @@ bool dismissTyping(QWidget& slider)
 
 std::optional<double> typedNumber(const QString& text)
 {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::RejectGroupSeparator); // "1.500" is one and a half
     bool isNumber = false;
-    double number = QLocale().toDouble(text, &isNumber);
+    double number = locale.toDouble(text.trimmed(), &isNumber);
     if (!isNumber) {
-        number = text.toDouble(&isNumber);
+        number = text.trimmed().toDouble(&isNumber); // a point is understood everywhere
     }
-    return isNumber ? std::optional(number) : std::nullopt;
+    return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+void refuseTyped(QWidget& slider, const QString& text)
+{
+    if (!text.trimmed().isEmpty()) {
+        QToolTip::showText(
+            slider.mapToGlobal(QPoint(0, slider.height())),
+            ValueSlider::tr("“%1” is no number: the value stays as it was.").arg(text), &slider);
+    }
 }
 
 ValueSlider::ValueSlider(const QString& label, const Range& range, QWidget* parent)
@@ -192,6 +204,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event)
         return;
     }
     m_pressAt = event->position();
+    m_pressValue = m_value;
     const bool isFine = event->modifiers().testFlag(Qt::ShiftModifier);
     m_pressShare = isFine ? share() : event->position().x() / width();
     edit(valueAt(m_pressShare));
@@ -208,6 +221,7 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event)
 
 void ValueSlider::mouseDoubleClickEvent(QMouseEvent*)
 {
+    edit(m_pressValue); // its first click was meant for nothing else
     type();
 }
 
@@ -251,6 +265,8 @@ void ValueSlider::type()
                 [this](const QString& text) {
                     if (const auto number = typedNumber(text)) {
                         edit(*number);
+                    } else {
+                        refuseTyped(*this, text);
                     }
                 });
 }

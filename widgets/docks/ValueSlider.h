@@ -59,6 +59,7 @@ private:
     Range m_range;
     double m_value = 0.0;
     QPointF m_pressAt;
+    double m_pressValue = 0.0;
     double m_pressShare = 0.0;
 };
 
@@ -76,6 +77,8 @@ void typeOverBar(QWidget& slider, const QString& text,
 bool dismissTyping(QWidget& slider);
 /// In the language of the user or, with a point, of everybody.
 [[nodiscard]] std::optional<double> typedNumber(const QString& text);
+/// Says that what was typed is no number.
+void refuseTyped(QWidget& slider, const QString& text);
 
 /// How values lie on a bar.
 [[nodiscard]] double barShareOf(const ValueSlider::Range& range, double value);
