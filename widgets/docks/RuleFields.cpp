@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QtCore/QCoreApplication>
+#include <QtGui/QMouseEvent>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -163,6 +164,54 @@ void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
                    [changed](int index) { changed(static_cast<std::uint8_t>(index)); });
 }
 
+namespace {
+
+/// Ticks one entry after the other by mouse; a click beside it, or Escape, closes it.
+class TickFilter : public QObject
+{
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        auto* menu = static_cast<QMenu*>(watched);
+        if (event->type() != QEvent::MouseButtonRelease) {
+            return false;
+        }
+        QAction* action = menu->actionAt(static_cast<QMouseEvent*>(event)->position().toPoint());
+        if (action == nullptr || !action->isCheckable() || menu->activeAction() != action) {
+            return false;
+        }
+        action->toggle();
+        return true;
+    }
+};
+
+void keepOpenOnTicks(QMenu& menu)
+{
+    menu.installEventFilter(new TickFilter(&menu));
+}
+
+/// Those that were ticked before come first, with their weights.
+std::vector<model::ClipWeight> tickedClips(const QMenu& menu,
+                                           const std::vector<model::ClipWeight>& before)
+{
+    std::vector<model::ClipWeight> all = before;
+    for (const QAction* action : menu.actions()) {
+        const std::string name = action->data().toString().toStdString();
+        const bool isIn = std::ranges::find(all, name, &model::ClipWeight::clip) != all.end();
+        if (action->isChecked() && !isIn) {
+            all.push_back({name, 1.0F});
+        } else if (!action->isChecked()) {
+            std::erase_if(all, [&](const auto& clip) { return clip.clip == name; });
+        }
+    }
+    return all;
+}
+
+} // namespace
+
 void addClipField(QHBoxLayout* row, const model::Scene& scene,
                   const std::vector<model::ClipWeight>& clips,
                   const std::function<void(const std::vector<model::ClipWeight>&)>& changed)
@@ -186,18 +235,18 @@ void addClipField(QHBoxLayout* row, const model::Scene& scene,
     }
     for (const std::string& name : known) {
         QAction* action = menu->addAction(QString::fromStdString(name));
+        action->setData(QString::fromStdString(name));
         action->setCheckable(true);
         action->setChecked(std::ranges::find(clips, name, &model::ClipWeight::clip) != clips.end());
-        QObject::connect(action, &QAction::triggered, button, [clips, name, changed](bool on) {
-            std::vector<model::ClipWeight> all = clips;
-            if (on) {
-                all.push_back({name, 1.0F});
-            } else {
-                std::erase_if(all, [&](const auto& clip) { return clip.clip == name; });
-            }
-            changed(all);
-        });
     }
+    keepOpenOnTicks(*menu);
+    QObject::connect(menu, &QMenu::aboutToHide, button, [menu, clips, changed] {
+        if (const auto all = tickedClips(*menu, clips); all != clips) {
+            // The fields are made anew by it, and this menu is one of them.
+            QMetaObject::invokeMethod(
+                menu, [changed, all] { changed(all); }, Qt::QueuedConnection);
+        }
+    });
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setText(chosen.isEmpty() ? RuleFieldsText::tr("choose clips…")
