@@ -102,6 +102,23 @@ Bounds bulkOf(const model::StageEntry& entry)
     return bulk;
 }
 
+/// As the camera looks, but from so high that what is in front, a stage's back wall say, does not
+/// stand before everything else.
+Camera overview(const model::Scene& scene, const Camera& camera)
+{
+    constexpr float kDown = 0.62F; // sine of 38°
+    const glm::vec3 forward = camera.forward();
+    const glm::vec2 level(forward.x, forward.z);
+    if (scene.stages.empty() || camera.projection == model::Projection::Orthographic ||
+        -forward.y >= kDown || glm::length(level) < 1e-4F) {
+        return camera;
+    }
+    const glm::vec2 along = glm::normalize(level) * std::sqrt(1.0F - kDown * kDown);
+    Camera high = camera;
+    high.orientation = Camera::lookingAt({}, {along.x, -kDown, along.y}).orientation;
+    return high;
+}
+
 void addPlace(Bounds& bounds, const model::Place& place)
 {
     bounds.add(place.position - glm::vec3(place.radius, 0.0F, place.radius));
@@ -142,13 +159,17 @@ Bounds selectionBounds(const EditorState& state)
 void frameSelection(EditorState& state)
 {
     const Bounds bounds = selectionBounds(state);
-    state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(),
-                              bounds.isEmpty() ? sceneBounds(state.scene()) : bounds));
+    if (bounds.isEmpty()) {
+        frameAll(state);
+        return;
+    }
+    state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(), bounds));
 }
 
 void frameAll(EditorState& state)
 {
-    state.moveCameraTo(framed(state.cameraTarget(), state.viewSize(), sceneBounds(state.scene())));
+    state.moveCameraTo(framed(overview(state.scene(), state.cameraTarget()), state.viewSize(),
+                              sceneBounds(state.scene())));
 }
 
 void lookFrom(EditorState& state, ViewDirection direction)
