@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include <QtCore/QLibraryInfo>
+#include <QtCore/QLocale>
 #include <QtCore/QTranslator>
 #include <QtWidgets/QApplication>
 
@@ -22,10 +24,23 @@ bool hasDisplay()
            !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") || platform.startsWith("offscreen");
 }
 
+/// Qt's own words: buttons of its dialogs, names of keys. They come with the system.
+void loadQtTranslation(QApplication& application, const QLocale& locale)
+{
+    auto* translator = new QTranslator(&application);
+    if (translator->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                         QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+        QApplication::installTranslator(translator);
+    }
+}
+
+/// Words, and numbers in fields, of the language that was chosen. Files know no language.
 void loadTranslation(QApplication& application)
 {
     const QString chosen = Preferences::load().language;
     const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
+    QLocale::setDefault(locale);
+    loadQtTranslation(application, locale);
     auto* translator = new QTranslator(&application);
     if (translator->load(locale, QStringLiteral("crowdbrush"), QStringLiteral("_"),
                          QStringLiteral(":/translations")) ||

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 
 #include "widgets/viewport/CameraMoves.h"
 
@@ -113,7 +114,7 @@ void FlySession::show(ToolPicture& picture) const
             : QCoreApplication::translate("FlySession",
                                           "Flying at %1 m/s – W A S D, Q and E, wheel for the "
                                           "speed, release to land, Escape to go back");
-    picture.mode = text.arg(m_metresPerSecond, 0, 'f', 1);
+    picture.mode = text.arg(QLocale().toString(m_metresPerSecond, 'f', 1));
 }
 
 } // namespace crowd::widgets
