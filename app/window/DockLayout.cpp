@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <QtCore/QEvent>
 #include <QtCore/QSettings>
 #include <QtGui/QScreen>
 #include <QtWidgets/QToolBar>
@@ -21,12 +22,33 @@ constexpr QSize kSize(1280, 800);
 
 } // namespace
 
-DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {}
+DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
+{
+    m_arrange.setSingleShot(true);
+    m_arrange.setInterval(0);
+    connect(&m_arrange, &QTimer::timeout, this, [this] {
+        if (m_isUntouched && !isHidden()) {
+            Q_EMIT arranged();
+        }
+    });
+    window.installEventFilter(this);
+}
+
+bool DockLayout::eventFilter(QObject* window, QEvent* event)
+{
+    if (event->type() == QEvent::Resize) {
+        m_arrange.start();
+    } else if (event->type() == QEvent::MouseButtonPress) {
+        m_isUntouched = false; // a border between panels
+    }
+    return QObject::eventFilter(window, event);
+}
 
 void DockLayout::add(QDockWidget* dock, Qt::DockWidgetArea area)
 {
     m_window.addDockWidget(area, dock);
     m_docks.push_back(dock);
+    connect(dock, &QDockWidget::topLevelChanged, this, [this] { m_isUntouched = false; });
 }
 
 void DockLayout::addHidden(QDockWidget* dock, Qt::DockWidgetArea area)
@@ -56,7 +78,8 @@ void DockLayout::restore()
         !m_window.restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
         fitToScreen();
     }
-    m_window.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+    m_isUntouched =
+        !m_window.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
 }
 
 void DockLayout::save() const
@@ -71,6 +94,8 @@ void DockLayout::reset()
     const bool wasHidden = isHidden();
     m_beforeHiding.clear();
     m_window.restoreState(m_initial, kLayoutVersion);
+    m_isUntouched = true;
+    Q_EMIT arranged();
     if (wasHidden) {
         Q_EMIT hiddenChanged(false);
     }

@@ -5,6 +5,7 @@
 
 #include <QtCore/QByteArray>
 #include <QtCore/QObject>
+#include <QtCore/QTimer>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
 
@@ -40,6 +41,12 @@ public:
 
 Q_SIGNALS:
     void hiddenChanged(bool isHidden);
+    /// All panels are where they are in a new installation: their sizes are to follow, and once
+    /// more when the window has another size, until the artist moves a border.
+    void arranged();
+
+protected:
+    bool eventFilter(QObject* window, QEvent* event) override;
 
 private:
     void fitToScreen();
@@ -48,6 +55,8 @@ private:
     std::vector<QDockWidget*> m_docks;
     QByteArray m_initial;
     QByteArray m_beforeHiding; ///< empty while the panels are there
+    bool m_isUntouched = false;
+    QTimer m_arrange; ///< the window has got another size
 };
 
 } // namespace crowd::app

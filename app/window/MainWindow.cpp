@@ -9,6 +9,7 @@
 #include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QKeyEvent>
+#include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QMenu>
@@ -18,6 +19,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/console/ScriptGuard.h"
+#include "app/window/FieldKeys.h"
 #include "app/window/KeysDialog.h"
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
@@ -53,8 +55,8 @@ QStringList localFiles(const QMimeData* data)
 } // namespace
 
 MainWindow::MainWindow()
-    : m_state(m_document), m_actions(this), m_files(m_state, this), m_assets(m_state, this),
-      m_queue(m_files, m_assets, this), m_interpreter(m_state),
+    : m_state(m_document), m_brushes(m_state, nullptr), m_actions(this), m_files(m_state, this),
+      m_assets(m_state, this), m_queue(m_files, m_assets, this), m_interpreter(m_state),
       m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
       m_viewport(new widgets::ViewportWidget(m_state, this)),
       m_status(new StatusPanel(m_state, this)), m_layout(*this),
@@ -71,6 +73,7 @@ MainWindow::MainWindow()
     addDocks();
     addWindowActions(*this);
     new widgets::CueKeys(m_state, this);
+    new FieldKeys(*this, *m_viewport);
     new ScriptGuard(m_interpreter, m_state, *this, *m_console, *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.
@@ -258,16 +261,21 @@ void MainWindow::connectParts()
         }
     });
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
-    connect(&m_layout, &DockLayout::hiddenChanged, this, [this](bool isHidden) {
-        refreshActions();
-        m_viewport->setFocus(); // the key that brings the panels back is the picture's
-        if (isHidden) {
-            m_state.showStatus(tr("%1 brings the panels back.")
-                                   .arg(m_actions.action("hide-panels")
-                                            ->shortcut()
-                                            .toString(QKeySequence::NativeText)));
-        }
-    });
+    connect(&m_layout, &DockLayout::hiddenChanged, this, &MainWindow::followHiding);
+    connect(&m_layout, &DockLayout::arranged, this, &MainWindow::arrangeDocks);
+}
+
+void MainWindow::followHiding(bool isHidden)
+{
+    refreshActions();
+    m_viewport->setFocus(); // the key that brings the panels back is the picture's
+    if (!isHidden) {
+        m_status->clearMessage(); // they are back
+        return;
+    }
+    m_state.showStatus(
+        tr("%1 brings the panels back.")
+            .arg(m_actions.action("hide-panels")->shortcut().toString(QKeySequence::NativeText)));
 }
 
 void MainWindow::warn(const QString& title, const QString& message)
@@ -465,6 +473,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     m_files.forgetRecovery();
     m_layout.save();
+    m_brushes.save();
     event->accept();
 }
 
@@ -472,12 +481,20 @@ void MainWindow::closeEvent(QCloseEvent* event)
 /// may have the keyboard without being the active one: keys that nobody took are looked up here.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
+               << QGuiApplication::focusWindow() << QApplication::focusWidget();
     QAction* action = event->isAutoRepeat()
                           ? nullptr
                           : m_actions.actionWithShortcut(QKeySequence(event->keyCombination()));
     if (action != nullptr && action->isEnabled()) {
         action->trigger();
         return;
+    }
+    const QKeySequence keys(event->keyCombination());
+    for (QShortcut* cue : findChildren<QShortcut*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!event->isAutoRepeat() && cue->isEnabled() && cue->key() == keys) {
+            Q_EMIT cue->activated();
+            return;
+        }
     }
     QMainWindow::keyPressEvent(event);
 }

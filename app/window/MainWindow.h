@@ -7,6 +7,7 @@
 #include "app/console/StrokePainter.h"
 #include "app/record/Recorder.h"
 #include "app/window/AssetController.h"
+#include "app/window/BrushMemory.h"
 #include "app/window/CameraBookmarks.h"
 #include "app/window/DockLayout.h"
 #include "app/window/FileController.h"
@@ -42,6 +43,7 @@ public:
     [[nodiscard]] FileController& files() { return m_files; }
     [[nodiscard]] AssetController& assets() { return m_assets; }
     [[nodiscard]] FileQueue& queue() { return m_queue; }
+    [[nodiscard]] BrushMemory& brushes() { return m_brushes; }
     [[nodiscard]] Interpreter& interpreter() { return m_interpreter; }
     [[nodiscard]] Recorder& recorder() { return m_recorder; }
     [[nodiscard]] ConsoleDock& console() { return *m_console; }
@@ -69,6 +71,7 @@ private:
     void addSpeedField(QToolBar& bar);
     void connectParts();
     void warn(const QString& title, const QString& message);
+    void followHiding(bool isHidden);
     void refreshTitle();
     void refreshActions();
     void fillRecentMenu();
@@ -78,6 +81,7 @@ private:
 
     model::SceneDocument m_document;
     widgets::EditorState m_state;
+    BrushMemory m_brushes;
     widgets::ActionRegistry m_actions;
     FileController m_files;
     AssetController m_assets;

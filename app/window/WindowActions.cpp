@@ -245,6 +245,9 @@ const WindowAction kOtherActions[] = {
     {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "&Smaller Brush"), "smaller", "[",
       QT_TRANSLATE_NOOP("Actions", "Make the brush smaller")},
      [](MainWindow& w, bool) { resizeBrush(w.state(), -1.0); }},
+    {{"brush-reset", QT_TRANSLATE_NOOP("Actions", "Rese&t Brushes"), "reset", "Ctrl+Alt+B",
+      QT_TRANSLATE_NOOP("Actions", "Set all brushes as they were in the beginning")},
+     [](MainWindow& w, bool) { w.brushes().reset(); }},
     {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
       QT_TRANSLATE_NOOP("Actions", "Put all panels back to their places")},
      [](MainWindow& w, bool) { w.dockLayout().reset(); }},
@@ -287,6 +290,7 @@ constexpr const char* kBrushMenu[] = {"select",
                                       "",
                                       "brush-larger",
                                       "brush-smaller",
+                                      "brush-reset",
                                       "",
                                       "seat-grid"};
 constexpr const char* kViewMenu[] = {

@@ -2,6 +2,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_CommandLine
     tst_Interruptions
     tst_MainWindow
+    tst_Panels
     tst_SceneFiles
     tst_StepMenu
     tst_Welcome

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/FieldKeys.h"
+
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QAbstractSpinBox>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLineEdit>
+
+namespace crowd::app {
+
+namespace {
+
+bool endsTyping(int key)
+{
+    return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape;
+}
+
+bool isTextField(const QWidget& widget)
+{
+    return qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+/// As it was when the typing began. The editor of a list does that by itself.
+void takeBackTyping(QWidget& field)
+{
+    auto* line = qobject_cast<QLineEdit*>(&field);
+    while (line != nullptr && line->isUndoAvailable()) {
+        line->undo();
+    }
+}
+
+} // namespace
+
+FieldKeys::FieldKeys(QWidget& window, QWidget& picture)
+    : QObject(&window), m_window(window), m_picture(picture)
+{
+    qApp->installEventFilter(this);
+}
+
+bool FieldKeys::isOfPanel(const QWidget& field) const
+{
+    for (const QWidget* each = &field; each != nullptr; each = each->parentWidget()) {
+        if (qobject_cast<const QDockWidget*>(each) != nullptr) {
+            return each->parentWidget() == &m_window;
+        }
+        if (qobject_cast<const QDialog*>(each) != nullptr) {
+            return false;
+        }
+    }
+    return false;
+}
+
+void FieldKeys::giveBack()
+{
+    if (QApplication::activeModalWidget() == nullptr &&
+        QApplication::activePopupWidget() == nullptr) {
+        m_window.activateWindow(); // the panel may float
+        m_picture.setFocus(Qt::OtherFocusReason);
+    }
+}
+
+bool FieldKeys::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey =
+        event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    auto* field = isKey ? qobject_cast<QWidget*>(watched) : nullptr;
+    if (field == nullptr || !endsTyping(static_cast<QKeyEvent*>(event)->key()) ||
+        !isTextField(*field) || !isOfPanel(*field)) {
+        return QObject::eventFilter(watched, event);
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        event->accept(); // comes back as a key press
+        return true;
+    }
+    if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        takeBackTyping(*field);
+    }
+    // First the field takes what was typed.
+    QMetaObject::invokeMethod(this, &FieldKeys::giveBack, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace crowd::app
