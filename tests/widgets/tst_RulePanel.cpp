@@ -2,6 +2,7 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
@@ -90,6 +91,7 @@ private Q_SLOTS:
     void keysOfOtherCuesAreNotOffered();
     void blocksAreBuiltWithButtons();
     void weightsOfClipsAreEdited();
+    void clipsAreTickedOneAfterTheOther();
     void countsAreWholeNumbers();
     void sentencesTellWhatRepeatsAndWhatIsDrawn();
     void blocksSayWhatIsMissing();
@@ -195,6 +197,42 @@ void TestRulePanel::weightsOfClipsAreEdited()
     QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 5.0F);
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 2.0F);
+}
+
+void TestRulePanel::clipsAreTickedOneAfterTheOther()
+{
+    RulesDesk desk;
+    QVERIFY(desk.isReady());
+    model::Action play = actionOf(ActionKind::PlayClip);
+    play.clips = {{"clap", 1.0F}, {"cheer", 2.0F}};
+    giveRule(desk, ruleOf({play}));
+    QMenu* menu = nullptr;
+    QTRY_VERIFY(([&] {
+        for (const QToolButton* button : desk.all<QToolButton>()) {
+            menu = button->text().startsWith(QStringLiteral("clap")) ? button->menu() : menu;
+        }
+        return menu != nullptr;
+    })());
+    menu->popup(desk.window.mapToGlobal(QPoint(20, 20)));
+    const auto tick = [menu](const char* name) {
+        for (QAction* action : menu->actions()) {
+            if (action->text() == QLatin1String(name)) {
+                QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+            }
+        }
+    };
+    tick("clap");
+    QVERIFY2(menu->isVisible(), "the next one can be ticked");
+    tick("cheer");
+    tick("clap");
+    QVERIFY(menu->isVisible());
+    const auto& rules = desk.document.scene().rules;
+    QCOMPARE(rules[0].actions[0].clips.size(), std::size_t{2}); // until it closes
+    menu->close();
+    QTRY_COMPARE(rules[0].actions[0].clips.size(), std::size_t{1});
+    QCOMPARE(rules[0].actions[0].clips[0].clip, std::string("clap"));
+    desk.document.undoStack().undo();
+    QVERIFY(rules[0].actions[0].clips == play.clips);
 }
 
 void TestRulePanel::countsAreWholeNumbers()
