@@ -16,7 +16,7 @@ Result<std::vector<IndividualId>> ScriptScene::create(std::size_t n,
         if (!rows) {
             return rows.error();
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create people")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Create characters")),
                     [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
     });
     if (!done) {
@@ -31,7 +31,7 @@ Result<void> ScriptScene::remove(std::span<const IndividualId> ids)
         if (auto alive = checkAlive(m_host.document->scene(), ids); !alive) {
             return alive;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove people")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove characters")),
                     [&](SceneEdit& open) { open.removeIndividuals(ids); });
     });
 }
@@ -46,11 +46,12 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
         if (auto valid = checkChange(m_host.document->scene(), ids, values); !valid) {
             return valid;
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change people")), [&](SceneEdit& open) {
-            for (const ColumnValues& each : values) {
-                open.setColumn(each.column, ids, each.bytes);
-            }
-        });
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change characters")),
+                    [&](SceneEdit& open) {
+                        for (const ColumnValues& each : values) {
+                            open.setColumn(each.column, ids, each.bytes);
+                        }
+                    });
     });
 }
 

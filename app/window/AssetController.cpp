@@ -306,7 +306,7 @@ void AssetController::removeTemplate(model::TemplateId id)
     const auto used = m_state.scene().population.column(model::columns::templateId);
     const auto users = std::ranges::count(used, id);
     if (users > 0) {
-        m_state.showStatus(tr("%n people are of this template; delete them first.", nullptr,
+        m_state.showStatus(tr("%n characters are of this template; delete them first.", nullptr,
                               static_cast<int>(users)));
         return;
     }

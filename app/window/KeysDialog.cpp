@@ -65,7 +65,7 @@ QWidget* KeysDialog::picturePage(const widgets::ActionRegistry& actions,
     KeyTable table;
     table.heading(tr("Painting with a brush"));
     if (buttons == widgets::ButtonMapping::Paper) {
-        table.row(tr("Left button"), tr("paints one person or place"));
+        table.row(tr("Left button"), tr("paints one character or place"));
         table.row(tr("Middle button"), tr("paints in a circle"));
         table.row(tr("Right button"), tr("paints in a rectangle"));
     } else {

@@ -252,7 +252,7 @@ void MainWindow::connectParts()
     connect(&m_state.paths(), &widgets::PathFocus::changed, this, refresh);
     connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, refresh);
     connect(&m_state.session(), &widgets::SessionControl::posesKept, this, [this](int people) {
-        m_state.showStatus(tr("%n people are kept where they are", nullptr, people));
+        m_state.showStatus(tr("%n characters are kept where they are", nullptr, people));
     });
     connect(&m_state.session(), &widgets::SessionControl::problemsChanged, this, [this] {
         const std::vector<behavior::Problem>& problems = m_state.session().problems();

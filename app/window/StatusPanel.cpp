@@ -64,7 +64,7 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
 void StatusPanel::refreshCounts()
 {
     QStringList parts{
-        tr("%n people", nullptr, static_cast<int>(m_state.scene().population.size()))};
+        tr("%n characters", nullptr, static_cast<int>(m_state.scene().population.size()))};
     if (m_statistics.render.individuals > 0) {
         parts << tr("%n in view", nullptr, static_cast<int>(m_statistics.render.visible));
     }

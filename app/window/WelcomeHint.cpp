@@ -38,7 +38,7 @@ WelcomeHint::WelcomeHint(QWidget* picture, const model::SceneDocument& document)
     setObjectName(QStringLiteral("welcomeHint"));
     setStyleSheet(kStyle);
     auto* text = new QLabel(
-        tr("<b>Drag</b> over free seats or open ground: people come. &nbsp;<b>Right click</b>: "
+        tr("<b>Drag</b> over free seats or open ground: characters come. &nbsp;<b>Right click</b>: "
            "the brushes.<br><b>Space</b> and drag: look around. &nbsp;<b>Ctrl+Z</b>: take it back. "
            "&nbsp;<b>F1</b>: all keys."),
         this);

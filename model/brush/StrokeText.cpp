@@ -21,30 +21,30 @@ QString strokeText(const BrushSettings& settings, int affected)
 {
     switch (settings.kind) {
     case BrushKind::Create:
-        return Brushes::tr("Create %n individual(s)", nullptr, affected);
+        return Brushes::tr("Create %n character(s)", nullptr, affected);
     case BrushKind::Delete:
-        return Brushes::tr("Delete %n individual(s)", nullptr, affected);
+        return Brushes::tr("Delete %n character(s)", nullptr, affected);
     case BrushKind::Colour:
-        return Brushes::tr("Colour %n individual(s)", nullptr, affected);
+        return Brushes::tr("Colour %n character(s)", nullptr, affected);
     case BrushKind::Orientation:
-        return Brushes::tr("Turn %n individual(s)", nullptr, affected);
+        return Brushes::tr("Turn %n character(s)", nullptr, affected);
     case BrushKind::Animation:
-        return Brushes::tr("Animate %n individual(s)", nullptr, affected);
+        return Brushes::tr("Animate %n character(s)", nullptr, affected);
     case BrushKind::Walk:
-        return Brushes::tr("Set the walk of %n individual(s)", nullptr, affected);
+        return Brushes::tr("Set the walk of %n character(s)", nullptr, affected);
     case BrushKind::Style:
-        return Brushes::tr("Set how %n individual(s) walk", nullptr, affected);
+        return Brushes::tr("Set how %n character(s) walk", nullptr, affected);
     case BrushKind::Tag:
-        return Brushes::tr("Tag %n individual(s)", nullptr, affected);
+        return Brushes::tr("Tag %n character(s)", nullptr, affected);
     case BrushKind::Untag:
-        return Brushes::tr("Untag %n individual(s)", nullptr, affected);
+        return Brushes::tr("Untag %n character(s)", nullptr, affected);
     case BrushKind::Event:
-        return Brushes::tr("Event reached %n individual(s)", nullptr, affected);
+        return Brushes::tr("Event reached %n character(s)", nullptr, affected);
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
     case BrushKind::Script:
-        return Brushes::tr("%1: %n individual(s)", nullptr, affected)
+        return Brushes::tr("%1: %n character(s)", nullptr, affected)
             .arg(QString::fromStdString(settings.script.brush));
     }
     return {};
@@ -52,7 +52,7 @@ QString strokeText(const BrushSettings& settings, int affected)
 
 QString moveText(int affected)
 {
-    return Brushes::tr("Move %n individual(s)", nullptr, affected);
+    return Brushes::tr("Move %n character(s)", nullptr, affected);
 }
 
 QString reasonText(StrokeReason reason)
@@ -98,8 +98,9 @@ QString reasonText(StrokeReason reason)
     case StrokeReason::WithoutThisTag:
         return Brushes::tr("None of them has this tag");
     case StrokeReason::NoSession:
-        return Brushes::tr("Nothing runs that could hear an event: give the scene rules, or people "
-                           "a path, and press Play");
+        return Brushes::tr(
+            "Nothing runs that could hear an event: give the scene rules, or characters "
+            "a path, and press Play");
     case StrokeReason::NoSuchClip:
         return Brushes::tr("None of them has a chosen clip");
     case StrokeReason::NothingChosen:

@@ -538,8 +538,8 @@ void MainWindowTest::statusBarCounts()
     openScene(plainScene(5), QStringLiteral("a.crowd"));
     m_window->state().selection().set(document().scene().population.ids().first(1));
     const auto* counts = m_window->findChild<QLabel*>(QStringLiteral("statusCounts"));
-    QTRY_COMPARE_WITH_TIMEOUT(counts->text(), QStringLiteral("5 people · 5 in view · 1 selected"),
-                              kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(counts->text(),
+                              QStringLiteral("5 characters · 5 in view · 1 selected"), kPatienceMs);
     const auto* frame = m_window->findChild<QLabel*>(QStringLiteral("statusFrame"));
     QTRY_VERIFY_WITH_TIMEOUT(frame->text().contains(QStringLiteral(" ms")), kPatienceMs);
 }
@@ -548,8 +548,8 @@ void MainWindowTest::aRemarkGoesWithItsTool()
 {
     openScene(plainScene(1), QStringLiteral("a.crowd"));
     m_window->state().setTool(widgets::ToolId::BrushCreate);
-    m_window->state().showStatus(QStringLiteral("85 people created"));
-    QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("85 people created"));
+    m_window->state().showStatus(QStringLiteral("85 characters created"));
+    QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("85 characters created"));
     m_window->state().setTool(widgets::ToolId::BrushWalk);
     QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
 }

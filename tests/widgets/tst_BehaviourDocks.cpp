@@ -474,7 +474,7 @@ void TestBehaviourDocks::whileItRunsTheRunIsCounted()
         const QTreeWidgetItem* path = tree->topLevelItem(0);
         return path == nullptr ? QString() : (place < 0 ? path : path->child(place))->text(1);
     };
-    QTRY_COMPARE(text(-1), QStringLiteral("1 people"));
+    QTRY_COMPARE(text(-1), QStringLiteral("1 characters"));
     QCOMPARE(text(0), QStringLiteral("2.00 m"));
     desk.state.transport().setPlaying(true);
     const auto plays = [&](const auto& isSo) {
@@ -483,9 +483,10 @@ void TestBehaviourDocks::whileItRunsTheRunIsCounted()
     };
     QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return text(0).startsWith(QStringLiteral("1 in it")); }),
                              30000);
-    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return text(-1) == QStringLiteral("0 people"); }), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(plays([&] { return text(-1) == QStringLiteral("0 characters"); }),
+                             30000);
     desk.state.session().stop();
-    QCOMPARE(text(-1), QStringLiteral("1 people"));
+    QCOMPARE(text(-1), QStringLiteral("1 characters"));
     QCOMPARE(text(0), QStringLiteral("2.00 m"));
 }
 

@@ -47,9 +47,9 @@ void TestRuleLog::whatFiresOnceIsALine()
 {
     RuleLog log;
     log.add({1.25, 1, 7});
-    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.25 s · person 7 · ping")});
+    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.25 s · character 7 · ping")});
     log.add({1.5, 9, 7}); // deleted meanwhile
-    QCOMPARE(linesOf(log).last(), QStringLiteral("1.50 s · person 7 · a rule"));
+    QCOMPARE(linesOf(log).last(), QStringLiteral("1.50 s · character 7 · a rule"));
     log.clear();
     QVERIFY(linesOf(log).isEmpty());
 }
@@ -59,14 +59,14 @@ void TestRuleLog::peopleOfOneBurstShareALine()
     RuleLog log;
     log.add({1.0, 1, 9});
     log.add({1.5, 1, 3});
-    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.00–1.50 s · people 3, 9 · ping")});
+    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.00–1.50 s · characters 3, 9 · ping")});
     for (model::IndividualId who = 10; who < 13; ++who) {
         log.add({1.75, 1, who});
     }
-    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.00–1.75 s · 5 people · ping")});
+    QCOMPARE(linesOf(log), QStringList{QStringLiteral("1.00–1.75 s · 5 characters · ping")});
     log.add({2.0, 1, 9});
     QCOMPARE(linesOf(log),
-             QStringList{QStringLiteral("1.00–2.00 s · 5 people · ping · 6 times in all")});
+             QStringList{QStringLiteral("1.00–2.00 s · 5 characters · ping · 6 times in all")});
 }
 
 /// Thirty people who send themselves "ping" and "pong" in turn, and one event beside.
@@ -82,9 +82,9 @@ void TestRuleLog::aCircleOfRulesHidesNothing()
         }
     }
     QCOMPARE(linesOf(log),
-             (QStringList{QStringLiteral("0.00–5.50 s · 30 people · ping · 12 times each"),
-                          QStringLiteral("0.25–5.75 s · 30 people · pong · 12 times each"),
-                          QStringLiteral("2.50 s · person 4 · a rule")}));
+             (QStringList{QStringLiteral("0.00–5.50 s · 30 characters · ping · 12 times each"),
+                          QStringLiteral("0.25–5.75 s · 30 characters · pong · 12 times each"),
+                          QStringLiteral("2.50 s · character 4 · a rule")}));
 }
 
 void TestRuleLog::theLogOfOnePersonIsExact()
@@ -94,9 +94,9 @@ void TestRuleLog::theLogOfOnePersonIsExact()
         log.add({0.5 + who * 0.25, 1, who});
     }
     log.add({8.25, 1, 12});
-    QCOMPARE(linesOf(log, {11}), QStringList{QStringLiteral("3.25 s · person 11 · ping")});
+    QCOMPARE(linesOf(log, {11}), QStringList{QStringLiteral("3.25 s · character 11 · ping")});
     QCOMPARE(linesOf(log, {12}),
-             QStringList{QStringLiteral("3.50–8.25 s · person 12 · ping · 2 times")});
+             QStringList{QStringLiteral("3.50–8.25 s · character 12 · ping · 2 times")});
     QVERIFY(linesOf(log, {31}).isEmpty());
 }
 
@@ -105,8 +105,8 @@ void TestRuleLog::aPauseBeginsAnotherLine()
     RuleLog log;
     log.add({4.0, 1, 7});
     log.add({8.0, 1, 7});
-    QCOMPARE(linesOf(log), (QStringList{QStringLiteral("4.00 s · person 7 · ping"),
-                                        QStringLiteral("8.00 s · person 7 · ping")}));
+    QCOMPARE(linesOf(log), (QStringList{QStringLiteral("4.00 s · character 7 · ping"),
+                                        QStringLiteral("8.00 s · character 7 · ping")}));
 }
 
 /// A line that still grows is kept, however long ago it began.
@@ -121,8 +121,8 @@ void TestRuleLog::theOldestIsForgotten()
     }
     const QStringList lines = linesOf(log);
     QVERIFY(lines.size() > 100 && lines.size() < 500);
-    QCOMPARE(lines.first(), QStringLiteral("0.00–1,999.50 s · person 8 · pong · 4000 times"));
-    QCOMPARE(lines.last(), QStringLiteral("1,998.00 s · person 7 · ping"));
+    QCOMPARE(lines.first(), QStringLiteral("0.00–1,999.50 s · character 8 · pong · 4000 times"));
+    QCOMPARE(lines.last(), QStringLiteral("1,998.00 s · character 7 · ping"));
 }
 
 CROWD_TEST(TestRuleLog)

@@ -212,7 +212,7 @@ void TestRulesList::conditionsReadAsSentences_data()
     add(ConditionKind::Payload, "the event’s number above 3", "the event’s number not above 3");
     // Of a place that is still to be chosen.
     add(ConditionKind::IsFull, "… full", "… not full");
-    add(ConditionKind::PeopleIn, "people in … above 3", "people in … not above 3");
+    add(ConditionKind::PeopleIn, "characters in … above 3", "characters in … not above 3");
     add(ConditionKind::Property, "height above 3", "height not above 3");
 }
 

@@ -65,8 +65,9 @@ void BranchList::rebuild()
     auto* add = new QToolButton(m_rows);
     add->setObjectName(QStringLiteral("addBranch"));
     add->setText(tr("+ branch to another path"));
-    add->setToolTip(others().empty() ? tr("There is no other path yet")
-                                     : tr("Let some people go over to another path at a place"));
+    add->setToolTip(others().empty()
+                        ? tr("There is no other path yet")
+                        : tr("Let some characters go over to another path at a place"));
     add->setEnabled(!others().empty());
     add->setAutoRaise(true);
     rows->addWidget(add);

@@ -25,7 +25,7 @@ void addWalk(BrushForm& form, const EditorState& state)
     }
     form.beginSection(BrushForm::tr("Path"), QStringLiteral("path"));
     addFlag(form, BrushForm::tr("Change the path"),
-            BrushForm::tr("People walk along it when it plays"),
+            BrushForm::tr("Characters walk along it when it plays"),
             [](BrushSettings& s) -> bool& { return s.walk.setsPath; });
     form.addChoice(
         BrushForm::tr("Follow"), names,
@@ -48,7 +48,7 @@ void addStyle(BrushForm& form)
 {
     form.beginSection(BrushForm::tr("Walk with"), QStringLiteral("style"));
     addFlag(form, BrushForm::tr("Change how they walk"),
-            BrushForm::tr("With which clip people walk. None: what fits the speed. A clip that "
+            BrushForm::tr("With which clip characters walk. None: what fits the speed. A clip that "
                           "stays in place is left out."),
             [](BrushSettings& s) -> bool& { return s.style.setsStyle; });
     form.addClips(
@@ -119,8 +119,9 @@ void addEvent(BrushForm& form, const EditorState& state)
     }
     addFloat(form, BrushForm::tr("Number"), {-10.0, 10.0, 0.1, 1, {}, false}, 1.0,
              [](BrushSettings& s) -> float& { return s.event.payload; });
-    form.addNote(BrushForm::tr("People under the brush hear the event while it plays. Rules say "
-                               "what they do then; the number can be a walking speed."));
+    form.addNote(
+        BrushForm::tr("Characters under the brush hear the event while it plays. Rules say "
+                      "what they do then; the number can be a walking speed."));
 }
 
 void addPlaces(BrushForm& form, BrushKind kind)

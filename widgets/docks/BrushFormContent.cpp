@@ -46,9 +46,9 @@ void addArea(BrushForm& form)
     for (int i = 0; i <= static_cast<int>(BrushSelection::Rectangle); ++i) {
         names << selectionName(static_cast<BrushSelection>(i));
     }
-    form.beginSection(BrushForm::tr("Area"), QStringLiteral("area"));
+    form.beginSection(BrushForm::tr("Brush"), QStringLiteral("area"));
     form.addChoice(
-        BrushForm::tr("Reaches"), names,
+        BrushForm::tr("Area"), names,
         [](const BrushSettings& s) { return static_cast<int>(s.selection); },
         [](BrushSettings& s, int i) { s.selection = static_cast<BrushSelection>(i); });
     addFloat(
@@ -66,7 +66,7 @@ void addReach(BrushForm& form, BrushKind kind)
         return s.selection != BrushSelection::Rectangle && !isGradient(s);
     };
     form.beginRow();
-    addThrough(form, BrushForm::tr("Also people hidden behind others or the stage"));
+    addThrough(form, BrushForm::tr("Also characters hidden behind others or the stage"));
     if (kind == BrushKind::Colour || kind == BrushKind::Orientation ||
         kind == BrushKind::Animation) {
         addFlag(

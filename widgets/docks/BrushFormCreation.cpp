@@ -22,7 +22,7 @@ bool isArea(const BrushSettings& s)
 void addSeats(BrushForm& form, const BrushForm::Condition& onSeats)
 {
     form.addNumberLists(
-        {{BrushForm::tr("Ranks"), BrushForm::tr("Rows counted from the front, as 1, 3-5"),
+        {{BrushForm::tr("Rows"), BrushForm::tr("Rows counted from the front, as 1, 3-5"),
           [](BrushSettings& s) -> std::vector<int>& { return s.create.seats.ranks; }},
          {BrushForm::tr("Wedges"), BrushForm::tr("Wedges of seats, as 1, 3-5"),
           [](BrushSettings& s) -> std::vector<int>& { return s.create.seats.wedges; }}},
@@ -113,7 +113,7 @@ void addCreation(BrushForm& form, EditorState& state)
     form.beginSection(BrushForm::tr("Places"), QStringLiteral("seats"));
     addFlag(
         form, BrushForm::tr("Only on free seats"),
-        BrushForm::tr("Seat grid: people sit down where they may"),
+        BrushForm::tr("Seat grid: characters sit down where they may"),
         [](BrushSettings& s) -> bool& { return s.create.seats.isOn; },
         [hasSeats](const BrushSettings&) { return hasSeats; });
     addSeats(form, onSeats);

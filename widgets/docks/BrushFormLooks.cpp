@@ -62,7 +62,7 @@ void addColour(BrushForm& form, const EditorState& state)
         [](BrushSettings& s) -> bool& { return s.colour.blends; }, isRandom);
     addFlag(
         form, BrushForm::tr("Each slot its own"),
-        BrushForm::tr("Another colour for each slot of a person"),
+        BrushForm::tr("Another colour for each slot of a character"),
         [](BrushSettings& s) -> bool& { return s.colour.eachSlotApart; }, isRandom);
 }
 

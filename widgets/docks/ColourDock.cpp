@@ -249,11 +249,11 @@ void ColourDock::noteUsed(model::BrushKind kind)
 void ColourDock::refresh()
 {
     const bool isCreation = kind() == model::BrushKind::Create;
-    setWindowTitle(isCreation ? tr("Colours of New People") : tr("Colour"));
+    setWindowTitle(isCreation ? tr("Colours of New Characters") : tr("Colour"));
     toggleViewAction()->setText(tr("Colour"));
     const std::vector<QColor> all = colors();
     m_chips->setAddition(all.size() >= kMostColors ? QString()
-                         : isCreation              ? tr("Another colour that new people may wear")
+                         : isCreation ? tr("Another colour that new characters may wear")
                                       : tr("Another colour for random and for gradients"));
     m_chips->setSelected(all.empty() ? -1 : static_cast<int>(std::min(m_chosen, all.size() - 1)));
     m_chips->setColors(all);

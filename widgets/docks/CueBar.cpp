@@ -67,7 +67,8 @@ void CueBar::rebuild()
     auto* add = new QToolButton(this);
     add->setObjectName(QStringLiteral("addCue"));
     add->setText(tr("+ Cue"));
-    add->setToolTip(tr("A button, with a key if you like, that lets an event happen to people"));
+    add->setToolTip(
+        tr("A button, with a key if you like, that lets an event happen to characters"));
     add->setAutoRaise(true);
     connect(add, &QToolButton::clicked, this, &CueBar::addCue);
     m_grid->addWidget(add, index / kCuesInARow, index % kCuesInARow, Qt::AlignLeft);

@@ -41,9 +41,10 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(m_tree, 1);
-    m_note = new QLabel(tr("No paths yet. Take the path brush (P) and click where people are to "
-                           "walk; then let people walk along it with the walk brush (W)."),
-                        content);
+    m_note =
+        new QLabel(tr("No paths yet. Take the path brush (P) and click where characters are to "
+                      "walk; then let characters walk along it with the walk brush (W)."),
+                   content);
     m_note->setWordWrap(true);
     m_note->setEnabled(false);
     layout->addWidget(m_note);
@@ -181,7 +182,7 @@ void EnvironmentDock::buildSizeRow()
     m_capacity->setZeroText(tr("all who fit"));
     m_capacity->setToolTip(tr("So many have room, for rules that ask whether it is full or free; "
                               "0: as many as can stand in it, two on a square metre, but one where "
-                              "people line up"));
+                              "characters line up"));
     connect(m_capacity, &NumberField::valueEdited, this, [this](double value) {
         changePlace(tr("Change the room of a place"),
                     [&](model::Place& each) { each.capacity = static_cast<std::uint32_t>(value); });
@@ -199,7 +200,7 @@ void EnvironmentDock::buildPathRows()
 {
     m_kind = new QComboBox(this);
     m_kind->setObjectName(QStringLiteral("pathKind"));
-    m_kind->addItems({tr("People stop"), tr("On to the first place"), tr("Jump to the first")});
+    m_kind->addItems({tr("Characters stop"), tr("On to the first place"), tr("Jump to the first")});
     m_form->addRow(tr("At the end"), m_kind);
     connect(m_kind, &QComboBox::activated, this, [this](int index) {
         changePath(tr("Change the end of a path"),

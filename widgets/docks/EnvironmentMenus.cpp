@@ -17,13 +17,13 @@ void EnvironmentDock::assignSelected(model::PathId id)
         return; // in the middle of a stroke
     }
     if (ids.empty()) {
-        m_state.showStatus(tr("Nobody is selected: select people first (V), or paint them with "
+        m_state.showStatus(tr("Nobody is selected: select characters first (V), or paint them with "
                               "the walk brush (W)."));
         return;
     }
     auto edit = m_state.document().beginEdit();
     edit->setColumn(model::columns::path, ids, std::span<const model::PathId>(&id, 1));
-    edit->commit(tr("Let %n individual(s) walk", nullptr, static_cast<int>(ids.size())));
+    edit->commit(tr("Let %n character(s) walk", nullptr, static_cast<int>(ids.size())));
 }
 
 void EnvironmentDock::selectPeopleOf(model::PathId id)
@@ -82,9 +82,9 @@ void EnvironmentDock::fillPathMenu(QMenu& menu, model::PathId id)
     }
     join->setEnabled(!join->isEmpty());
     menu.addSeparator();
-    connect(menu.addAction(tr("Let the Selected People Walk It")), &QAction::triggered, this,
+    connect(menu.addAction(tr("Let the Selected Characters Walk It")), &QAction::triggered, this,
             [this, id] { assignSelected(id); });
-    connect(menu.addAction(tr("Select Its People")), &QAction::triggered, this,
+    connect(menu.addAction(tr("Select Its Characters")), &QAction::triggered, this,
             [this, id] { selectPeopleOf(id); });
     menu.addSeparator();
     act(tr("Delete the Path"), tr("Delete a path"),

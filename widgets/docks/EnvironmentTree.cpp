@@ -158,7 +158,7 @@ void EnvironmentDock::showCounts()
     for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
         const auto id = (*it)->data(0, kIdRole).toUInt();
         if ((*it)->type() == PathItem) {
-            (*it)->setText(1, tr("%n people", nullptr, countIn(m_tally.followers, id)));
+            (*it)->setText(1, tr("%n characters", nullptr, countIn(m_tally.followers, id)));
         } else if (const model::Place* place = m_state.scene().findPlace(id)) {
             const QString radius = QLocale().toString(static_cast<double>(place->radius), 'f', 2);
             const int inside = countIn(m_tally.inside, id);

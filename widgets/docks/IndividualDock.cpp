@@ -59,7 +59,7 @@ void fill(QComboBox& box, const std::vector<std::string>& names)
 } // namespace
 
 IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Individual"), "individual", parent), m_state(state), m_title(new QLabel(this)),
+    : DockBase(tr("Character"), "individual", parent), m_state(state), m_title(new QLabel(this)),
       m_content(new QWidget(this)), m_template(narrowBox(this)), m_clip(narrowBox(this)),
       m_group(new NumberField(0.0, 4294967295.0, 0, this)), m_tags(new QLineEdit(this)),
       m_seat(new NumberField(1.0, kMostSeats, 0, this)), m_seatPlace(new QLabel(this)),
@@ -207,7 +207,7 @@ void IndividualDock::refreshTitle(const SelectedPeople& selected)
     m_title->setText(
         selected.rows().size() == 1
             ? tr("<b>%1</b>, number %2").arg(name.toHtmlEscaped()).arg(selected.ids().front())
-            : tr("<b>%n people</b>", nullptr, static_cast<int>(selected.rows().size())));
+            : tr("<b>%n characters</b>", nullptr, static_cast<int>(selected.rows().size())));
 }
 
 void IndividualDock::refreshNumbers(const SelectedPeople& selected)

@@ -64,7 +64,7 @@ void IndividualDock::setPosition(int axis, double value)
 
 void IndividualDock::setFloat(model::ColumnKey<float> column, float value)
 {
-    writeSame(column, value, tr("Change individual"));
+    writeSame(column, value, tr("Change character"));
 }
 
 void IndividualDock::setGroup(double group)

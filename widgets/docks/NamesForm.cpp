@@ -126,7 +126,7 @@ void NamesForm::addTagRow(QVBoxLayout* layout, const model::TagName& tag)
                  [this, bit = tag.bit](const QString& text) {
                      changeTag(bit, [&](model::TagName& each) { each.name = text.toStdString(); });
                  });
-    addRemoveButton(row, tr("Forget the name; people keep the tag"), [this, bit = tag.bit] {
+    addRemoveButton(row, tr("Forget the name; characters keep the tag"), [this, bit = tag.bit] {
         std::vector<model::TagName> tags = m_state.scene().tags;
         std::erase_if(tags, [bit](const model::TagName& each) { return each.bit == bit; });
         setTags(std::move(tags), tr("Forget a tag’s name"));
@@ -166,8 +166,9 @@ void NamesForm::addNumberRow(QVBoxLayout* layout, const model::NumberName& numbe
         auto* kept = new QToolButton(m_rows);
         kept->setObjectName(QStringLiteral("forgetKept"));
         kept->setText(tr("%n kept", nullptr, static_cast<int>(number.values.size())));
-        kept->setToolTip(tr("So many people begin with what Keep Pose has kept; press to let all "
-                            "begin between the two again"));
+        kept->setToolTip(
+            tr("So many characters begin with what Keep Pose has kept; press to let all "
+               "begin between the two again"));
         row->addWidget(kept);
         connect(kept, &QToolButton::clicked, this, [this, id = number.id] {
             changeNumber(id, [](model::NumberName& each) { each.values.clear(); });

@@ -42,16 +42,16 @@ QString secondsText(const Sum& sum)
 QString peopleText(const Sum& sum)
 {
     if (sum.people.size() == 1) {
-        return RuleLogText::tr("person %1").arg(sum.people.front());
+        return RuleLogText::tr("character %1").arg(sum.people.front());
     }
     if (sum.people.size() > kMaxNamed) {
-        return RuleLogText::tr("%n people", nullptr, static_cast<int>(sum.people.size()));
+        return RuleLogText::tr("%n characters", nullptr, static_cast<int>(sum.people.size()));
     }
     QStringList names;
     for (const model::IndividualId who : sum.people) {
         names << QString::number(who);
     }
-    return RuleLogText::tr("people %1").arg(names.join(RuleLogText::tr(", ")));
+    return RuleLogText::tr("characters %1").arg(names.join(RuleLogText::tr(", ")));
 }
 
 int shownCount(std::uint64_t count)

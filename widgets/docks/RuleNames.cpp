@@ -45,7 +45,7 @@ QStringList conditionNames()
             RuleNamesText::tr("speed"),
             RuleNamesText::tr("event’s number"),
             RuleNamesText::tr("full: the place"),
-            RuleNamesText::tr("number of people in"),
+            RuleNamesText::tr("number of characters in"),
             RuleNamesText::tr("property")};
 }
 
@@ -119,7 +119,7 @@ QStringList choiceNames()
 
 QStringList cueReachNames()
 {
-    return {RuleNamesText::tr("everybody"), RuleNamesText::tr("the selected people"),
+    return {RuleNamesText::tr("everybody"), RuleNamesText::tr("the selected characters"),
             RuleNamesText::tr("those tagged")};
 }
 

@@ -226,7 +226,8 @@ QString conditionText(const Scene& scene, const Condition& condition)
             .arg(placeText(scene, condition.place));
     case ConditionKind::PeopleIn:
         return comparedText(
-            RuleTextsContext::tr("people in %1").arg(placeText(scene, condition.place)), condition);
+            RuleTextsContext::tr("characters in %1").arg(placeText(scene, condition.place)),
+            condition);
     case ConditionKind::Property:
         if (condition.property != ComparedProperty::Clip) {
             return comparedText(comparedNames()[static_cast<int>(condition.property)], condition);

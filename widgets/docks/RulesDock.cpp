@@ -66,7 +66,7 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     auto* area = new QVBoxLayout(m_editorArea);
     area->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_editorArea);
-    m_onlySelected = new QCheckBox(tr("Log only the selected people"), content);
+    m_onlySelected = new QCheckBox(tr("Log only the selected characters"), content);
     layout->addWidget(m_onlySelected);
     m_log = new QPlainTextEdit(content);
     m_log->setObjectName(QStringLiteral("ruleLog"));

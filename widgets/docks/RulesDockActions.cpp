@@ -55,7 +55,7 @@ void RulesDock::makeActions()
     m_moveDown = makeAction("ruleDown", "", tr("Move Down"), tr("Alt+Down"), &RulesDock::moveDown);
     m_try = makeAction("ruleTry", "rule-test", tr("Test on Selected"), tr("Ctrl+T"),
                        &RulesDock::tryRule);
-    m_try->setToolTip(tr("Test the rule on the selected people, or on all, while it plays"));
+    m_try->setToolTip(tr("Test the rule on the selected characters, or on all, while it plays"));
 }
 
 QWidget* RulesDock::makeButtons(QWidget* parent)

@@ -144,7 +144,7 @@ void SceneDock::addStages()
 void SceneDock::addPeople()
 {
     auto counts = countsOf(m_state.scene().population.column(model::columns::templateId));
-    QTreeWidgetItem* templates = heading(m_tree, "person", tr("People"));
+    QTreeWidgetItem* templates = heading(m_tree, "person", tr("Characters"));
     for (const model::TemplateEntry& entry : m_state.scene().templates) {
         auto* item =
             new QTreeWidgetItem(templates, {QString::fromStdString(entry.name)}, TemplateItem);
@@ -279,7 +279,7 @@ void SceneDock::fillStageMenu(QMenu& menu, std::uint8_t id)
 
 void SceneDock::fillTemplateMenu(QMenu& menu, model::TemplateId id)
 {
-    menu.addAction(iconNamed("select-all"), tr("Select These People"), this, [this, id] {
+    menu.addAction(iconNamed("select-all"), tr("Select These Characters"), this, [this, id] {
         m_state.selection().set(
             peopleWith(m_state.scene().population, model::columns::templateId, id));
     });
@@ -292,7 +292,7 @@ void SceneDock::fillTemplateMenu(QMenu& menu, model::TemplateId id)
 void SceneDock::fillGroupMenu(QMenu& menu, std::uint32_t group)
 {
     const auto ids = peopleWith(m_state.scene().population, model::columns::group, group);
-    menu.addAction(iconNamed("select-all"), tr("Select These People"), this,
+    menu.addAction(iconNamed("select-all"), tr("Select These Characters"), this,
                    [this, ids] { m_state.selection().set(ids); });
     menu.addAction(iconNamed("remove"), tr("Dissolve the Group"), this,
                    [this, ids] { setGroup(ids, 0, tr("Dissolve group")); });

@@ -20,7 +20,7 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     m_fold->setObjectName(QStringLiteral("foldSurface"));
-    m_fold->setText(tr("Where people can walk"));
+    m_fold->setText(tr("Where characters can walk"));
     m_fold->setCheckable(true);
     m_fold->setAutoRaise(true);
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -29,7 +29,7 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     layout->addWidget(m_rows);
     auto* form = new QFormLayout(m_rows);
     form->setContentsMargins(4, 0, 4, 0);
-    addField(tr("Body radius, m"), tr("So far people keep from walls"), "surfaceRadius",
+    addField(tr("Body radius, m"), tr("So far characters keep from walls"), "surfaceRadius",
              &model::SurfaceSettings::radius, 0.05, 5.0);
     addField(tr("Body height, m"), tr("Lower places are not walked under"), "surfaceHeight",
              &model::SurfaceSettings::height, 0.2, 20.0);
@@ -71,7 +71,7 @@ void SurfaceForm::addField(const QString& label, const QString& tip, const char*
         changed.*member = static_cast<float>(value);
         auto edit = m_state.document().beginEdit();
         edit->setSurface(changed);
-        edit->commit(tr("Change where people can walk"));
+        edit->commit(tr("Change where characters can walk"));
     });
     m_fields.push_back({field, member});
 }

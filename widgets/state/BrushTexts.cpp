@@ -44,7 +44,7 @@ QString mainQuantityName(MainQuantity quantity)
 {
     switch (quantity) {
     case MainQuantity::Density:
-        return BrushTextsContext::tr("People per m²");
+        return BrushTextsContext::tr("Characters per m²");
     case MainQuantity::SeatPercent:
         return BrushTextsContext::tr("Seats filled, %");
     case MainQuantity::Distance:
@@ -79,7 +79,7 @@ QString mainNumberText(const model::BrushSettings& settings)
     const QString value = QLocale().toString(number.value, 'f', number.decimals);
     switch (number.quantity) {
     case MainQuantity::Density:
-        return BrushTextsContext::tr("Density: %1 people per m²").arg(value);
+        return BrushTextsContext::tr("Density: %1 characters per m²").arg(value);
     case MainQuantity::SeatPercent:
         return BrushTextsContext::tr("Seats filled: %1 %").arg(value);
     case MainQuantity::Distance:
@@ -162,7 +162,7 @@ QString placeRoleTip(model::PlaceRole role)
     case model::PlaceRole::Exit:
         return BrushTextsContext::tr("Who reaches it leaves the scene");
     case model::PlaceRole::Slow:
-        return BrushTextsContext::tr("People walk slower there");
+        return BrushTextsContext::tr("Characters walk slower there");
     case model::PlaceRole::Forbidden:
         return BrushTextsContext::tr("Nobody walks there; ways lead around it");
     case model::PlaceRole::Preferred:

@@ -21,7 +21,7 @@ struct CueText
 void sendCue(EditorState& state, const model::Cue& cue)
 {
     if (!state.session().isRunning()) {
-        state.showStatus(CueText::tr("Press Play first: cues speak to people while it plays."));
+        state.showStatus(CueText::tr("Press Play first: cues speak to characters while it plays."));
         return;
     }
     const model::EventSettings event{cue.event, cue.payload};

@@ -399,7 +399,7 @@ bool SessionControl::keepPose()
     m_isKeepingPose = true;
     auto edit = m_document.beginEdit();
     const int people = behavior::keepPose(*edit, shown->population, pose.get());
-    const bool isKept = edit->commit(tr("Keep the pose of %n individual(s)", nullptr, people));
+    const bool isKept = edit->commit(tr("Keep the pose of %n character(s)", nullptr, people));
     m_isKeepingPose = false;
     m_player->adopt(m_document.scene(), true);
     Q_EMIT posesKept(people);

@@ -24,30 +24,30 @@ QString affectedText(BrushKind kind, int count)
 {
     switch (kind) {
     case BrushKind::Create:
-        return BrushDragsText::tr("%n people created", nullptr, count);
+        return BrushDragsText::tr("%n characters created", nullptr, count);
     case BrushKind::Delete:
-        return BrushDragsText::tr("%n people deleted", nullptr, count);
+        return BrushDragsText::tr("%n characters deleted", nullptr, count);
     case BrushKind::Colour:
-        return BrushDragsText::tr("%n people coloured", nullptr, count);
+        return BrushDragsText::tr("%n characters coloured", nullptr, count);
     case BrushKind::Orientation:
-        return BrushDragsText::tr("%n people turned", nullptr, count);
+        return BrushDragsText::tr("%n characters turned", nullptr, count);
     case BrushKind::Animation:
-        return BrushDragsText::tr("%n people do something else", nullptr, count);
+        return BrushDragsText::tr("%n characters do something else", nullptr, count);
     case BrushKind::Walk:
-        return BrushDragsText::tr("%n people walk differently", nullptr, count);
+        return BrushDragsText::tr("%n characters walk differently", nullptr, count);
     case BrushKind::Style:
-        return BrushDragsText::tr("%n people walk in another way", nullptr, count);
+        return BrushDragsText::tr("%n characters walk in another way", nullptr, count);
     case BrushKind::Tag:
-        return BrushDragsText::tr("%n people tagged", nullptr, count);
+        return BrushDragsText::tr("%n characters tagged", nullptr, count);
     case BrushKind::Untag:
-        return BrushDragsText::tr("%n people without the tag", nullptr, count);
+        return BrushDragsText::tr("%n characters without the tag", nullptr, count);
     case BrushKind::Event:
-        return BrushDragsText::tr("%n people heard it", nullptr, count);
+        return BrushDragsText::tr("%n characters heard it", nullptr, count);
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
     case BrushKind::Script:
-        return BrushDragsText::tr("%n people changed", nullptr, count);
+        return BrushDragsText::tr("%n characters changed", nullptr, count);
     }
     return {};
 }
@@ -127,7 +127,7 @@ void StrokeDrag::show(ToolPicture& picture) const
         picture.gradient = QLineF(m_press.position(), m_current.position());
     }
     if (settings.isReevaluated() || settings.kind == BrushKind::Create) {
-        picture.label = BrushDragsText::tr("%n people", nullptr, m_stroke->affected());
+        picture.label = BrushDragsText::tr("%n characters", nullptr, m_stroke->affected());
     }
 }
 
@@ -179,7 +179,7 @@ void ScriptStrokeDrag::show(ToolPicture& picture) const
     if (m_settings.selection == BrushSelection::Rectangle) {
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
     }
-    picture.label = BrushDragsText::tr("%n people", nullptr, m_painter.affected());
+    picture.label = BrushDragsText::tr("%n characters", nullptr, m_painter.affected());
 }
 
 ResizeDrag::ResizeDrag(const ToolContext& context, BrushKind kind, const ToolInput& press)

@@ -29,33 +29,33 @@ QString whatItDoes(BrushKind kind)
     switch (kind) {
     case BrushKind::Create:
         return BrushToolText::tr(
-            "Drag: create people · + −: how many · Ctrl+click: more of the kind");
+            "Drag: create characters · + −: how many · Ctrl+click: more of the kind");
     case BrushKind::Delete:
-        return BrushToolText::tr("Drag: delete people · + −: how fast");
+        return BrushToolText::tr("Drag: delete characters · + −: how fast");
     case BrushKind::Colour:
         return BrushToolText::tr(
-            "Drag: colour people · + −: strength · Ctrl+click: take the colour");
+            "Drag: colour characters · + −: strength · Ctrl+click: take the colour");
     case BrushKind::Orientation:
         return BrushToolText::tr(
-            "Drag: turn people · + −: direction · Ctrl+click: the point to face");
+            "Drag: turn characters · + −: direction · Ctrl+click: the point to face");
     case BrushKind::Animation:
         return BrushToolText::tr(
-            "Drag: change what people do · + −: speed · Ctrl+click: take the clip");
+            "Drag: change what characters do · + −: speed · Ctrl+click: take the clip");
     case BrushKind::Walk:
-        return BrushToolText::tr("Drag: let people walk along the path · + −: walking speed");
+        return BrushToolText::tr("Drag: let characters walk along the path · + −: walking speed");
     case BrushKind::Style:
-        return BrushToolText::tr("Drag: set how people walk and how fast · + −: speed");
+        return BrushToolText::tr("Drag: set how characters walk and how fast · + −: speed");
     case BrushKind::Tag:
-        return BrushToolText::tr("Drag: tag people · + −: which tag");
+        return BrushToolText::tr("Drag: tag characters · + −: which tag");
     case BrushKind::Untag:
-        return BrushToolText::tr("Drag: take the tag off people · + −: which tag");
+        return BrushToolText::tr("Drag: take the tag off characters · + −: which tag");
     case BrushKind::Event:
-        return BrushToolText::tr("Drag: let an event happen to people · + −: its number");
+        return BrushToolText::tr("Drag: let an event happen to characters · + −: its number");
     case BrushKind::Path:
     case BrushKind::Environment:
         break;
     case BrushKind::Script:
-        return BrushToolText::tr("Drag: let the script change people · Escape: take it back");
+        return BrushToolText::tr("Drag: let the script change characters · Escape: take it back");
     }
     return {};
 }

@@ -291,14 +291,15 @@ void makePathOfPlaces(EditorState& state, model::PathKind kind)
     const QString name = QString::fromStdString(state.scene().findPath(path)->name);
     switch (kind) {
     case model::PathKind::Simple:
-        state.showStatus(PlaceHandlesText::tr("%1: people stop at its last place.").arg(name));
+        state.showStatus(PlaceHandlesText::tr("%1: characters stop at its last place.").arg(name));
         break;
     case model::PathKind::Cyclic:
-        state.showStatus(PlaceHandlesText::tr("%1: people go round and round.").arg(name));
+        state.showStatus(PlaceHandlesText::tr("%1: characters go round and round.").arg(name));
         break;
     case model::PathKind::Teleport:
         state.showStatus(
-            PlaceHandlesText::tr("%1: people jump from its last place to its first.").arg(name));
+            PlaceHandlesText::tr("%1: characters jump from its last place to its first.")
+                .arg(name));
         break;
     }
 }

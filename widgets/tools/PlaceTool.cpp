@@ -157,7 +157,7 @@ private:
         edit->changePath(path);
         edit->commit(PlaceToolText::tr("Close a path"));
         state.paths().end();
-        state.showStatus(PlaceToolText::tr("The path is closed: people go round."));
+        state.showStatus(PlaceToolText::tr("The path is closed: characters go round."));
     }
 
     /// The walk brush offers what was painted last, unless it is to find the nearest.

@@ -76,7 +76,7 @@ public:
         }
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
         picture.symbolAt = m_current.position();
-        picture.label = SelectToolText::tr("%n people", nullptr, m_count);
+        picture.label = SelectToolText::tr("%n characters", nullptr, m_count);
     }
 
 private:

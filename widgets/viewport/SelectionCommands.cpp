@@ -44,8 +44,8 @@ void deleteSelection(EditorState& state)
     }
     auto edit = state.document().beginEdit();
     edit->removeIndividuals(ids);
-    edit->commit(SelectionCommandsText::tr("Delete %n individual(s)", nullptr,
-                                           static_cast<int>(ids.size())));
+    edit->commit(
+        SelectionCommandsText::tr("Delete %n character(s)", nullptr, static_cast<int>(ids.size())));
 }
 
 } // namespace crowd::widgets

@@ -330,15 +330,15 @@ QString ViewportWidget::helpText() const
         return {};
     }
     return m_state.tool() == ToolId::BrushCreate
-               ? tr("Nobody is here yet.\nDrag over the ground: people come.")
-               : tr("Nobody is here yet.\nPress C and paint people on the ground.");
+               ? tr("Nobody is here yet.\nDrag over the ground: characters come.")
+               : tr("Nobody is here yet.\nPress C and paint characters on the ground.");
 }
 
 WorkStatus ViewportWidget::workStatus()
 {
     const double surface = m_state.session().surfaceProgress();
     if (surface >= 0.0) {
-        return {tr("Finding out where people can walk"), surface, {}, {}};
+        return {tr("Finding out where characters can walk"), surface, {}, {}};
     }
     const auto baking = m_state.keyframes().progress();
     if (baking.pendingClips == 0) {
@@ -350,7 +350,7 @@ WorkStatus ViewportWidget::workStatus()
                              : WorkStatus{work.text, done, {}, {}};
     }
     if (baking.isPaused) {
-        return {tr("Animations are not baked: some people stand still."), -1.0, tr("Bake"),
+        return {tr("Animations are not baked: some characters stand still."), -1.0, tr("Bake"),
                 tr("Go on baking")};
     }
     if (baking.pendingClips > 0) {
@@ -361,7 +361,7 @@ WorkStatus ViewportWidget::workStatus()
                 tr("Stop baking: whose animation is not ready stands still")};
     }
     if (baking.isBudgetReached) {
-        return {tr("The memory for baked animations is used up: some people stand still. "
+        return {tr("The memory for baked animations is used up: some characters stand still. "
                    "The preferences set its size."),
                 -1.0,
                 {},
