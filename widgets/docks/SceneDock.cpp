@@ -7,6 +7,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
@@ -73,6 +74,26 @@ QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& tex
 
 } // namespace
 
+/// Folded: set once, and the list of what is in the scene needs the room.
+void SceneDock::addLight(QWidget& content)
+{
+    auto* fold = new QToolButton(&content);
+    fold->setObjectName(QStringLiteral("foldLight"));
+    fold->setText(tr("Light"));
+    fold->setCheckable(true);
+    fold->setAutoRaise(true);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold->setArrowType(Qt::RightArrow);
+    auto* form = new LightForm(m_state, &content);
+    form->hide();
+    content.layout()->addWidget(fold);
+    content.layout()->addWidget(form);
+    connect(fold, &QToolButton::toggled, form, [fold, form](bool isOpen) {
+        fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        form->setVisible(isOpen);
+    });
+}
+
 SceneDock::SceneDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Scene"), "scene", parent), m_state(state), m_tree(new QTreeWidget(this))
 {
@@ -81,7 +102,7 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(m_tree, 1);
-    layout->addWidget(new LightForm(m_state, content));
+    addLight(*content);
     setWidget(content);
 
     m_rebuild.setSingleShot(true);

@@ -48,6 +48,7 @@ private:
     void fillTemplateMenu(QMenu& menu, model::TemplateId id);
     void fillGroupMenu(QMenu& menu, std::uint32_t group);
     void fillCameraMenu(QMenu& menu, const QString& name);
+    void addLight(QWidget& content);
     void removeStage(std::uint8_t id);
     void groupSelected();
     void setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
