@@ -361,13 +361,13 @@ void RuleEditor::addMeeting(QVBoxLayout* layout)
         m_apply([&](Rule& each) { each.yields = static_cast<model::RuleYield>(index); });
     });
     QHBoxLayout* row =
-        labelledRowIn(layout, tr("pause"), tr("Before it comes again for the same person"));
+        labelledRowIn(layout, tr("pause"), tr("Before it comes again for the same character"));
     addNumberField(row, static_cast<double>(m_rule.cooldownSeconds), 0.0, 3600.0, tr(" s"),
                    [this](double value) {
                        m_apply(
                            [&](Rule& each) { each.cooldownSeconds = static_cast<float>(value); });
                    });
-    row = labelledRowIn(layout, tr("at most"), tr("So often for the same person"));
+    row = labelledRowIn(layout, tr("at most"), tr("So often for the same character"));
     addCountField(
         row, m_rule.limit, 1000, tr(" ×"),
         [this](std::uint32_t limit) { m_apply([&](Rule& each) { each.limit = limit; }); },

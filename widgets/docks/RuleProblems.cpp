@@ -168,8 +168,9 @@ QString flawText(const Scene& scene, const RuleFlaw& flaw)
         return RuleProblemsText::tr(
             "The scene has no seats to sit on: bring a stage with seats along.");
     case RuleFlawKind::NoExit:
-        return RuleProblemsText::tr("There is no exit to leave at, so people stay: paint one with "
-                                    "the environment brush (I).");
+        return RuleProblemsText::tr(
+            "There is no exit to leave at, so characters stay: paint one with "
+            "the environment brush (I).");
     }
     return {};
 }
