@@ -5,6 +5,7 @@
 #include <new>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <tiny_gltf.h>
 
 #include "model/gltf/ClipAnalysis.h"
 #include "model/gltf/GltfAnimations.h"
@@ -52,6 +53,19 @@ Result<gltf::SceneNodes> buildAsset(GltfFile& file, Template& asset, const Impor
         return clips.error();
     }
     return scene;
+}
+
+/// A template that nobody could see is none: clips without a body, or points and lines alone.
+Result<void> checkIsSeen(const GltfFile& file, const Template& asset)
+{
+    if (!asset.levels.front().indices.empty()) {
+        return {};
+    }
+    const char* lacks =
+        file.model->meshes.empty() ? "it has no mesh" : "its scene has no triangles";
+    return Error{std::string(lacks) +
+                 ", so that nobody made of it could be seen; export the file again together with "
+                 "the character's mesh, as triangles"};
 }
 
 /// Runs `import` on the checked file; nothing that it or the file does gets out but a message.
@@ -108,6 +122,9 @@ Result<TemplatePtr> importTemplate(const std::string& path, const ImportSettings
         const Result<gltf::SceneNodes> scene = buildAsset(file, *asset, progress);
         if (!scene) {
             return scene.error();
+        }
+        if (const Result<void> seen = checkIsSeen(file, *asset); !seen) {
+            return seen.error();
         }
         asset->rootCorrection = correctionOf(settings);
         gltf::analyseClips(*asset, settings.removeRootMotion);

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void flattensStagesAndTheirSeats();
     void appliesSettings();
     void canBeCancelled();
+    void refusesCharactersThatNobodySees();
 
 private:
     GltfFolder m_folder;
@@ -147,6 +148,33 @@ void tst_GltfImport::canBeCancelled()
         QVERIFY(!asset.isOk());
         QVERIFY(asset.error().message.find("cancelled") != std::string::npos);
     }
+}
+
+void tst_GltfImport::refusesCharactersThatNobodySees()
+{
+    const auto messageOf = [this](const GltfBuilder& builder) {
+        const Result<TemplatePtr> asset = importTemplate(m_folder.save(builder));
+        return asset ? QString() : QString::fromStdString(asset.error().message);
+    };
+    GltfBuilder clips = skinned();
+    animate(clips, {{"name", "walk"}}, 2, "translation", {0, 1}, {0, 0, 0, 0, 1, 0});
+    for (const char* array : {"meshes", "skins"}) {
+        clips.root.erase(array);
+    }
+    clips.root["nodes"][0] = {{"name", "empty"}};
+    QCOMPARE(messageOf(clips),
+             QStringLiteral("test.glb: it has no mesh, so that nobody made of it could be seen; "
+                            "export the file again together with the character's mesh, as "
+                            "triangles."));
+    for (const int mode : {0, 1, 3}) {
+        GltfBuilder points = GltfBuilder::triangle();
+        primitive(points)["mode"] = mode;
+        QVERIFY(messageOf(points).contains(QStringLiteral("its scene has no triangles")));
+        QVERIFY(importStage(m_folder.save(points)).isOk()); // a stage may be empty
+    }
+    GltfBuilder elsewhere = GltfBuilder::triangle();
+    elsewhere.root["scenes"][0]["nodes"] = Json::array();
+    QVERIFY(messageOf(elsewhere).contains(QStringLiteral("its scene has no triangles")));
 }
 
 CROWD_TEST(tst_GltfImport)
