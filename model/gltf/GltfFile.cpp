@@ -15,6 +15,7 @@
 #include "model/gltf/GltfInstances.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMeshopt.h"
+#include "model/gltf/GltfPointers.h"
 #include "model/gltf/GltfValidate.h"
 
 namespace crowd::model::gltf {
@@ -206,9 +207,8 @@ Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
 /// Extensions that may change what is seen more than the shine of a surface, and are not read.
 void addUnreadExtensions(const Json& root, std::vector<std::string>& warnings)
 {
-    constexpr std::array<std::pair<std::string_view, const char*>, 2> kUnread{
-        {{"KHR_animation_pointer", "what only it animates stands still"},
-         {"KHR_node_visibility", "what it hides is drawn"}}};
+    constexpr std::array<std::pair<std::string_view, const char*>, 1> kUnread{
+        {{"KHR_node_visibility", "what it hides is drawn"}}};
     const Json& used = member(root, "extensionsUsed");
     for (std::size_t i = 0; used.is_array() && i < used.size(); ++i) {
         for (const auto& [name, effect] : kUnread) {
@@ -257,6 +257,7 @@ Result<GltfFile> readChecked(const std::string& path)
         return decoded.error();
     }
     file.images = findImages(root);
+    resolveAnimationPointers(root, file.warnings);
     const Json plain = plainRoot(root, memory);
     if (const Result<void> done = parse(plain, memory, *file.model); !done) {
         return done.error();

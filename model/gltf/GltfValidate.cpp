@@ -19,11 +19,12 @@ constexpr std::array<const char*, 12> kArrays{"accessors", "animations", "buffer
 
 /// What may be demanded of us. Extensions that only change how a surface shines, or hold pictures
 /// that we cannot decode, are fine: the file looks plainer, not wrong.
-constexpr std::array<std::string_view, 16> kKnownExtensions{
+constexpr std::array<std::string_view, 17> kKnownExtensions{
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_avif",
     "EXT_texture_webp",
+    "KHR_animation_pointer",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_mesh_quantization",

@@ -28,6 +28,8 @@ private Q_SLOTS:
     void bakesClipsWithoutLength();
     void movesSeveralSkeletonsAtOnce();
     void ignoresChannelsThatMoveNothing();
+    void followsPointersToNodes();
+    void leavesOutClipsOfOtherPointers();
     void ignoresTheSkinnedNodesOwnPlace();
     void takesJointsFromAnywhere();
     void keepsUnskinnedUsesOfSkinnedMeshes();
@@ -229,6 +231,46 @@ void tst_GltfSpecClips::ignoresChannelsThatMoveNothing()
     // A clip may have none at all.
     clip["channels"] = Json::array();
     QCOMPARE(m_folder.load(builder)->clips[0].seconds, 0.0F);
+}
+
+/// The channels of the builder's first clip point to properties by their paths.
+void pointTo(GltfBuilder& builder, const std::vector<std::string>& pointers)
+{
+    Json& channels = builder.root["animations"][0]["channels"];
+    channels = Json::array();
+    for (const std::string& pointer : pointers) {
+        channels.push_back(
+            {{"sampler", 0},
+             {"target",
+              {{"path", "pointer"},
+               {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}});
+    }
+    builder.root["extensionsUsed"] = {"KHR_animation_pointer"};
+}
+
+void tst_GltfSpecClips::followsPointersToNodes()
+{
+    GltfBuilder builder = moving("translation", {1, 3}, {0, 0, 0, 0, 2, 0});
+    pointTo(builder, {"/nodes/0/translation", "/materials/0/emissiveFactor"});
+    const TemplatePtr asset = m_folder.load(builder);
+    QCOMPARE(asset->clips.size(), std::size_t{1});
+    QCOMPARE(asset->clips[0].seconds, 2.0F);
+    QVERIFY(near(originAt(*asset, 1.0F), {0, 1, 0}));
+    QCOMPARE(asset->warnings.size(), std::size_t{1});
+    QVERIFY(asset->warnings[0].find("/materials/0/emissiveFactor") != std::string::npos);
+}
+
+void tst_GltfSpecClips::leavesOutClipsOfOtherPointers()
+{
+    for (const char* pointer : {"/materials/0/emissiveFactor", "/nodes/7/translation", "/nodes/0/",
+                                "/nodes/0/extras", "/nodes//translation", "", "/"}) {
+        GltfBuilder builder = moving("translation", {1, 3}, {0, 0, 0, 0, 2, 0});
+        pointTo(builder, {pointer});
+        const TemplatePtr asset = m_folder.load(builder);
+        QVERIFY(asset->clips.front().isMadeUp); // the resting pose, as of a file without clips
+        QCOMPARE(asset->warnings.size(), std::size_t{2});
+        QVERIFY(asset->warnings[1].find("\"move\"") != std::string::npos);
+    }
 }
 
 void tst_GltfSpecClips::ignoresTheSkinnedNodesOwnPlace()
