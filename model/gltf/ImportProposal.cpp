@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "model/bake/Pose.h"
 #include "model/gltf/GroundSpeed.h"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr float kSmallest = 0.1F; ///< metres: no proposal for what lies between
 constexpr float kLargest = 12.0F;
+constexpr float kSmallestLift = 0.001F;
 constexpr float kTypical = 1.5F;
 constexpr std::size_t kMostClips = 256; ///< looked at for the way it walks
 constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
@@ -83,6 +86,11 @@ bool splitSide(const std::string& name, SideName& out)
     return false;
 }
 
+bool mirrors(const glm::mat4& matrix)
+{
+    return glm::determinant(glm::mat3(matrix)) < 0.0F;
+}
+
 /// From the right side to the left, summed over pairs of nodes; zero where there are none.
 glm::vec3 towardsLeft(const Template& asset)
 {
@@ -103,8 +111,11 @@ glm::vec3 towardsLeft(const Template& asset)
     glm::vec3 sum(0.0F);
     for (const auto& [base, pair] : pairs) {
         if (pair.left >= 0 && pair.right >= 0) {
-            sum += glm::vec3(pose.nodeWorld[static_cast<std::size_t>(pair.left)][3] -
-                             pose.nodeWorld[static_cast<std::size_t>(pair.right)][3]);
+            const glm::mat4& left = pose.nodeWorld[static_cast<std::size_t>(pair.left)];
+            const glm::mat4& right = pose.nodeWorld[static_cast<std::size_t>(pair.right)];
+            // In a character that is mirrored as a whole, what is called left is at its right.
+            const bool isSwapped = mirrors(left) && mirrors(right);
+            sum += glm::vec3(left[3] - right[3]) * (isSwapped ? -1.0F : 1.0F);
         }
     }
     return sum;
@@ -163,20 +174,30 @@ Bounds turned(const Bounds& bounds, const ImportSettings& settings)
     return out;
 }
 
-/// What floats a little may be meant to; what sinks is lifted.
+/// What floats a little may be meant to; what sinks is lifted. Nobody sees less than a millimetre.
 float proposeLift(const Bounds& bounds)
 {
     const float height = bounds.size().y;
-    const bool sinks = bounds.low.y < -0.03F * height;
-    const bool isFarAbove = bounds.low.y > height;
+    const bool sinks = bounds.low.y < -std::max(0.03F * height, kSmallestLift);
+    const bool isFarAbove = bounds.low.y > std::max(height, kSmallestLift);
     return sinks || isFarAbove ? -bounds.low.y : 0.0F;
 }
 
+/// Three digits that count, or as many as there are before the point.
 std::string number(float value)
 {
-    std::string text = std::to_string(std::round(static_cast<double>(value) * 1000.0) / 1000.0);
-    text.erase(text.find_last_not_of('0') + 1);
-    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+    const double size = std::abs(static_cast<double>(value));
+    const int decimals =
+        size > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+    std::array<char, 64> text{};
+    const char* end = std::to_chars(text.data(), text.data() + text.size(),
+                                    static_cast<double>(value), std::chars_format::fixed, decimals)
+                          .ptr;
+    std::string digits(text.data(), static_cast<std::size_t>(end - text.data()));
+    if (decimals > 0) {
+        digits.erase(digits.find_last_not_of('0') + 1);
+    }
+    return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
 }
 
 } // namespace

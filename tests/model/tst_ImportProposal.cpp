@@ -49,7 +49,9 @@ private Q_SLOTS:
     void standsUpWhatLies();
     void turnsToTheFront_data();
     void turnsToTheFront();
+    void leavesMirroredCharactersFacingTheirWay();
     void liftsWhatSinks();
+    void saysNumbersThatCount();
 };
 
 void tst_ImportProposal::leavesPlausibleFilesAlone()
@@ -123,6 +125,38 @@ void tst_ImportProposal::liftsWhatSinks()
     QCOMPARE(sunk.settings.groundOffset, 1.0F);
     const ImportProposal hovering = proposeImport(box({-1, 0.2F, -1}, {1, 2, 1}));
     QCOMPARE(hovering.settings.groundOffset, 0.0F);
+}
+
+/// As a whole by a root of negative scale: what is called left is at its right.
+void tst_ImportProposal::leavesMirroredCharactersFacingTheirWay()
+{
+    Template asset = box({-1, 0, -1}, {1, 2, 1}, {1, 1, 0});
+    asset.nodes[0].scale = {-1, 1, 1};
+    asset.nodes[1].parent = 0;
+    asset.nodes[2].parent = 0;
+    QVERIFY(proposeImport(asset).settings == ImportSettings{});
+    asset.nodes[0].scale = {1, 1, -1}; // and now it looks backwards
+    QVERIFY(near(proposeImport(asset).settings.rotation * glm::vec3(0, 0, -1), {0, 0, 1}));
+    asset.nodes[0].scale = {1, 1, 1}; // one arm made of the other
+    asset.nodes[2].scale = {-1, 1, 1};
+    QVERIFY(proposeImport(asset).settings == ImportSettings{});
+}
+
+void tst_ImportProposal::saysNumbersThatCount()
+{
+    const auto reasons = [](const glm::vec3& low, const glm::vec3& high) {
+        std::string text;
+        for (const std::string& reason : proposeImport(box(low, high)).reasons) {
+            text += reason;
+        }
+        return QString::fromStdString(text);
+    };
+    // Flat, and a hair's breadth below or above the ground.
+    QVERIFY(reasons({-1, -0.0002F, -1}, {1, 0, 1}).isEmpty());
+    QVERIFY(reasons({-1, 0.0002F, -1}, {1, 0.0003F, 1}).isEmpty());
+    QVERIFY(reasons({-1, -0.5F, -1}, {1, 0.5F, 1}).contains(QStringLiteral("offset it by 0.5 m")));
+    const QString tiny = reasons({-2e-5F, 0, -1e-5F}, {2e-5F, 3e-5F, 1e-5F});
+    QVERIFY2(tiny.contains(QStringLiteral("It is 0.00004 m large")), qPrintable(tiny));
 }
 
 CROWD_TEST(tst_ImportProposal)
