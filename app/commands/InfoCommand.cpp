@@ -110,13 +110,23 @@ model::Result<Json> describeAsset(const InfoOptions& options)
     return stage ? model::Result<Json>(describe(*stage.value())) : stage.error();
 }
 
+/// Why an entry's asset cannot be had; empty where it can.
+std::string problemOf(const model::TemplateEntry& entry)
+{
+    const auto asset = model::loadTemplateAsset(entry);
+    return asset ? std::string() : asset.error().message;
+}
+
 /// Loads what the scene stands on, only to say how it fares.
 std::size_t checkAssets(const model::Scene& scene, Json& warnings)
 {
-    for (const model::TemplateEntry& entry : scene.templates) {
-        const auto asset = model::loadTemplateAsset(entry);
-        if (!asset) {
-            warnings.push_back("Template \"" + entry.name + "\": " + asset.error().message);
+    const std::vector<std::size_t> alike = model::firstAlike(scene.templates);
+    std::vector<std::string> problems;
+    for (std::size_t i = 0; i < scene.templates.size(); ++i) {
+        const model::TemplateEntry& entry = scene.templates[i];
+        problems.push_back(alike[i] < i ? problems[alike[i]] : problemOf(entry));
+        if (!problems.back().empty()) {
+            warnings.push_back("Template \"" + entry.name + "\": " + problems.back());
         }
     }
     std::size_t seats = 0;

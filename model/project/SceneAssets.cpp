@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
 #include <mutex>
 
 #include <QtCore/QDir>
@@ -142,6 +143,22 @@ private:
 
 } // namespace
 
+std::vector<std::size_t> firstAlike(const std::vector<TemplateEntry>& entries)
+{
+    std::vector<std::size_t> first;
+    std::map<std::string, std::vector<std::size_t>> ofPath; ///< with settings that differ
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        std::vector<std::size_t>& known = ofPath[entries[i].path];
+        const auto found = std::ranges::find_if(
+            known, [&](std::size_t other) { return entries[other].import == entries[i].import; });
+        first.push_back(found == known.end() ? i : *found);
+        if (found == known.end()) {
+            known.push_back(i);
+        }
+    }
+    return first;
+}
+
 Result<TemplatePtr> loadTemplateAsset(const TemplateEntry& entry, const LoadProgress& progress)
 {
     static BuiltinTemplates builtins;
@@ -205,10 +222,16 @@ void loadAssets(Scene& scene, const LoadProgress& progress)
         }
         ++done;
     }
-    for (TemplateEntry& entry : scene.templates) {
+    const std::vector<std::size_t> alike = firstAlike(scene.templates);
+    std::map<std::size_t, Result<TemplatePtr>> loaded; ///< by the first of those that are alike
+    for (std::size_t i = 0; i < scene.templates.size(); ++i) {
+        TemplateEntry& entry = scene.templates[i];
         if (!entry.asset && overall(entry.name, 0.0F)) {
-            Result<TemplatePtr> asset = loadTemplateAsset(entry, overall);
-            if (asset) {
+            auto found = loaded.find(alike[i]);
+            if (found == loaded.end()) {
+                found = loaded.emplace(alike[i], loadTemplateAsset(entry, overall)).first;
+            }
+            if (const Result<TemplatePtr>& asset = found->second; asset) {
                 attachAsset(entry, asset.value());
             } else {
                 entry.problem = asset.error().message;

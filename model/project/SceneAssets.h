@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <QtCore/QString>
 
@@ -18,6 +20,10 @@ using LoadProgress = std::function<bool(const std::string& what, float fraction)
 /// Loads the assets that entries of the scene lack. One that cannot be had stays null with the
 /// reason in its entry's `problem`; the scene is otherwise intact and saves without loss.
 void loadAssets(Scene& scene, const LoadProgress& progress = {});
+
+/// For each entry the first one that comes of the same file by the same settings: itself, where
+/// there is none before it. What is loaded for that one serves all.
+[[nodiscard]] std::vector<std::size_t> firstAlike(const std::vector<TemplateEntry>& entries);
 
 /// Loads one entry's asset: the asset, or why it is not there. Any thread.
 [[nodiscard]] Result<TemplatePtr> loadTemplateAsset(const TemplateEntry& entry,

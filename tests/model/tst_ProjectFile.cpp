@@ -105,6 +105,7 @@ private Q_SLOTS:
     void findsAssetsWhereverTheyAre();
     void builtinPathsStayInTheirFolder();
     void builtinTemplatesAreSharedWhileKept();
+    void entriesOfOneFileShareIt();
     void keepsLinkAndPermissionsOnSaving();
     void leavesTheOldFileOnAFullDisk();
     void storesAssetsRelativeToTheFile();
@@ -449,6 +450,29 @@ void tst_ProjectFile::builtinTemplatesAreSharedWhileKept()
     QVERIFY(larger.isOk());
     QVERIFY(larger.value() != first.value());
     QVERIFY(larger.value()->height > 1.5F * first.value()->height);
+}
+
+void tst_ProjectFile::entriesOfOneFileShareIt()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("man.glb"));
+    QVERIFY(QFile::copy(assetFile("builtin:templates/man.glb"), file));
+    Scene scene;
+    for (TemplateId id = 1; id <= 4; ++id) {
+        TemplateEntry entry;
+        entry.id = id;
+        entry.path = file.toStdString();
+        scene.templates.push_back(entry);
+    }
+    scene.templates[1].import.scale = 2.0F;
+    scene.templates[3].path = folder.filePath(QStringLiteral("gone.glb")).toStdString();
+    QCOMPARE(firstAlike(scene.templates), (std::vector<std::size_t>{0, 1, 0, 3}));
+    loadAssets(scene);
+    QVERIFY(scene.templates[0].asset != nullptr);
+    QVERIFY(scene.templates[2].asset == scene.templates[0].asset);
+    QVERIFY(scene.templates[1].asset != scene.templates[0].asset);
+    QVERIFY(scene.templates[1].asset->height > 1.5F * scene.templates[0].asset->height);
+    QVERIFY(scene.templates[3].asset == nullptr && !scene.templates[3].problem.empty());
 }
 
 void tst_ProjectFile::keepsLinkAndPermissionsOnSaving()
