@@ -17,14 +17,6 @@ std::uint64_t nextVersion()
 }
 
 template<class T>
-void detach(std::shared_ptr<std::vector<T>>& shared)
-{
-    if (shared.use_count() > 1) {
-        shared = std::make_shared<std::vector<T>>(*shared);
-    }
-}
-
-template<class T>
 void fillDefault(IndividualRows& rows, ColumnKey<T> key, T value)
 {
     std::ranges::fill(rows.column(key), value);
@@ -50,14 +42,7 @@ IndividualRows IndividualRows::withDefaults(std::vector<IndividualId> rowIds)
     return rows;
 }
 
-Population::Population()
-    : m_ids(std::make_shared<std::vector<IndividualId>>()),
-      m_blockVersions(std::make_shared<std::vector<std::uint64_t>>())
-{
-    for (auto& column : m_columns) {
-        column = std::make_shared<std::vector<std::byte>>();
-    }
-}
+Population::Population() = default;
 
 std::size_t Population::rowOf(IndividualId id) const
 {
@@ -101,40 +86,40 @@ void Population::add(const IndividualRows& rows)
         return;
     }
     const std::size_t total = size() + rows.ids.size();
-    auto ids = std::make_shared<std::vector<IndividualId>>(total);
-    std::ranges::merge(*m_ids, rows.ids, ids->begin());
-    assert(std::ranges::adjacent_find(*ids) == ids->end());
+    std::vector<IndividualId> ids(total);
+    std::ranges::merge(*m_ids, rows.ids, ids.begin());
+    assert(std::ranges::adjacent_find(ids) == ids.end());
 
     // fromNew[row]: whether the merged row comes from `rows`.
     std::vector<bool> fromNew(total);
     for (std::size_t row = 0, next = 0; row < total; ++row) {
-        fromNew[row] = next < rows.ids.size() && (*ids)[row] == rows.ids[next];
+        fromNew[row] = next < rows.ids.size() && ids[row] == rows.ids[next];
         next += fromNew[row] ? 1 : 0;
     }
     for (std::size_t c = 0; c < kColumnCount; ++c) {
         const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
-        auto merged = std::make_shared<std::vector<std::byte>>(total * stride);
+        std::vector<std::byte> merged(total * stride);
         const std::byte* oldFrom = m_columns[c]->data();
         const std::byte* newFrom = rows.bytes[c].data();
-        std::byte* to = merged->data();
+        std::byte* to = merged.data();
         for (std::size_t row = 0; row < total; ++row, to += stride) {
             const std::byte*& from = fromNew[row] ? newFrom : oldFrom;
             std::memcpy(to, from, stride);
             from += stride;
         }
-        m_columns[c] = std::move(merged);
+        m_columns[c] = SharedVector(std::move(merged));
     }
-    m_ids = std::move(ids);
+    m_ids = SharedVector(std::move(ids));
     stampAll();
 }
 
 void Population::append(const IndividualRows& rows)
 {
-    detach(m_ids);
-    m_ids->insert(m_ids->end(), rows.ids.begin(), rows.ids.end());
+    std::vector<IndividualId>& ids = m_ids.writable();
+    ids.insert(ids.end(), rows.ids.begin(), rows.ids.end());
     for (std::size_t c = 0; c < kColumnCount; ++c) {
-        detach(m_columns[c]);
-        m_columns[c]->insert(m_columns[c]->end(), rows.bytes[c].begin(), rows.bytes[c].end());
+        std::vector<std::byte>& column = m_columns[c].writable();
+        column.insert(column.end(), rows.bytes[c].begin(), rows.bytes[c].end());
     }
     stampAll();
 }
@@ -147,17 +132,17 @@ IndividualRows Population::remove(std::span<const IndividualId> ids)
     }
     const std::vector<std::size_t> gone = rowsOf(ids);
     const auto compacted = [&](const auto& source, std::size_t stride) {
-        auto kept = std::make_shared<std::remove_cvref_t<decltype(source)>>();
-        kept->reserve(source.size() - gone.size() * stride);
+        std::remove_cvref_t<decltype(source)> kept;
+        kept.reserve(source.size() - gone.size() * stride);
         std::size_t from = 0;
         for (const std::size_t row : gone) {
-            kept->insert(kept->end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
-                         source.begin() + static_cast<std::ptrdiff_t>(row * stride));
+            kept.insert(kept.end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
+                        source.begin() + static_cast<std::ptrdiff_t>(row * stride));
             from = row + 1;
         }
-        kept->insert(kept->end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
-                     source.end());
-        return kept;
+        kept.insert(kept.end(), source.begin() + static_cast<std::ptrdiff_t>(from * stride),
+                    source.end());
+        return SharedVector(std::move(kept));
     };
     for (std::size_t c = 0; c < kColumnCount; ++c) {
         m_columns[c] = compacted(*m_columns[c], columnInfo(static_cast<ColumnId>(c)).stride);
@@ -208,9 +193,7 @@ void Population::setValues(ColumnId column, std::span<const IndividualId> ids,
 
 std::vector<std::byte>& Population::writable(ColumnId column)
 {
-    auto& shared = m_columns[static_cast<std::size_t>(column)];
-    detach(shared);
-    return *shared;
+    return m_columns[static_cast<std::size_t>(column)].writable();
 }
 
 template<class Row>
@@ -220,8 +203,7 @@ void Population::stampRows(std::span<const Row> rows)
         return;
     }
     m_version = nextVersion();
-    detach(m_blockVersions);
-    std::vector<std::uint64_t>& versions = *m_blockVersions;
+    std::vector<std::uint64_t>& versions = m_blockVersions.writable();
     std::size_t from = 0; // rows of the block that is stamped already
     std::size_t to = 0;
     for (const std::size_t row : rows) {
@@ -238,8 +220,7 @@ template void Population::stampRows(std::span<const std::uint32_t> rows);
 void Population::stampBlocks()
 {
     m_version = nextVersion();
-    detach(m_blockVersions);
-    std::ranges::fill(*m_blockVersions, m_version);
+    std::ranges::fill(m_blockVersions.writable(), m_version);
 }
 
 void Population::stampAll()
@@ -247,7 +228,7 @@ void Population::stampAll()
     m_version = nextVersion();
     m_rowsVersion = m_version;
     const std::size_t blocks = (size() + kBlockRows - 1) / kBlockRows;
-    m_blockVersions = std::make_shared<std::vector<std::uint64_t>>(blocks, m_version);
+    m_blockVersions = SharedVector(std::vector<std::uint64_t>(blocks, m_version));
 }
 
 bool operator==(const Population& a, const Population& b)

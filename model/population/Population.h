@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "model/population/Columns.h"
+#include "model/population/SharedVector.h"
 
 namespace crowd::model {
 
@@ -107,9 +107,6 @@ public:
     friend bool operator==(const Population& a, const Population& b);
 
 private:
-    template<class T>
-    using Shared = std::shared_ptr<std::vector<T>>;
-
     [[nodiscard]] std::vector<std::size_t> rowsOf(std::span<const IndividualId> ids) const;
     /// add() for ids behind all present: what creating people does. Copies nothing that is not
     /// shared.
@@ -120,9 +117,9 @@ private:
     void stampBlocks();
     void stampAll();
 
-    Shared<IndividualId> m_ids;
-    std::array<Shared<std::byte>, kColumnCount> m_columns;
-    Shared<std::uint64_t> m_blockVersions;
+    SharedVector<IndividualId> m_ids;
+    std::array<SharedVector<std::byte>, kColumnCount> m_columns;
+    SharedVector<std::uint64_t> m_blockVersions;
     std::uint64_t m_version = 0;
     std::uint64_t m_rowsVersion = 0;
 };
