@@ -27,11 +27,13 @@ IndividualRows mergedRows(const IndividualRows& a, const IndividualRows& b)
     return both.rows(both.ids());
 }
 
+/// Entries by ascending id.
 template<class Entry>
 std::optional<Entry> entryOf(const std::vector<Entry>& entries, decltype(Entry::id) id)
 {
-    const auto found = std::ranges::find(entries, id, &Entry::id);
-    return found == entries.end() ? std::nullopt : std::optional<Entry>(*found);
+    const auto found = std::ranges::lower_bound(entries, id, {}, &Entry::id);
+    const bool isThere = found != entries.end() && found->id == id;
+    return isThere ? std::optional<Entry>(*found) : std::nullopt;
 }
 
 /// First-touch values of the entries against today's, by id.

@@ -2,6 +2,7 @@
 #include "model/document/SceneDelta.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace crowd::model {
 
@@ -129,24 +130,34 @@ void keepLoadedAsset(const Entry& /*current*/, Entry& /*coming*/)
 {
 }
 
+/// Both by ascending id. In one go: a script may bring hundreds of thousands of places.
 template<class Entry>
 void swapEntries(std::vector<Entry>& entries, const std::vector<EntryDelta<Entry>>& deltas,
                  DeltaDirection direction)
 {
+    const bool isRedo = direction == DeltaDirection::Redo;
+    std::vector<Entry> swapped;
+    swapped.reserve(entries.size() + deltas.size());
+    auto current = entries.begin();
     for (const EntryDelta<Entry>& delta : deltas) {
-        const auto& from = direction == DeltaDirection::Redo ? delta.before : delta.after;
-        std::optional<Entry> to = direction == DeltaDirection::Redo ? delta.after : delta.before;
-        if (from) {
-            const auto current = std::ranges::find(entries, from->id, &Entry::id);
-            if (to) {
-                keepLoadedAsset(*current, *to);
-            }
-            entries.erase(current);
-        }
+        const std::optional<Entry>& from = isRedo ? delta.before : delta.after;
+        const std::optional<Entry>& to = isRedo ? delta.after : delta.before;
+        const auto id = from ? from->id : to->id;
+        const auto next = std::ranges::lower_bound(current, entries.end(), id, {}, &Entry::id);
+        std::move(current, next, std::back_inserter(swapped));
+        current = next;
         if (to) {
-            entries.insert(std::ranges::upper_bound(entries, to->id, {}, &Entry::id), *to);
+            swapped.push_back(*to);
+        }
+        if (from) {
+            if (to) {
+                keepLoadedAsset(*current, swapped.back());
+            }
+            ++current;
         }
     }
+    std::move(current, entries.end(), std::back_inserter(swapped));
+    entries = std::move(swapped);
 }
 
 void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction,

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "model/document/EditRecord.h"
+#include "model/document/EntryCompare.h"
 
 namespace crowd::model {
 
@@ -83,6 +84,24 @@ std::uint32_t freeIdAbove(const std::vector<Entry>& entries, std::uint32_t named
     const std::uint32_t free = freeId(entries);
     const bool hasRoom = named < std::numeric_limits<std::uint32_t>::max();
     return free <= named && hasRoom && free != 0 ? named + 1 : free;
+}
+
+/// Calls act(id) for entries that are in one of the two only, or differ; both by ascending id.
+template<class Entry, class Act>
+void forEachDifferent(const std::vector<Entry>& now, const std::vector<Entry>& wanted,
+                      const Act& act)
+{
+    auto old = now.begin();
+    auto coming = wanted.begin();
+    while (old != now.end() || coming != wanted.end()) {
+        const bool isOldOnly = coming == wanted.end() || (old != now.end() && old->id < coming->id);
+        const bool isComingOnly = !isOldOnly && (old == now.end() || coming->id < old->id);
+        if (isOldOnly || isComingOnly || !isSame(*old, *coming)) {
+            act(isOldOnly ? old->id : coming->id);
+        }
+        old += isComingOnly ? 0 : 1;
+        coming += isOldOnly ? 0 : 1;
+    }
 }
 
 } // namespace
@@ -282,6 +301,29 @@ void SceneEdit::removePath(PathId id)
     }
     m_record->touchPath(id, scene());
     std::erase_if(m_document.m_scene.paths, [id](const Path& path) { return path.id == id; });
+    m_document.announce(PathsChanged{});
+}
+
+void SceneEdit::setPlacesAndPaths(std::vector<Place> places, std::vector<Path> paths)
+{
+    const auto isGone = [&paths](PathId path) {
+        return path != 0 && !std::ranges::binary_search(paths, path, {}, &Path::id);
+    };
+    std::vector<IndividualId> walkers;
+    const auto followed = scene().population.column(columns::path);
+    for (std::size_t row = 0; row < followed.size(); ++row) {
+        if (isGone(followed[row])) {
+            walkers.push_back(scene().population.ids()[row]);
+        }
+    }
+    const PathId none = 0;
+    setColumn(columns::path, walkers, std::span<const PathId>(&none, 1));
+    Scene& target = m_document.m_scene;
+    forEachDifferent(target.places, places,
+                     [this](PlaceId id) { m_record->touchPlace(id, scene()); });
+    forEachDifferent(target.paths, paths, [this](PathId id) { m_record->touchPath(id, scene()); });
+    target.places = std::move(places);
+    target.paths = std::move(paths);
     m_document.announce(PathsChanged{});
 }
 

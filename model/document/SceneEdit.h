@@ -56,6 +56,9 @@ public:
     void changePath(const Path& path); ///< by id; its places are there
     /// Its places stay; nobody follows it any more.
     void removePath(PathId id);
+    /// All places and paths at once, by ascending id; paths name only what is among them. Who
+    /// followed a path that is gone follows none.
+    void setPlacesAndPaths(std::vector<Place> places, std::vector<Path> paths);
     void setRules(std::vector<Rule> rules);
     void setTags(std::vector<TagName> tags);
     void setNumbers(std::vector<NumberName> numbers); ///< ascending ids
