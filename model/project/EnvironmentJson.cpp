@@ -43,8 +43,9 @@ json toJson(const Path& path)
                    {"color", colorText(path.color)},
                    {"places", path.places}};
     for (const PathBranch& branch : path.branches) {
-        object["branches"].push_back(
-            {{"place", branch.place}, {"path", branch.path}, {"weight", number(branch.weight)}});
+        object["branches"].push_back(withUnknown(
+            branch.unknownMembers,
+            {{"place", branch.place}, {"path", branch.path}, {"weight", number(branch.weight)}}));
     }
     return withUnknown(path.unknownMembers, object);
 }
@@ -97,6 +98,7 @@ Path pathFrom(JsonFields fields, const std::string& where, std::string& problem)
                     branch.require("place", read.place);
                     branch.require("path", read.path);
                     readWithin(branch, "weight", 0.0F, kMaxWeight, read.weight);
+                    read.unknownMembers = branch.unknown();
                 });
     path.unknownMembers = fields.unknown();
     return path;
@@ -109,6 +111,7 @@ SurfaceSettings surfaceFrom(JsonFields fields)
     readWithin(fields, "height", 0.2F, 20.0F, surface.height);
     readWithin(fields, "climb", 0.0F, 5.0F, surface.climb);
     readWithin(fields, "slope", 0.0F, 85.0F, surface.slopeDegrees);
+    surface.unknownMembers = fields.unknown();
     return surface;
 }
 
@@ -125,18 +128,25 @@ void sortEntries(std::vector<Entry>& entries, const char* key, std::string& prob
     }
 }
 
+/// Among entries by ascending id: of many thousands each is looked up.
+template<class Entry>
+bool isThere(const std::vector<Entry>& entries, std::uint32_t id)
+{
+    return std::ranges::binary_search(entries, id, {}, &Entry::id);
+}
+
 /// Paths may name only places and paths that are there.
 void checkNames(const Scene& scene, std::string& problem)
 {
     for (const Path& path : scene.paths) {
         const std::string name = "paths: \"" + path.name + "\" (id " + std::to_string(path.id);
         for (const PlaceId id : path.places) {
-            if (scene.findPlace(id) == nullptr && problem.empty()) {
+            if (!isThere(scene.places, id) && problem.empty()) {
                 problem = name + ") names the place " + std::to_string(id) + ", which is not there";
             }
         }
         for (const PathBranch& branch : path.branches) {
-            if (scene.findPath(branch.path) == nullptr && problem.empty()) {
+            if (!isThere(scene.paths, branch.path) && problem.empty()) {
                 problem = name + ") branches off to the path " + std::to_string(branch.path) +
                           ", which is not there";
             }
@@ -175,10 +185,10 @@ void readColor(JsonFields& fields, const char* key, std::array<std::uint8_t, 3>&
 
 json surfaceJson(const SurfaceSettings& surface)
 {
-    return {{"radius", number(surface.radius)},
-            {"height", number(surface.height)},
-            {"climb", number(surface.climb)},
-            {"slope", number(surface.slopeDegrees)}};
+    return withUnknown(surface.unknownMembers, {{"radius", number(surface.radius)},
+                                                {"height", number(surface.height)},
+                                                {"climb", number(surface.climb)},
+                                                {"slope", number(surface.slopeDegrees)}});
 }
 
 void writeEnvironment(const Scene& scene, json& top)
@@ -207,7 +217,7 @@ void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
                     scene.paths.push_back(pathFrom(std::move(fields), where, problem));
                 });
     if (const json* surface = top.find("surface")) {
-        scene.surface = surfaceFrom(JsonFields(*surface, "surface", problem));
+        scene.surface = surfaceFrom(top.part(*surface, "surface"));
     }
     top.read("stepsPerSecond", scene.stepsPerSecond);
     if (std::ranges::find(kStepRates, scene.stepsPerSecond) == kStepRates.end()) {

@@ -71,7 +71,7 @@ void readObjects(JsonFields& fields, const char* key, const std::string& place,
     }
     for (std::size_t i = 0; i < list->size() && problem.empty(); ++i) {
         const std::string where = place + key + "[" + std::to_string(i) + "]";
-        read(JsonFields((*list)[i], where, problem), where);
+        read(fields.part((*list)[i], where), where);
     }
 }
 

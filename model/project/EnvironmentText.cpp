@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/project/EnvironmentChecks.h"
 #include "model/project/EnvironmentJson.h"
 
 namespace crowd::model {
@@ -15,6 +16,73 @@ namespace {
 constexpr std::array kMembers{"places", "paths", "tags", "rules", "numbers", "cues"};
 constexpr const char* kSurface = "surface";
 constexpr const char* kSteps = "stepsPerSecond";
+constexpr int kDeepest = 64; ///< as project files
+
+/// Reading goes down as deep as text is nested, and so does writing what is not known.
+bool isTooDeep(const std::string& text)
+{
+    int depth = 0;
+    bool isInText = false;
+    for (std::size_t i = 0; i < text.size() && depth <= kDeepest; ++i) {
+        const char letter = text[i];
+        if (isInText && letter == '\\') {
+            ++i;
+        } else if (letter == '"') {
+            isInText = !isInText;
+        } else if (!isInText) {
+            depth += letter == '[' || letter == '{' ? 1 : letter == ']' || letter == '}' ? -1 : 0;
+        }
+    }
+    return depth > kDeepest;
+}
+
+/// Names of members that the scene keeps without knowing them.
+class UnknownNames
+{
+public:
+    explicit UnknownNames(const Scene& scene)
+    {
+        addAll(scene.places);
+        addAll(scene.paths);
+        for (const Path& path : scene.paths) {
+            addAll(path.branches);
+        }
+        addAll(scene.rules);
+        for (const Rule& rule : scene.rules) {
+            add(rule.trigger.unknownMembers);
+            addAll(rule.conditions);
+            addAll(rule.actions);
+            for (const Action& action : rule.actions) {
+                addAll(action.clips);
+            }
+        }
+        addAll(scene.tags);
+        addAll(scene.numbers);
+        addAll(scene.cues);
+        add(scene.surface.unknownMembers);
+    }
+    [[nodiscard]] const JsonFields::Tolerated& names() const { return m_names; }
+
+private:
+    template<class Entry>
+    void addAll(const std::vector<Entry>& entries)
+    {
+        for (const Entry& entry : entries) {
+            add(entry.unknownMembers);
+        }
+    }
+    void add(const std::string& members)
+    {
+        if (!members.empty()) {
+            const json object = json::parse(members);
+            for (const auto& [name, value] : object.items()) {
+                m_names.insert(name);
+            }
+        }
+    }
+
+    JsonFields::Tolerated m_names;
+};
 
 } // namespace
 
@@ -40,8 +108,11 @@ std::string environmentText(const Scene& scene, const EnvironmentParts& parts)
     return meant.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-Result<void> readEnvironmentText(const std::string& text, Scene& scene)
+Result<void> readEnvironmentText(const std::string& text, Scene& scene, bool isStrict)
 {
+    if (isTooDeep(text)) {
+        return Error{"The environment is nested more than " + std::to_string(kDeepest) + " deep."};
+    }
     const json top = json::parse(text, nullptr, false);
     if (top.is_discarded() || !top.is_object()) {
         return Error{"The environment must be an object with lists of places, paths, tags, rules, "
@@ -75,11 +146,15 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene)
         changed.cues.clear();
     }
     std::string problem;
-    JsonFields fields(top, "", problem);
+    const UnknownNames kept(scene);
+    JsonFields fields(top, "", problem, isStrict ? &kept.names() : nullptr);
     readEnvironment(fields, changed, problem);
     readRules(fields, changed, problem);
+    if (isStrict) {
+        checkEnvironment(scene, changed, problem);
+    }
     if (!problem.empty()) {
-        return Error{problem};
+        return Error{problem + "."};
     }
     scene = std::move(changed);
     return {};

@@ -28,7 +28,9 @@ struct EnvironmentParts
 [[nodiscard]] std::string environmentText(const Scene& scene, const EnvironmentParts& parts = {});
 
 /// Puts what the text holds in the place of what the scene has; members that are not there stay.
-/// A problem names the member that is wrong, and the scene is as before.
-[[nodiscard]] Result<void> readEnvironmentText(const std::string& text, Scene& scene);
+/// A problem names the member that is wrong, and the scene is as before. Strict: members that
+/// neither this version nor the scene knows are refused, and what checkEnvironment() finds.
+[[nodiscard]] Result<void> readEnvironmentText(const std::string& text, Scene& scene,
+                                               bool isStrict = true);
 
 } // namespace crowd::model

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,16 +18,28 @@ namespace crowd::model {
 
 /// Reads members of one JSON object into typed variables and remembers the first thing that is
 /// wrong, with its place ("templates[2].path"). Missing members leave the variable as it is unless
-/// they are required. What was never asked for is what this version does not know: unknown().
+/// they are required. What was never asked for is what this version does not know: unknown(). Files
+/// keep it, since a later version may have written it; what is written by hand is another matter:
+/// `tolerated` names the only members that may be unknown.
 class JsonFields
 {
 public:
-    JsonFields(const nlohmann::json& object, std::string place, std::string& firstProblem)
-        : m_object(object), m_place(std::move(place)), m_problem(firstProblem)
+    using Tolerated = std::set<std::string>;
+
+    JsonFields(const nlohmann::json& object, std::string place, std::string& firstProblem,
+               const Tolerated* tolerated = nullptr)
+        : m_object(object), m_place(std::move(place)), m_problem(firstProblem),
+          m_tolerated(tolerated)
     {
         if (!m_object.is_object()) {
             complain("", "must be an object");
         }
+    }
+
+    /// A member of this object, or of a list in it, which is as strict.
+    [[nodiscard]] JsonFields part(const nlohmann::json& object, std::string place) const
+    {
+        return {object, std::move(place), m_problem, m_tolerated};
     }
 
     template<class Target>
@@ -66,12 +79,16 @@ public:
     }
 
     /// JSON text of an object with the members nobody asked for; empty when there are none.
-    [[nodiscard]] std::string unknown() const
+    /// Complains where they are not tolerated.
+    [[nodiscard]] std::string unknown()
     {
         nlohmann::json unknown = nlohmann::json::object();
         for (const auto& [key, value] : m_object.items()) {
             if (m_object.is_object() && std::ranges::find(m_asked, key) == m_asked.end()) {
                 unknown[key] = value;
+                if (m_tolerated != nullptr && !m_tolerated->contains(key)) {
+                    complain("", "has no \"" + key + "\": there are " + allAsked());
+                }
             }
         }
         return unknown.empty() ? std::string() : unknown.dump();
@@ -83,6 +100,14 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string allAsked() const
+    {
+        std::string all;
+        for (const std::string& each : m_asked) {
+            all += (all.empty() ? "" : ", ") + each;
+        }
+        return all;
+    }
     static bool assign(const nlohmann::json& value, float& target)
     {
         if (!isFinite(value)) {
@@ -163,6 +188,7 @@ private:
     const nlohmann::json& m_object;
     std::string m_place;
     std::string& m_problem;
+    const Tolerated* m_tolerated;
     std::vector<std::string> m_asked;
 };
 

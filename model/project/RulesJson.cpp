@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include <nlohmann/json.hpp>
 
@@ -49,62 +50,67 @@ const char* nameOf(const std::array<const char*, N>& names, Enum value)
 
 json toJson(const Trigger& trigger)
 {
-    return {{"kind", nameOf(kTriggers, trigger.kind)},
-            {"event", trigger.event},
-            {"place", trigger.place},
-            {"path", trigger.path},
-            {"seconds", number(trigger.seconds)},
-            {"jitter", number(trigger.jitter)},
-            {"tag", trigger.tag},
-            {"metres", number(trigger.metres)},
-            {"metresPerSecond", number(trigger.metresPerSecond)},
-            {"above", trigger.isAbove}};
+    return withUnknown(trigger.unknownMembers,
+                       {{"kind", nameOf(kTriggers, trigger.kind)},
+                        {"event", trigger.event},
+                        {"place", trigger.place},
+                        {"path", trigger.path},
+                        {"seconds", number(trigger.seconds)},
+                        {"jitter", number(trigger.jitter)},
+                        {"tag", trigger.tag},
+                        {"metres", number(trigger.metres)},
+                        {"metresPerSecond", number(trigger.metresPerSecond)},
+                        {"above", trigger.isAbove}});
 }
 
 json toJson(const Condition& condition)
 {
-    return {{"kind", nameOf(kConditions, condition.kind)},
-            {"not", condition.isNot},
-            {"tag", condition.tag},
-            {"template", condition.templateId},
-            {"place", condition.place},
-            {"path", condition.path},
-            {"chance", number(condition.chance)},
-            {"number", condition.number},
-            {"compare", nameOf(kComparisons, condition.comparison)},
-            {"value", number(condition.value)},
-            {"property", nameOf(kComparedProperties, condition.property)},
-            {"clip", condition.clip}};
+    return withUnknown(condition.unknownMembers,
+                       {{"kind", nameOf(kConditions, condition.kind)},
+                        {"not", condition.isNot},
+                        {"tag", condition.tag},
+                        {"template", condition.templateId},
+                        {"place", condition.place},
+                        {"path", condition.path},
+                        {"chance", number(condition.chance)},
+                        {"number", condition.number},
+                        {"compare", nameOf(kComparisons, condition.comparison)},
+                        {"value", number(condition.value)},
+                        {"property", nameOf(kComparedProperties, condition.property)},
+                        {"clip", condition.clip}});
 }
 
 json toJson(const Action& action)
 {
     json clips = json::array();
     for (const ClipWeight& clip : action.clips) {
-        clips.push_back({{"clip", clip.clip}, {"weight", number(clip.weight)}});
+        clips.push_back(withUnknown(clip.unknownMembers,
+                                    {{"clip", clip.clip}, {"weight", number(clip.weight)}}));
     }
-    return {{"kind", nameOf(kActions, action.kind)},
-            {"clips", clips},
-            {"loop", action.isLooped},
-            {"seconds", number(action.seconds)},
-            {"path", action.path},
-            {"place", action.place},
-            {"value", number(action.value)},
-            {"tag", action.tag},
-            {"event", action.event},
-            {"reach", nameOf(kReaches, action.reach)},
-            {"metres", number(action.metres)},
-            {"secondsPerMetre", number(action.secondsPerMetre)},
-            {"choice", nameOf(kChoices, action.choice)},
-            {"number", action.number},
-            {"aim", nameOf(kAims, action.aim)},
-            {"property", nameOf(kSettableProperties, action.property)},
-            {"slot", action.slot},
-            {"color", colorText({action.tint.red, action.tint.green, action.tint.blue})},
-            {"strength", action.tint.strength},
-            {"depth", action.depth},
-            {"times", action.times},
-            {"weight", number(action.weight)}};
+    return withUnknown(
+        action.unknownMembers,
+        {{"kind", nameOf(kActions, action.kind)},
+         {"clips", clips},
+         {"loop", action.isLooped},
+         {"seconds", number(action.seconds)},
+         {"path", action.path},
+         {"place", action.place},
+         {"value", number(action.value)},
+         {"tag", action.tag},
+         {"event", action.event},
+         {"reach", nameOf(kReaches, action.reach)},
+         {"metres", number(action.metres)},
+         {"secondsPerMetre", number(action.secondsPerMetre)},
+         {"choice", nameOf(kChoices, action.choice)},
+         {"number", action.number},
+         {"aim", nameOf(kAims, action.aim)},
+         {"property", nameOf(kSettableProperties, action.property)},
+         {"slot", action.slot},
+         {"color", colorText({action.tint.red, action.tint.green, action.tint.blue})},
+         {"strength", action.tint.strength},
+         {"depth", action.depth},
+         {"times", action.times},
+         {"weight", number(action.weight)}});
 }
 
 json toJson(const Rule& rule)
@@ -149,6 +155,7 @@ void readTrigger(JsonFields fields, Trigger& trigger)
     readWithin(fields, "metres", 0.0F, kMaxMetres, trigger.metres);
     readWithin(fields, "metresPerSecond", 0.0F, kMaxWalkingSpeed * 10.0F, trigger.metresPerSecond);
     fields.read("above", trigger.isAbove);
+    trigger.unknownMembers = fields.unknown();
 }
 
 void readCondition(JsonFields fields, Condition& condition)
@@ -165,6 +172,7 @@ void readCondition(JsonFields fields, Condition& condition)
     readWithin(fields, "value", -kMaxNumber, kMaxNumber, condition.value);
     readName(fields, "property", kComparedProperties, condition.property);
     fields.read("clip", condition.clip);
+    condition.unknownMembers = fields.unknown();
 }
 
 void readAction(JsonFields fields, Action& action, const std::string& where, std::string& problem)
@@ -174,6 +182,7 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
         ClipWeight& read = action.clips.emplace_back();
         clip.require("clip", read.clip);
         readWithin(clip, "weight", 0.0F, kMaxPayload, read.weight);
+        read.unknownMembers = clip.unknown();
     });
     fields.read("loop", action.isLooped);
     readWithin(fields, "seconds", 0.0F, kMaxSeconds, action.seconds);
@@ -203,6 +212,7 @@ void readAction(JsonFields fields, Action& action, const std::string& where, std
         fields.complain("times", "must be at most " + std::to_string(kMaxTimes));
     }
     readWithin(fields, "weight", 0.0F, kMaxPayload, action.weight);
+    action.unknownMembers = fields.unknown();
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
@@ -212,7 +222,7 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
     fields.read("name", rule.name);
     fields.read("enabled", rule.isEnabled);
     if (const json* trigger = fields.find("when")) {
-        readTrigger(JsonFields(*trigger, where + ".when", problem), rule.trigger);
+        readTrigger(fields.part(*trigger, where + ".when"), rule.trigger);
     }
     readObjects(fields, "if", where + ".", problem, [&](JsonFields item, const std::string&) {
         readCondition(std::move(item), rule.conditions.emplace_back());
@@ -235,22 +245,25 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
 
 void checkRules(const Scene& scene, std::string& problem)
 {
-    std::vector<RuleId> ids;
+    std::unordered_set<RuleId> ids;
     for (const Rule& rule : scene.rules) {
-        if (problem.empty() && (rule.id == 0 || std::ranges::find(ids, rule.id) != ids.end())) {
-            problem = "rules: the id " + std::to_string(rule.id) +
-                      (rule.id == 0 ? " is not allowed" : " is given twice");
+        if (!ids.insert(rule.id).second || rule.id == 0) {
+            problem = !problem.empty() ? problem
+                                       : "rules: the id " + std::to_string(rule.id) +
+                                             (rule.id == 0 ? " is not allowed" : " is given twice");
         }
-        ids.push_back(rule.id);
     }
 }
 
 json toJson(const Cue& cue)
 {
-    return {{"id", cue.id},       {"name", cue.name},
-            {"event", cue.event}, {"payload", number(cue.payload)},
-            {"key", cue.key},     {"reach", nameOf(kCueReaches, cue.reach)},
-            {"tag", cue.tag}};
+    return withUnknown(cue.unknownMembers, {{"id", cue.id},
+                                            {"name", cue.name},
+                                            {"event", cue.event},
+                                            {"payload", number(cue.payload)},
+                                            {"key", cue.key},
+                                            {"reach", nameOf(kCueReaches, cue.reach)},
+                                            {"tag", cue.tag}});
 }
 
 json toJson(const NumberName& named)
@@ -262,7 +275,7 @@ json toJson(const NumberName& named)
     for (const auto& [id, value] : named.values) {
         object["values"].push_back({id, number(value)});
     }
-    return object;
+    return withUnknown(named.unknownMembers, object);
 }
 
 void readCue(JsonFields fields, Cue& cue)
@@ -277,6 +290,7 @@ void readCue(JsonFields fields, Cue& cue)
     }
     readName(fields, "reach", kCueReaches, cue.reach);
     readTag(fields, "tag", cue.tag);
+    cue.unknownMembers = fields.unknown();
 }
 
 /// Pairs of an individual and its value.
@@ -315,6 +329,7 @@ void readNumber(JsonFields fields, NumberName& named)
     readWithin(fields, "low", -kMaxNumber, kMaxNumber, named.low);
     readWithin(fields, "high", named.low, kMaxNumber, named.high);
     readNumberValues(fields, named);
+    named.unknownMembers = fields.unknown();
 }
 
 /// Not too many, each with an id of its own.
@@ -357,7 +372,8 @@ void writeRules(const Scene& scene, json& top)
     }
     for (const TagName& tag : scene.tags) {
         top["tags"].push_back(
-            {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}});
+            withUnknown(tag.unknownMembers,
+                        {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}}));
     }
     for (const NumberName& named : scene.numbers) {
         top["numbers"].push_back(toJson(named));
@@ -377,6 +393,7 @@ void readRules(JsonFields& top, Scene& scene, std::string& problem)
         readTag(fields, "tag", tag.bit);
         fields.read("name", tag.name);
         readColor(fields, "color", tag.color);
+        tag.unknownMembers = fields.unknown();
     });
     readObjects(top, "numbers", "", problem, [&](JsonFields fields, const std::string&) {
         readNumber(std::move(fields), scene.numbers.emplace_back());

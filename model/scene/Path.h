@@ -73,6 +73,7 @@ struct SurfaceSettings
     float height = 1.8F;
     float climb = 0.45F; ///< steps
     float slopeDegrees = 40.0F;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
 };
 
@@ -84,7 +85,8 @@ struct PathBranch
 {
     PlaceId place = 0;
     PathId path = 0;
-    float weight = 1.0F; ///< against 1 for going on
+    float weight = 1.0F;          ///< against 1 for going on
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const PathBranch&, const PathBranch&) = default;
 };
 

@@ -30,6 +30,7 @@ struct ClipWeight
 {
     std::string clip; ///< by name: each template has its own
     float weight = 1.0F;
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
 };
 
@@ -39,6 +40,7 @@ struct TagName
     std::uint8_t bit = 0; ///< 0..63
     std::string name;
     std::array<std::uint8_t, 3> color{200, 80, 200}; ///< sRGB
+    std::string unknownMembers{};                    ///< see Scene::unknownMembers
     friend bool operator==(const TagName&, const TagName&) = default;
 };
 
@@ -53,6 +55,7 @@ struct NumberName
     /// Who begins with another one: what a session had made of it when the pose was kept. Ascending
     /// ids; they may name who is gone.
     std::vector<std::pair<IndividualId, float>> values{};
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const NumberName&, const NumberName&) = default;
 };
 inline constexpr float kMaxNumber = 1e6F;
@@ -72,7 +75,8 @@ struct Cue
     float payload = 0.0F;
     std::string key; ///< "F3" to "F10"; empty: none
     CueReach reach = CueReach::Everybody;
-    std::uint8_t tag = 0; ///< Tagged
+    std::uint8_t tag = 0;         ///< Tagged
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Cue&, const Cue&) = default;
 };
 
@@ -103,6 +107,7 @@ struct Trigger
     float metres = 3.0F;          ///< TagNear
     float metresPerSecond = 2.0F; ///< SpeedLimit
     bool isAbove = true;          ///< SpeedLimit: faster than it, else slower
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Trigger&, const Trigger&) = default;
 };
 
@@ -145,7 +150,8 @@ struct Condition
     Comparison comparison = Comparison::More;
     float value = 0.0F;
     ComparedProperty property = ComparedProperty::Height;
-    std::string clip{}; ///< Property, Clip
+    std::string clip{};           ///< Property, Clip
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Condition&, const Condition&) = default;
 };
 
@@ -229,9 +235,10 @@ struct Action
     SettableProperty property = SettableProperty::Tint;
     std::string slot; ///< Tint: by name; empty: all tintable slots
     Tint tint{200, 60, 60, 255};
-    std::uint8_t depth = 0;  ///< deeper ones belong to a Repeat or OneOf above
-    std::uint32_t times = 2; ///< Repeat; 0: for ever
-    float weight = 1.0F;     ///< OneOf: against the other alternatives
+    std::uint8_t depth = 0;       ///< deeper ones belong to a Repeat or OneOf above
+    std::uint32_t times = 2;      ///< Repeat; 0: for ever
+    float weight = 1.0F;          ///< OneOf: against the other alternatives
+    std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Action&, const Action&) = default;
 };
 

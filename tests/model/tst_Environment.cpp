@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
 
 #include "model/document/SceneEdit.h"
+#include "model/project/EnvironmentText.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
 #include "tests/program/Test.h"
@@ -123,6 +125,11 @@ private Q_SLOTS:
     void tooManyAreRefused();
     void refusesWhatIsWrong_data();
     void refusesWhatIsWrong();
+    void unknownMembersAreWrittenBack();
+    void scriptsMayNotMisspell_data();
+    void scriptsMayNotMisspell();
+    void scriptsMayPutBackWhatTheSceneHas();
+    void manyPlacesAreSetAtOnce();
 };
 
 void TestEnvironment::savingKeepsEverything()
@@ -371,6 +378,135 @@ void TestEnvironment::refusesWhatIsWrong()
     QVERIFY(!read.isOk());
     const QString message = QString::fromStdString(read.error().message);
     QVERIFY2(message.contains(said), qPrintable(message));
+}
+
+namespace {
+
+TemplateEntry manWith(std::vector<std::string> clips)
+{
+    TemplateEntry entry;
+    entry.id = 1;
+    entry.name = "man";
+    entry.clipNames = std::move(clips);
+    return entry;
+}
+
+/// Something unknown in each part that can have it.
+const char* const kStrange = R"({
+"places": [{"id": 1, "position": [0,0,0], "zeal": 1}, {"id": 2, "position": [1,0,0]}],
+"paths": [{"id": 1, "places": [1,2], "branches": [{"place": 1, "path": 1, "zeal": 2}], "zeal": 3}],
+"surface": {"zeal": 4},
+"rules": [{"id": 1, "zeal": 5, "when": {"kind": "start", "zeal": 6}, "if": [{"zeal": 7}],
+           "do": [{"kind": "play", "clips": [{"clip": "wave", "zeal": 8}], "zeal": [9]}]}],
+"tags": [{"tag": 3, "name": "happy", "zeal": 10}],
+"numbers": [{"id": 1, "name": "joy", "zeal": 11}],
+"cues": [{"id": 1, "name": "Go", "zeal": {"a": 12}}]})";
+
+} // namespace
+
+void TestEnvironment::unknownMembersAreWrittenBack()
+{
+    Scene scene;
+    const auto read = readEnvironmentText(kStrange, scene, false);
+    QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
+    const std::string text = textOf(scene);
+    QCOMPARE(QString::fromStdString(text).count(QLatin1String("\"zeal\"")), 12);
+    const auto again = projectFromText(text);
+    QVERIFY2(again.isOk(), again ? "" : again.error().message.c_str());
+    QCOMPARE(textOf(again.value()), text);
+    QVERIFY(again.value().rules == scene.rules);
+    QVERIFY(again.value().cues == scene.cues);
+}
+
+void TestEnvironment::scriptsMayNotMisspell_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char* name, const char* text, const char* said) {
+        QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(said);
+    };
+    row("a trigger", R"({"rules": [{"id": 1, "when": {"kind": "event", "evnt": "x"}}]})",
+        "rules[0].when has no \"evnt\": there are kind, event, place");
+    row("a condition", R"({"rules": [{"id": 1, "if": [{"kind": "tag", "tagg": 1}]}]})",
+        "rules[0].if[0] has no \"tagg\"");
+    row("an action", R"({"rules": [{"id": 1, "do": [{"kind": "wait", "second": 1}]}]})",
+        "rules[0].do[0] has no \"second\"");
+    row("a clip", R"({"rules": [{"id": 1, "do": [{"clips": [{"clip": "a", "wight": 1}]}]}]})",
+        "rules[0].do[0].clips[0] has no \"wight\"");
+    row("a rule", R"({"rules": [{"id": 1, "whn": {}}]})", "rules[0] has no \"whn\"");
+    row("a place", R"({"places": [{"id": 1, "position": [0,0,0], "radios": 1}]})",
+        "places[0] has no \"radios\"");
+    row("a path", R"({"paths": [{"id": 1, "places": [], "knd": "cyclic"}]})",
+        "paths[0] has no \"knd\"");
+    row("a cue", R"({"cues": [{"id": 1, "evnt": "x"}]})", "cues[0] has no \"evnt\"");
+    row("a number", R"({"numbers": [{"id": 1, "lo": 1}]})", "numbers[0] has no \"lo\"");
+    row("a tag", R"({"tags": [{"tag": 1, "colour": "#000000"}]})", "tags[0] has no \"colour\"");
+    row("the surface", R"({"surface": {"slop": 3}})", "surface has no \"slop\"");
+    row("too far away", R"({"places": [{"id": 1, "position": [1e30,0,0]}]})", "too far away");
+    row("a clip of nobody", R"({"rules": [{"id": 1, "do": [{"clips": [{"clip": "wawe"}]}]}]})",
+        "rules[0].do[0].clips[0].clip names the clip \"wawe\"");
+    QTest::newRow("nested without end")
+        << QStringLiteral("{\"rules\": ") + QString(200000, QLatin1Char('[')) +
+               QString(200000, QLatin1Char(']')) + QLatin1Char('}')
+        << QStringLiteral("nested more than 64 deep");
+}
+
+void TestEnvironment::scriptsMayNotMisspell()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, said);
+    Scene scene;
+    scene.templates.push_back(manWith({"wave", "a"}));
+    const std::string before = textOf(scene);
+    const auto read = readEnvironmentText(text.toStdString(), scene);
+    QVERIFY(!read.isOk());
+    QVERIFY2(QString::fromStdString(read.error().message).contains(said),
+             read.error().message.c_str());
+    QCOMPARE(textOf(scene), before);
+}
+
+void TestEnvironment::scriptsMayPutBackWhatTheSceneHas()
+{
+    Scene scene;
+    scene.templates.push_back(manWith({"stand"}));
+    QVERIFY(readEnvironmentText(kStrange, scene, false).isOk());
+    const std::string text = textOf(scene);
+    const auto put = readEnvironmentText(environmentText(scene), scene);
+    QVERIFY2(put.isOk(), put ? "" : put.error().message.c_str());
+    QCOMPARE(textOf(scene), text);
+}
+
+/// A script may bring hundreds of thousands; each must not be looked for among all.
+void TestEnvironment::manyPlacesAreSetAtOnce()
+{
+    constexpr PlaceId kMany = 200'000;
+    SceneDocument document;
+    furnish(document);
+    const std::string before = textOf(document.scene());
+    std::vector<Place> places;
+    Path path;
+    path.id = 7;
+    for (PlaceId id = 1; id <= kMany; ++id) {
+        places.push_back(placeAt(static_cast<float>(id), 0.0F));
+        places.back().id = id;
+        path.places.push_back(id);
+    }
+    QElapsedTimer timer;
+    timer.start();
+    {
+        auto edit = document.beginEdit();
+        edit->setPlacesAndPaths(places, {path});
+        edit->commit(QStringLiteral("many"));
+    }
+    Scene read = document.scene();
+    QVERIFY(readEnvironmentText(environmentText(document.scene()), read).isOk());
+    QVERIFY(read.places == places);
+    document.undoStack().undo();
+    QCOMPARE(textOf(document.scene()), before);
+    document.undoStack().redo();
+    QVERIFY(document.scene().places == places);
+    QCOMPARE(document.scene().paths, std::vector<Path>{path});
+    QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
 }
 
 CROWD_TEST(TestEnvironment)

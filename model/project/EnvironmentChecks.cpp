@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/EnvironmentChecks.h"
+
+#include <algorithm>
+#include <set>
+
+#include <glm/common.hpp>
+
+namespace crowd::model {
+
+namespace {
+
+constexpr float kFarthest = 1e6F;       ///< metres
+constexpr std::size_t kMostListed = 20; ///< of what there is, in a message
+
+/// Clips and slots that rules may name: of the templates, and those that rules name already, whose
+/// template may be gone.
+struct RuleNames
+{
+    std::set<std::string> clips;
+    std::set<std::string> slots;
+    bool areClipsKnown = false; ///< else nothing can be said of them
+    bool areSlotsKnown = true;
+
+    explicit RuleNames(const Scene& scene)
+    {
+        for (const TemplateEntry& entry : scene.templates) {
+            clips.insert(entry.clipNames.begin(), entry.clipNames.end());
+            areSlotsKnown = areSlotsKnown && entry.asset != nullptr;
+            if (entry.asset) {
+                for (const Slot& slot : entry.asset->slots) {
+                    slots.insert(slot.name);
+                }
+            }
+        }
+        areClipsKnown = !clips.empty();
+        areSlotsKnown = areSlotsKnown && !slots.empty();
+        for (const Rule& rule : scene.rules) {
+            addNames(rule);
+        }
+    }
+
+private:
+    void addNames(const Rule& rule)
+    {
+        for (const Condition& condition : rule.conditions) {
+            clips.insert(condition.clip);
+        }
+        for (const Action& action : rule.actions) {
+            slots.insert(action.slot);
+            for (const ClipWeight& each : action.clips) {
+                clips.insert(each.clip);
+            }
+        }
+    }
+};
+
+std::string listed(const std::set<std::string>& names)
+{
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& name : names) {
+        if (name.empty()) {
+            continue;
+        }
+        if (++count > kMostListed) {
+            return text + " and more";
+        }
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+}
+
+/// A name that is empty stands for none.
+void checkName(const std::set<std::string>& known, const std::string& name, const char* what,
+               const std::string& where, std::string& problem)
+{
+    if (problem.empty() && !name.empty() && !known.contains(name)) {
+        problem = where + " names the " + what + " \"" + name +
+                  "\", which no template of the scene has; there are: " + listed(known);
+    }
+}
+
+void checkRuleNames(const RuleNames& names, const Scene& scene, std::string& problem)
+{
+    for (std::size_t r = 0; r < scene.rules.size(); ++r) {
+        const Rule& rule = scene.rules[r];
+        const std::string where = "rules[" + std::to_string(r) + "]";
+        for (std::size_t i = 0; i < rule.conditions.size() && names.areClipsKnown; ++i) {
+            checkName(names.clips, rule.conditions[i].clip, "clip",
+                      where + ".if[" + std::to_string(i) + "].clip", problem);
+        }
+        for (std::size_t i = 0; i < rule.actions.size(); ++i) {
+            const Action& action = rule.actions[i];
+            const std::string place = where + ".do[" + std::to_string(i) + "]";
+            for (std::size_t c = 0; c < action.clips.size() && names.areClipsKnown; ++c) {
+                checkName(names.clips, action.clips[c].clip, "clip",
+                          place + ".clips[" + std::to_string(c) + "].clip", problem);
+            }
+            if (names.areSlotsKnown) {
+                checkName(names.slots, action.slot, "slot", place + ".slot", problem);
+            }
+        }
+    }
+}
+
+/// Where nobody could see anything, nor numbers be exact. Files are not that strict.
+void checkPlaces(const Scene& scene, std::string& problem)
+{
+    for (const Place& place : scene.places) {
+        const glm::vec3 away = glm::abs(place.position);
+        if (problem.empty() && std::max({away.x, away.y, away.z}) > kFarthest) {
+            problem = "places: \"" + place.name + "\" (id " + std::to_string(place.id) +
+                      ") is too far away: positions lie from -1000000 to 1000000 metres";
+        }
+    }
+}
+
+} // namespace
+
+void checkEnvironment(const Scene& before, const Scene& wanted, std::string& problem)
+{
+    checkPlaces(wanted, problem);
+    checkRuleNames(RuleNames(before), wanted, problem);
+}
+
+} // namespace crowd::model
