@@ -7,13 +7,15 @@
 
 namespace crowd::behavior {
 
-std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::string& problem)
+std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::string& problem,
+                                             const std::atomic<bool>* isCancelled)
 {
     const SurfacePlan plan = SurfacePlan::of(scene);
     if (!plan.isWorthwhile()) {
         return nullptr;
     }
     WalkSurface::Progress progress;
+    progress.isCancelledToo = isCancelled;
     auto built = WalkSurface::build(plan, progress);
     if (!built) {
         problem = built.error().message;
@@ -22,14 +24,14 @@ std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::str
     return built.value();
 }
 
-SceneMotion::SceneMotion(const model::Scene& scene)
+SceneMotion::SceneMotion(const model::Scene& scene, const std::atomic<bool>* isCancelled)
     : m_scene(scene),
       m_templates(std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates))
 {
     if (!scene.hasBehaviour()) {
         return;
     }
-    m_surface = surfaceOf(scene, m_surfaceProblem);
+    m_surface = surfaceOf(scene, m_surfaceProblem, isCancelled);
     begin();
 }
 
@@ -45,7 +47,7 @@ void SceneMotion::begin()
     m_before = m_after;
 }
 
-model::CrowdFramePtr SceneMotion::at(double seconds)
+model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* isCancelled)
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
     if (m_session) {
@@ -53,6 +55,9 @@ model::CrowdFramePtr SceneMotion::at(double seconds)
             begin();
         }
         while (m_after->seconds < seconds - 1e-9) {
+            if (isCancelled != nullptr && *isCancelled) {
+                return nullptr;
+            }
             m_session->step();
             m_before = std::exchange(m_after, m_session->pose());
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -9,20 +10,24 @@
 namespace crowd::behavior {
 
 /// What can be walked on in a scene; null: open ground, or `problem` says why it could not be
-/// found. Takes seconds for large stages.
-[[nodiscard]] std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene,
-                                                           std::string& problem);
+/// found. Takes seconds for large stages; may be cancelled from another thread.
+[[nodiscard]] std::shared_ptr<const WalkSurface>
+surfaceOf(const model::Scene& scene, std::string& problem,
+          const std::atomic<bool>* isCancelled = nullptr);
 
 /// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
 /// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
 class SceneMotion
 {
 public:
-    /// The scene's stages are loaded; it outlives this.
-    explicit SceneMotion(const model::Scene& scene);
+    /// The scene's stages are loaded; it outlives this. What is cancelled, from another thread, is
+    /// of no use.
+    explicit SceneMotion(const model::Scene& scene, const std::atomic<bool>* isCancelled = nullptr);
     ~SceneMotion();
 
-    [[nodiscard]] model::CrowdFramePtr at(double seconds);
+    /// Null: cancelled from another thread, and may be asked again.
+    [[nodiscard]] model::CrowdFramePtr at(double seconds,
+                                          const std::atomic<bool>* isCancelled = nullptr);
     /// Sentences about what could not be followed.
     [[nodiscard]] std::vector<std::string> problems() const;
 

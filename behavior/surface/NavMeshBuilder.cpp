@@ -71,7 +71,7 @@ bool NavMeshBuilder::run(const SurfaceSettings& settings)
 bool NavMeshBuilder::next(float done)
 {
     m_progress.done = done;
-    return !m_progress.isCancelled;
+    return !m_progress.isOver();
 }
 
 bool NavMeshBuilder::rasterize()
@@ -102,14 +102,18 @@ bool NavMeshBuilder::rasterize()
 bool NavMeshBuilder::filter()
 {
     rcFilterLowHangingWalkableObstacles(&m_context, m_config.walkableClimb, *m_field);
+    if (!next(0.42F)) {
+        return false;
+    }
     rcFilterLedgeSpans(&m_context, m_config.walkableHeight, m_config.walkableClimb, *m_field);
     rcFilterWalkableLowHeightSpans(&m_context, m_config.walkableHeight, *m_field);
     m_compact.reset(rcAllocCompactHeightfield());
-    return m_compact &&
+    return next(0.46F) && m_compact &&
            rcBuildCompactHeightfield(&m_context, m_config.walkableHeight, m_config.walkableClimb,
                                      *m_field, *m_compact) &&
-           rcErodeWalkableArea(&m_context, m_config.walkableRadius, *m_compact) && markAreas() &&
-           rcBuildDistanceField(&m_context, *m_compact) &&
+           next(0.5F) && rcErodeWalkableArea(&m_context, m_config.walkableRadius, *m_compact) &&
+           next(0.55F) && markAreas() && rcBuildDistanceField(&m_context, *m_compact) &&
+           next(0.6F) &&
            rcBuildRegions(&m_context, *m_compact, 0, m_config.minRegionArea,
                           m_config.mergeRegionArea);
 }
@@ -154,7 +158,8 @@ bool NavMeshBuilder::outline()
     return contours && m_mesh && m_detail &&
            rcBuildContours(&m_context, *m_compact, m_config.maxSimplificationError,
                            m_config.maxEdgeLen, *contours) &&
-           rcBuildPolyMesh(&m_context, *contours, kVerticesAPolygon, *m_mesh) &&
+           next(0.75F) && rcBuildPolyMesh(&m_context, *contours, kVerticesAPolygon, *m_mesh) &&
+           next(0.8F) &&
            rcBuildPolyMeshDetail(&m_context, *m_mesh, *m_compact, m_config.detailSampleDist,
                                  m_config.detailSampleMaxError, *m_detail);
 }

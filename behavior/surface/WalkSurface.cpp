@@ -74,7 +74,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     }
     NavMeshBuilder builder(soup, plan, progress);
     if (!builder.run(plan.settings)) {
-        return model::Error{progress.isCancelled
+        return model::Error{progress.isOver()
                                 ? "The walkable surface was not built: it was cancelled."
                                 : "Nothing of the stage can be walked on; people walk on open "
                                   "ground. Check its size, which way is up, and how wide, tall and "

@@ -25,6 +25,12 @@ public:
     {
         std::atomic<float> done{0.0F}; ///< 0..1
         std::atomic<bool> isCancelled{false};
+        const std::atomic<bool>* isCancelledToo = nullptr; ///< of whoever waits for more than this
+
+        [[nodiscard]] bool isOver() const
+        {
+            return isCancelled || (isCancelledToo != nullptr && *isCancelledToo);
+        }
     };
 
     /// Takes some seconds for a city; made to be called on a thread of its own.
