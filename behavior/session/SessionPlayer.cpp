@@ -2,7 +2,12 @@
 #include "behavior/session/SessionPlayer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace crowd::behavior {
@@ -15,6 +20,83 @@ constexpr std::size_t kMaxLog = 20000;
 
 } // namespace
 
+/// One session and its thread, with all that passes between that and the player.
+struct SessionPlayer::Run
+{
+    using Order = std::function<void(Run& run)>;
+
+    std::unique_ptr<Session> session; ///< the thread's, once it runs
+    std::function<void()> published;
+    mutable std::mutex mutex;
+    std::condition_variable_any wake;
+    std::atomic<bool> isOver{false}; ///< the last that the thread does
+    // Under the mutex.
+    std::vector<Order> orders;
+    double wanted = 0.0;
+    std::deque<SessionPosePtr> poses; ///< the latest ones, ascending
+    Report report;
+    SessionTally tally;
+    std::vector<RuleFired> log;
+
+    std::jthread thread; ///< last: ends first
+
+    void serve(const std::stop_token& token);
+    void publish(double stepMs);
+};
+
+void SessionPlayer::Run::serve(const std::stop_token& token)
+{
+    while (!token.stop_requested()) {
+        std::vector<Order> taken;
+        bool isStepWanted = false;
+        {
+            std::unique_lock lock(mutex);
+            wake.wait(lock, token,
+                      [&] { return !orders.empty() || session->seconds() + kSlack < wanted; });
+            taken = std::exchange(orders, {});
+            isStepWanted = session->seconds() + kSlack < wanted;
+        }
+        for (const Order& order : taken) {
+            if (token.stop_requested()) {
+                return;
+            }
+            order(*this);
+        }
+        if (token.stop_requested()) {
+            return;
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        if (isStepWanted) {
+            session->step();
+        }
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - begin;
+        if (!token.stop_requested()) {
+            publish(time.count());
+            published();
+        }
+    }
+}
+
+void SessionPlayer::Run::publish(double stepMs)
+{
+    SessionPosePtr pose = session->pose();
+    std::vector<Problem> problems = session->problems();
+    const std::vector<RuleFired> fired = session->rules().takeLog();
+    const std::scoped_lock lock(mutex);
+    if (!poses.empty() && poses.back()->step == pose->step) {
+        poses.pop_back(); // the same step, after an edit
+    }
+    poses.push_back(std::move(pose));
+    while (poses.front()->seconds < poses.back()->seconds - kKeptSeconds) {
+        poses.pop_front();
+    }
+    report = {std::move(problems), session->rules().counts(), stepMs};
+    if (log.size() < kMaxLog) {
+        log.insert(log.end(), fired.begin(), fired.end());
+    }
+}
+
 SessionPlayer::SessionPlayer(std::function<void()> published) : m_published(std::move(published)) {}
 
 SessionPlayer::~SessionPlayer()
@@ -26,98 +108,108 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
                           std::shared_ptr<const WalkSurface> surface)
 {
     stop();
-    m_session = std::make_unique<Session>(scene);
-    m_session->setStart(seconds);
+    m_run = std::make_unique<Run>();
+    Run& run = *m_run;
+    run.published = m_published;
+    run.session = std::make_unique<Session>(scene);
+    run.session->setStart(seconds);
     if (surface) {
-        m_session->setSurface(std::move(surface));
+        run.session->setSurface(std::move(surface));
     }
-    m_poses = {m_session->pose()};
-    m_wanted = seconds;
-    m_report = {m_session->problems(), {}, 0.0};
-    m_tally = m_session->tally();
-    m_thread = std::jthread([this](std::stop_token token) { run(std::move(token)); });
+    run.poses = {run.session->pose()};
+    run.wanted = seconds;
+    run.report = {run.session->problems(), {}, 0.0};
+    run.tally = run.session->tally();
+    run.thread = std::jthread([&run](const std::stop_token& token) {
+        run.serve(token);
+        run.isOver = true;
+    });
 }
 
 void SessionPlayer::stop()
 {
-    if (isRunning()) {
-        m_thread.request_stop();
-        m_wake.notify_all();
-        m_thread.join();
-        m_thread = {};
+    if (m_run) {
+        m_lastReport = report();
+        m_lastTally = tally();
+        m_run->thread.request_stop();
+        m_ended.push_back(std::move(m_run));
     }
-    m_session.reset();
-    m_orders.clear();
-    m_poses.clear();
-    m_log.clear();
+    std::erase_if(m_ended, [](const auto& run) { return run->isOver.load(); });
 }
 
-void SessionPlayer::give(Order order)
+void SessionPlayer::give(std::function<void(Run& run)> order)
 {
-    if (!isRunning()) {
+    if (!m_run) {
         return;
     }
     {
-        const std::scoped_lock lock(m_mutex);
-        m_orders.push_back(std::move(order));
+        const std::scoped_lock lock(m_run->mutex);
+        m_run->orders.push_back(std::move(order));
     }
-    m_wake.notify_all();
+    m_run->wake.notify_all();
 }
 
 void SessionPlayer::adopt(const model::Scene& scene, bool arePosesKept)
 {
     // A copy without what a session does not look at: stages are large names only, columns shared.
-    give([copy = std::make_shared<const model::Scene>(scene), arePosesKept](Session& session) {
-        session.adopt(*copy, arePosesKept);
+    give([copy = std::make_shared<const model::Scene>(scene), arePosesKept](Run& run) {
+        run.session->adopt(*copy, arePosesKept);
     });
 }
 
 void SessionPlayer::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
-    give([surface = std::move(surface)](Session& session) { session.setSurface(surface); });
+    give([surface = std::move(surface)](Run& run) { run.session->setSurface(surface); });
 }
 
 void SessionPlayer::send(const std::string& event, float payload,
                          std::vector<model::IndividualId> ids)
 {
-    give([event, payload, ids = std::move(ids)](Session& session) {
-        session.send(event, payload, ids);
+    give([event, payload, ids = std::move(ids)](Run& run) {
+        run.session->send(event, payload, ids);
     });
 }
 
 void SessionPlayer::sendTagged(const std::string& event, float payload, std::uint8_t tag)
 {
-    give([event, payload, tag](Session& session) { session.sendTagged(event, payload, tag); });
+    give([event, payload, tag](Run& run) { run.session->sendTagged(event, payload, tag); });
 }
 
 void SessionPlayer::request(double seconds)
 {
+    if (!m_run) {
+        return;
+    }
     {
-        const std::scoped_lock lock(m_mutex);
-        if (seconds <= m_wanted) {
+        const std::scoped_lock lock(m_run->mutex);
+        if (seconds <= m_run->wanted) {
             return;
         }
-        m_wanted = seconds;
+        m_run->wanted = seconds;
     }
-    m_wake.notify_all();
+    m_run->wake.notify_all();
 }
 
 double SessionPlayer::available() const
 {
-    const std::scoped_lock lock(m_mutex);
-    return m_poses.empty() ? 0.0 : m_poses.back()->seconds;
+    if (!m_run) {
+        return 0.0;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->poses.back()->seconds;
 }
 
 std::pair<SessionPosePtr, SessionPosePtr> SessionPlayer::posesAround(double seconds) const
 {
-    const std::scoped_lock lock(m_mutex);
-    if (m_poses.empty()) {
+    if (!m_run) {
         return {};
     }
+    const std::scoped_lock lock(m_run->mutex);
+    const std::deque<SessionPosePtr>& poses = m_run->poses; // never empty
     const auto next = std::ranges::find_if(
-        m_poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
-    const SessionPosePtr after = next == m_poses.end() ? m_poses.back() : *next;
-    return {next == m_poses.begin() || next == m_poses.end() ? after : *std::prev(next), after};
+        poses, [&](const SessionPosePtr& pose) { return pose->seconds > seconds; });
+    const SessionPosePtr after = next == poses.end() ? poses.back() : *next;
+    return {next == poses.begin() || next == poses.end() ? after : *std::prev(next), after};
 }
 
 SessionPosePtr SessionPlayer::poseAt(double seconds) const
@@ -135,84 +227,47 @@ void SessionPlayer::pose(model::CrowdFrame& frame) const
 
 std::vector<model::IndividualId> SessionPlayer::lit() const
 {
-    const std::scoped_lock lock(m_mutex);
-    return m_poses.empty() ? std::vector<model::IndividualId>() : m_poses.back()->lit;
+    if (!m_run) {
+        return {};
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->poses.back()->lit;
 }
 
 SessionPlayer::Report SessionPlayer::report() const
 {
-    const std::scoped_lock lock(m_mutex);
-    return m_report;
+    if (!m_run) {
+        return m_lastReport;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->report;
 }
 
 void SessionPlayer::askTally()
 {
-    give([this](Session& session) {
-        SessionTally tally = session.tally();
-        const std::scoped_lock lock(m_mutex);
-        m_tally = std::move(tally);
+    give([](Run& run) {
+        SessionTally tally = run.session->tally();
+        const std::scoped_lock lock(run.mutex);
+        run.tally = std::move(tally);
     });
 }
 
 SessionTally SessionPlayer::tally() const
 {
-    const std::scoped_lock lock(m_mutex);
-    return m_tally;
+    if (!m_run) {
+        return m_lastTally;
+    }
+    const std::scoped_lock lock(m_run->mutex);
+    return m_run->tally;
 }
 
 std::vector<RuleFired> SessionPlayer::takeLog()
 {
-    const std::scoped_lock lock(m_mutex);
-    return std::exchange(m_log, {});
-}
-
-void SessionPlayer::publish(Session& session, double stepMs)
-{
-    SessionPosePtr pose = session.pose();
-    std::vector<Problem> problems = session.problems();
-    const std::vector<RuleFired> fired = session.rules().takeLog();
-    const std::scoped_lock lock(m_mutex);
-    if (!m_poses.empty() && m_poses.back()->step == pose->step) {
-        m_poses.pop_back(); // the same step, after an edit
+    if (!m_run) {
+        return {};
     }
-    m_poses.push_back(std::move(pose));
-    while (m_poses.front()->seconds < m_poses.back()->seconds - kKeptSeconds) {
-        m_poses.pop_front();
-    }
-    m_report = {std::move(problems), session.rules().counts(), stepMs};
-    if (m_log.size() < kMaxLog) {
-        m_log.insert(m_log.end(), fired.begin(), fired.end());
-    }
-}
-
-void SessionPlayer::run(std::stop_token token)
-{
-    Session& session = *m_session;
-    while (!token.stop_requested()) {
-        std::vector<Order> orders;
-        bool isStepWanted = false;
-        {
-            std::unique_lock lock(m_mutex);
-            m_wake.wait(lock, token,
-                        [&] { return !m_orders.empty() || session.seconds() + kSlack < m_wanted; });
-            orders = std::exchange(m_orders, {});
-            isStepWanted = session.seconds() + kSlack < m_wanted;
-        }
-        if (token.stop_requested()) {
-            return;
-        }
-        for (const Order& order : orders) {
-            order(session);
-        }
-        const auto begin = std::chrono::steady_clock::now();
-        if (isStepWanted) {
-            session.step();
-        }
-        const std::chrono::duration<double, std::milli> time =
-            std::chrono::steady_clock::now() - begin;
-        publish(session, time.count());
-        m_published();
-    }
+    const std::scoped_lock lock(m_run->mutex);
+    return std::exchange(m_run->log, {});
 }
 
 } // namespace crowd::behavior

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,8 +12,9 @@
 namespace crowd::behavior {
 
 /// Runs a session on a thread of its own, a little ahead of the picture, so that a slow step never
-/// makes anybody wait. All functions are called by one thread, which shows the picture; edits and
-/// events take effect at the next step that is computed.
+/// makes anybody wait. All functions are called by one thread, which shows the picture and never
+/// waits for a step, not even to stop; edits and events take effect at the next step that is
+/// computed.
 class SessionPlayer
 {
 public:
@@ -31,16 +27,16 @@ public:
 
     /// `published` is called on the session's thread after every step.
     explicit SessionPlayer(std::function<void()> published);
-    ~SessionPlayer();
+    ~SessionPlayer(); ///< waits for the step that is under way
     SessionPlayer(const SessionPlayer&) = delete;
     SessionPlayer& operator=(const SessionPlayer&) = delete;
 
     /// `seconds` is what the transport shows as it begins.
     void start(const model::Scene& scene, double seconds = 0.0,
                std::shared_ptr<const WalkSurface> surface = nullptr);
-    /// The session is gone; the scene is as it was.
+    /// The session is gone, as soon as its thread hears of it; the scene is as it was.
     void stop();
-    [[nodiscard]] bool isRunning() const { return m_thread.joinable(); }
+    [[nodiscard]] bool isRunning() const { return m_run != nullptr; }
 
     /// The scene was edited; see Session::adopt().
     void adopt(const model::Scene& scene, bool arePosesKept = false);
@@ -66,25 +62,16 @@ public:
     [[nodiscard]] std::vector<RuleFired> takeLog();
 
 private:
-    using Order = std::function<void(Session&)>;
+    struct Run;
 
-    void run(std::stop_token token);
-    void give(Order order);
-    void publish(Session& session, double stepMs);
+    void give(std::function<void(Run& run)> order);
     [[nodiscard]] std::pair<SessionPosePtr, SessionPosePtr> posesAround(double seconds) const;
 
     std::function<void()> m_published;
-    std::unique_ptr<Session> m_session; ///< the thread's, once it runs
-    std::jthread m_thread;
-    mutable std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    // Under the mutex.
-    std::vector<Order> m_orders;
-    double m_wanted = 0.0;
-    std::deque<SessionPosePtr> m_poses; ///< the latest ones, ascending
-    Report m_report;
-    SessionTally m_tally;
-    std::vector<RuleFired> m_log;
+    std::unique_ptr<Run> m_run;                ///< null: none
+    std::vector<std::unique_ptr<Run>> m_ended; ///< until their threads have heard of it
+    Report m_lastReport;                       ///< of the run before
+    SessionTally m_lastTally;
 };
 
 } // namespace crowd::behavior

@@ -2,9 +2,12 @@
 #include "widgets/state/SessionControl.h"
 
 #include <algorithm>
-#include <mutex>
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <QtCore/QMetaObject>
 
@@ -62,27 +65,45 @@ bool touchesPeople(const model::SceneChange& change)
 
 } // namespace
 
+/// A surface that is being built, on a thread of its own.
+struct SurfaceJob
+{
+    behavior::WalkSurface::Progress progress;
+    std::optional<model::Result<SurfacePtr>> result; ///< of the thread, once it is done
+    std::atomic<bool> isDone{false};                 ///< the last that the thread does
+    std::vector<std::unique_ptr<SurfaceJob>> before; ///< cancelled ones: never two at work
+    std::jthread thread;                             ///< last: ends first
+
+    void build(const behavior::SurfacePlan& plan)
+    {
+        before.clear();
+        auto built = behavior::WalkSurface::build(plan, progress);
+        if (!progress.isCancelled) {
+            result.emplace(std::move(built));
+        }
+        isDone = true;
+    }
+};
+
 /// The surface in use and the one that is being built.
 struct SessionControl::Surface
 {
     SurfacePtr current;
-    std::shared_ptr<behavior::WalkSurface::Progress> progress;
-    std::optional<model::Result<SurfacePtr>> result; ///< of the thread, once it is done
-    std::atomic<bool> isDone{false};
-    std::jthread thread;
-    behavior::SurfacePlan plan; ///< of the one that is there or being built
+    std::unique_ptr<SurfaceJob> job;
+    std::vector<std::unique_ptr<SurfaceJob>> cancelled; ///< they end by themselves, soon
+    behavior::SurfacePlan plan;                         ///< of the one that is there or being built
 
     ~Surface() { cancel(); }
+    /// Does not wait.
     void cancel()
     {
-        if (thread.joinable()) {
-            progress->isCancelled = true;
-            thread.join();
+        if (job) {
+            job->progress.isCancelled = true;
+            cancelled.push_back(std::move(job));
         }
-        thread = {};
-        result.reset();
+        std::erase_if(cancelled, [](const auto& each) { return each->isDone.load(); });
     }
-    [[nodiscard]] bool isBuilding() const { return thread.joinable(); }
+    [[nodiscard]] bool isBuilding() const { return job != nullptr; }
 };
 
 SessionControl::SessionControl(model::SceneDocument& document, Transport& transport,
@@ -192,38 +213,31 @@ void SessionControl::buildSurface()
     m_surface->cancel();
     m_isSurfaceStale = false;
     m_surfaceProblem.clear();
-    m_surface->isDone = false;
-    m_surface->progress = std::make_shared<behavior::WalkSurface::Progress>();
     m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
-    m_surface->thread =
-        std::jthread([this, plan = m_surface->plan, progress = m_surface->progress] {
-            auto built = behavior::WalkSurface::build(plan, *progress);
-            if (progress->isCancelled) {
-                return;
-            }
-            // Read after the join only.
-            m_surface->result.emplace(std::move(built));
-            m_surface->isDone = true;
-            QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
-        });
+    m_surface->job = std::make_unique<SurfaceJob>();
+    SurfaceJob& job = *m_surface->job;
+    job.before = std::exchange(m_surface->cancelled, {});
+    job.thread = std::jthread([this, plan = m_surface->plan, &job] {
+        job.build(plan);
+        QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
+    });
     m_progress.start();
     Q_EMIT surfaceChanged();
 }
 
 void SessionControl::takeSurface()
 {
-    if (!m_surface->isBuilding() || !m_surface->isDone) {
+    if (!m_surface->isBuilding() || !m_surface->job->isDone) {
         return;
     }
-    m_surface->thread.join();
-    m_surface->thread = {};
-    if (m_surface->result) {
-        if (*m_surface->result) {
-            m_surface->current = m_surface->result->value();
+    const std::unique_ptr<SurfaceJob> done = std::move(m_surface->job);
+    done->thread.join();
+    if (done->result) {
+        if (*done->result) {
+            m_surface->current = done->result->value();
         } else {
-            m_surfaceProblem = QString::fromStdString(m_surface->result->error().message);
+            m_surfaceProblem = QString::fromStdString(done->result->error().message);
         }
-        m_surface->result.reset();
     }
     m_progress.stop();
     if (isRunning()) {
@@ -234,7 +248,7 @@ void SessionControl::takeSurface()
 
 double SessionControl::surfaceProgress() const
 {
-    return m_surface->isBuilding() ? static_cast<double>(m_surface->progress->done) : -1.0;
+    return m_surface->isBuilding() ? static_cast<double>(m_surface->job->progress.done) : -1.0;
 }
 
 std::size_t SessionControl::surfacePolygons() const
