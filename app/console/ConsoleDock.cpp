@@ -170,14 +170,38 @@ void ConsoleDock::reveal()
 
 bool ConsoleDock::mayClose()
 {
-    if (m_interpreter.stop()) {
+    if (!m_interpreter.isRunning() || m_isGivenUp) {
         return true;
     }
-    return QMessageBox::warning(this, tr("Script"),
+    if (!m_isStopping) {
+        m_isStopping = true;
+        m_interpreter.stop([this](bool hasStopped) {
+            m_isStopping = false;
+            if (hasStopped) {
+                Q_EMIT readyToClose();
+            } else {
+                askToClose();
+            }
+        });
+    }
+    return false;
+}
+
+void ConsoleDock::askToClose()
+{
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Script"),
                                 tr("The script that runs does not stop. Close all the same? What "
                                    "it was doing is lost."),
-                                QMessageBox::Close | QMessageBox::Cancel,
-                                QMessageBox::Cancel) == QMessageBox::Close;
+                                QMessageBox::Close | QMessageBox::Cancel, this);
+    box->setDefaultButton(QMessageBox::Cancel);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::finished, this, [this](int answer) {
+        if (answer == QMessageBox::Close) {
+            m_isGivenUp = m_interpreter.isRunning();
+            Q_EMIT readyToClose();
+        }
+    });
+    box->open();
 }
 
 void ConsoleDock::submit(const QString& source)
@@ -192,6 +216,7 @@ void ConsoleDock::submit(const QString& source)
 
 void ConsoleDock::finish(ScriptOutcome outcome)
 {
+    m_isGivenUp = false;
     setBusy(false);
     if (outcome == ScriptOutcome::More && !m_submitted.isEmpty()) {
         m_input->continueBlock();

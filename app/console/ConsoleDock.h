@@ -27,10 +27,14 @@ public:
     void clearOutput();
     /// The script that is recorded stands beside the console, also after the end.
     void setRecording(bool isOn);
-    /// Stops a running script; false: it does not stop and the artist wants to wait for it.
+    /// Whether no script runs, or the artist lets go of the one that does. Else it is stopped, and
+    /// readyToClose() comes when that has worked; if not, the artist is asked.
     [[nodiscard]] bool mayClose();
     /// To see and to type in.
     void reveal();
+
+Q_SIGNALS:
+    void readyToClose();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -39,6 +43,7 @@ private:
     [[nodiscard]] QWidget* makeButtons();
     void submit(const QString& source);
     void finish(ScriptOutcome outcome);
+    void askToClose();
     void write(const QString& text, const QColor& color);
     void echo(const QString& source, const QString& first, const QString& others);
     void showOutput();
@@ -56,6 +61,8 @@ private:
     RecordPanel* m_recorded;  ///< child
     QTimer m_timer;           ///< fetches output while a script runs
     QString m_submitted;
+    bool m_isStopping = false;
+    bool m_isGivenUp = false;  ///< the artist closes around the script
     bool m_isFollowing = true; ///< the end of the output stays in sight
 };
 

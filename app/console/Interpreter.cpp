@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 #include <pthread.h>
@@ -10,9 +12,11 @@
 // Python's headers before Qt's would do as well: QT_NO_KEYWORDS keeps them apart.
 #include "app/python/Binding.h"
 #include "app/python/EmbeddedPython.h"
+#include "app/python/OutsidePython.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
+#include <QtCore/QTimer>
 
 namespace crowd::app {
 
@@ -97,8 +101,7 @@ Interpreter::Python::Python(Interpreter& owner)
     };
     ScriptHost host{&owner.m_state.document(), &owner.m_state.keyframes(), &owner.m_stage,
                     [&owner](const std::function<void()>& work) {
-                        const py::gil_scoped_release others;
-                        if (!owner.m_gate.run(work)) {
+                        if (!outsidePython([&] { return owner.m_gate.run(work); })) {
                             throw ScriptError("The editor is closing.");
                         }
                     },
@@ -171,8 +174,10 @@ Interpreter::Interpreter(widgets::EditorState& state, QObject* parent)
 Interpreter::~Interpreter()
 {
     if (!shutDown()) {
-        // It runs on and on in code of somebody else's: better no tidy end than none at all.
-        std::_Exit(EXIT_SUCCESS);
+        // It runs on and on in code of somebody else's: better no tidy end than none at all. Files
+        // were saved before; whoever started the program hears that it did not end as it should.
+        std::fputs("crowdbrush: a script did not stop; the program was ended around it.\n", stderr);
+        std::_Exit(EXIT_FAILURE);
     }
 }
 
@@ -282,17 +287,33 @@ void Interpreter::cancel()
     }
 }
 
-bool Interpreter::stop()
+void Interpreter::stop(const std::function<void(bool hasStopped)>& ended)
 {
+    auto* again = new QTimer(this);
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (m_isRunning && std::chrono::steady_clock::now() < deadline) {
-        cancel();
-        // The script may wait for this thread before it hears of it.
-        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents,
-                                        static_cast<int>(kBetweenCancels.count()));
-        std::this_thread::sleep_for(kBetweenCancels / 10);
+    connect(again, &QTimer::timeout, this, [this, again, deadline, ended] {
+        if (m_isRunning && std::chrono::steady_clock::now() < deadline) {
+            cancel();
+            return;
+        }
+        again->deleteLater();
+        again->stop();
+        ended(!m_isRunning);
+    });
+    cancel();
+    again->start(kBetweenCancels);
+}
+
+std::optional<Interpreter::Job> Interpreter::nextJob()
+{
+    std::unique_lock lock(m_mutex);
+    m_wake.wait(lock, [this] { return !m_jobs.empty() || m_isEnding; });
+    if (m_isEnding) {
+        return std::nullopt;
     }
-    return !m_isRunning;
+    Job job = std::move(m_jobs.front());
+    m_jobs.pop_front();
+    return job;
 }
 
 void Interpreter::serve()
@@ -300,16 +321,9 @@ void Interpreter::serve()
     {
         Python python(*this);
         while (true) {
-            std::optional<Job> job;
-            {
-                const py::gil_scoped_release others;
-                std::unique_lock lock(m_mutex);
-                m_wake.wait(lock, [this] { return !m_jobs.empty() || m_isEnding; });
-                if (m_isEnding) {
-                    break;
-                }
-                job = std::move(m_jobs.front());
-                m_jobs.pop_front();
+            const std::optional<Job> job = outsidePython([this] { return nextJob(); });
+            if (!job) {
+                break;
             }
             if (PyErr_CheckSignals() != 0) {
                 PyErr_Clear(); // a cancel that came too late for the one before

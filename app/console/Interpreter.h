@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include <QtCore/QObject>
@@ -48,9 +49,10 @@ public:
     [[nodiscard]] bool isRunning() const { return m_isRunning; }
     /// Raises KeyboardInterrupt in the script, also while it sleeps.
     void cancel();
-    /// Cancels and waits a moment until nothing runs; false: the script does not stop.
-    [[nodiscard]] bool stop();
-    /// The same for good: nothing runs afterwards.
+    /// Cancels again and again, for a script may just begin to wait, and says how that ended.
+    void stop(const std::function<void(bool hasStopped)>& ended);
+    /// Cancels and waits a moment, without events; nothing runs afterwards. False: the script does
+    /// not stop.
     [[nodiscard]] bool shutDown();
     [[nodiscard]] OutputBuffer& output() { return m_output; }
 
@@ -69,6 +71,7 @@ private:
     void push(Job job);
     void begin(std::function<std::string(Python&)> script);
     void serve();
+    [[nodiscard]] std::optional<Job> nextJob(); ///< waits for it; none: the thread is to end
     [[nodiscard]] bool mayBegin();
 
     widgets::EditorState& m_state;

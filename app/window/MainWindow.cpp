@@ -119,6 +119,7 @@ void MainWindow::addDocks()
     m_layout.add(rules, Qt::RightDockWidgetArea);
     m_layout.add(history, Qt::RightDockWidgetArea);
     m_console = new ConsoleDock(m_interpreter, m_recorder, this);
+    connect(m_console, &ConsoleDock::readyToClose, this, &QWidget::close);
     m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
     // Two groups, so that their names fit the tabs of a small screen.
     tabifyDockWidget(templates, scene);

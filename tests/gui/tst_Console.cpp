@@ -313,7 +313,9 @@ void ConsoleTest::closingStopsTheScript()
     type(QStringLiteral("exec('while True: len(scene)')"));
     QTest::qWait(200);
     QVERIFY(m_window->interpreter().isRunning());
-    QVERIFY(m_window->close());
+    QVERIFY(!m_window->close()); // at once, without waiting
+    QVERIFY(m_window->interpreter().isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatienceMs);
     QVERIFY(!m_window->interpreter().isRunning());
 }
 
