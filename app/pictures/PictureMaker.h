@@ -28,7 +28,8 @@ struct PictureRequest
     render::Look look = render::Look::Lit;
 };
 
-/// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it.
+/// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it,
+/// or on any other after release().
 class PictureMaker
 {
 public:
@@ -43,6 +44,8 @@ public:
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request);
     /// The last picture: RGBA8, sRGB, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
+    /// Until the next picture the context belongs to no thread.
+    void release() { m_context->doneCurrent(); }
     [[nodiscard]] glm::ivec2 size() const { return m_renderer.size(); }
 
 private:

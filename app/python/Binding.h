@@ -21,6 +21,8 @@ namespace crowd::app {
 
 namespace py = pybind11;
 
+class ScriptSession;
+
 /// crowdbrush.Error, with the message the editor would show.
 class ScriptError : public std::runtime_error
 {
@@ -55,6 +57,36 @@ struct TemplateHandle
     [[nodiscard]] model::TemplatePtr asset() const;
 };
 
+/// A stage of a scene as it was when it was asked for.
+struct StageHandle
+{
+    ScenePtr owner;
+    model::StageEntry entry;
+};
+
+/// `with scene.edit("name"):` one undo step, or nothing at all when the block raises.
+struct EditBlock
+{
+    ScenePtr scene;
+    std::string text;
+};
+
+/// A clip for reading.
+struct ClipInfo
+{
+    std::string name;
+    double seconds;
+    int keyframes;
+    double speed;
+    bool loop;
+    std::optional<float> seatHeight;
+};
+
+/// What a script gave, for messages: its repr, cut.
+[[nodiscard]] std::string shortly(const py::handle& given);
+/// The id that a handle or a number stands for. Raises where the handle is another scene's.
+[[nodiscard]] model::TemplateId templateIdOf(const ScenePtr& scene, const py::handle& given);
+
 /// Where to look from: nothing (the scene's first camera), the name of one, or one.
 using CameraKey = std::variant<std::monostate, std::string, model::Camera>;
 [[nodiscard]] std::optional<model::Camera> cameraOf(const ScriptScene& scene, const CameraKey& key);
@@ -67,12 +99,69 @@ using Point3 = std::array<float, 3>;
 using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
 
 /// For these, or for everybody. Raises where the name is empty, the number none, or somebody dead.
-[[nodiscard]] ScriptEvent eventOf(const model::Scene& scene, const std::string& name,
+[[nodiscard]] ScriptEvent eventOf(const ScriptScene& scene, const std::string& name,
                                   const py::object& ids, float number);
 /// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
                                    const CameraKey& camera, const std::string& look, double time,
                                    model::CrowdFramePtr frame);
+
+/// What a class of ours takes is checked here: see the casters below.
+void refuseUnmade(const py::handle& given);
+
+/// Types that are classes in Python.
+template<class T>
+inline constexpr bool kIsBound = false;
+template<>
+inline constexpr bool kIsBound<ScriptScene> = true;
+template<>
+inline constexpr bool kIsBound<ScriptSession> = true;
+template<>
+inline constexpr bool kIsBound<TemplateHandle> = true;
+template<>
+inline constexpr bool kIsBound<StageHandle> = true;
+template<>
+inline constexpr bool kIsBound<EditBlock> = true;
+template<>
+inline constexpr bool kIsBound<ClipInfo> = true;
+template<>
+inline constexpr bool kIsBound<model::Camera> = true;
+template<>
+inline constexpr bool kIsBound<model::Lighting> = true;
+template<>
+inline constexpr bool kIsBound<model::StrokeOutcome> = true;
+template<>
+inline constexpr bool kIsBound<model::BrushSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::HeadingSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::SeatGridSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::CreateSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::DeleteSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::ColourSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::OrientationSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::AnimationSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::WalkSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::StyleSettings> = true;
+template<>
+inline constexpr bool kIsBound<model::BrushKind> = true;
+template<>
+inline constexpr bool kIsBound<model::BrushSelection> = true;
+template<>
+inline constexpr bool kIsBound<model::BrushOperator> = true;
+template<>
+inline constexpr bool kIsBound<model::HeadingMode> = true;
+
+/// pybind11 says what C++ it could not call; from now on these say which argument is wrong. After
+/// all has been bound.
+void speakOfArguments(py::module_& module);
 
 void bindTemplates(py::module_& module);
 void bindBrushes(py::module_& module);
@@ -84,7 +173,38 @@ void bindScriptBrushes(py::module_& module);
 void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush);
 void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
+void bindEnvironment(SceneClass& scene);                   ///< places, paths, rules
 void bindScene(py::module_& module);
 void bindSession(py::module_& module); ///< after the scene
 
 } // namespace crowd::app
+
+namespace pybind11::detail {
+
+/// An object that was made by __new__ alone holds nothing; pybind11 would lend memory that nobody
+/// has filled.
+template<class T>
+class type_caster<T, std::enable_if_t<crowd::app::kIsBound<T>>> : public type_caster_base<T>
+{
+public:
+    bool load(handle given, bool mayConvert)
+    {
+        crowd::app::refuseUnmade(given);
+        return type_caster_base<T>::load(given, mayConvert);
+    }
+};
+
+/// None would be a scene that is not there.
+template<>
+class type_caster<crowd::app::ScenePtr>
+    : public copyable_holder_caster<crowd::app::ScriptScene, crowd::app::ScenePtr>
+{
+public:
+    bool load(handle given, bool mayConvert)
+    {
+        crowd::app::refuseUnmade(given);
+        return !given.is_none() && copyable_holder_caster::load(given, mayConvert);
+    }
+};
+
+} // namespace pybind11::detail

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <pybind11/operators.h>
 
 #include "app/python/Binding.h"
@@ -38,11 +40,24 @@ py::dict clipsAsDict(const std::vector<ClipWeight>& weights)
     return clips;
 }
 
+float weightFrom(const py::handle& given)
+{
+    const double weight = PyFloat_AsDouble(given.ptr());
+    if (PyErr_Occurred() != nullptr || !std::isfinite(weight) || weight < 0.0) {
+        PyErr_Clear();
+        throw ScriptError("A weight is a number from 0 on, not " + shortly(given) + ".");
+    }
+    return static_cast<float>(weight);
+}
+
 std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
 {
     std::vector<ClipWeight> weights;
     for (const auto& [name, weight] : clips) {
-        weights.push_back({name.cast<std::string>(), weight.cast<float>()});
+        if (!py::isinstance<py::str>(name)) {
+            throw ScriptError("Clips are given by name, not by " + shortly(name) + ".");
+        }
+        weights.push_back({name.cast<std::string>(), weightFrom(weight)});
     }
     return weights;
 }
@@ -60,10 +75,9 @@ void setMix(CreateSettings& create, const py::dict& mix)
 {
     std::vector<TemplateWeight> weights;
     for (const auto& [key, weight] : mix) {
-        const TemplateId id = py::isinstance<TemplateHandle>(key)
-                                  ? key.cast<const TemplateHandle&>().id
-                                  : key.cast<TemplateId>();
-        weights.push_back({id, weight.cast<float>()});
+        const ScenePtr owner =
+            py::isinstance<TemplateHandle>(key) ? key.cast<const TemplateHandle&>().owner : nullptr;
+        weights.push_back({templateIdOf(owner, key), weightFrom(weight)});
     }
     create.mix = std::move(weights);
 }

@@ -113,10 +113,31 @@ void checkProperties(const BrushSettings& brush, Complaint& complaint)
 
 } // namespace
 
+/// Python makes members of an enumeration of any number.
+void checkChoices(const BrushSettings& brush, Complaint& complaint)
+{
+    const auto choice = [&complaint](const char* name, auto value, auto last) {
+        if (value > last) {
+            complaint.refuse(std::string("brush.") + name + " is none of the choices there are.");
+        }
+    };
+    choice("kind", brush.kind, BrushKind::Style);
+    if (brush.kind == BrushKind::Event || brush.kind == BrushKind::Path ||
+        brush.kind == BrushKind::Environment) {
+        complaint.refuse("A brush of this kind makes no strokes in scripts: send events with "
+                         "session.send, and change places and paths with set_environment.");
+    }
+    choice("selection", brush.selection, BrushSelection::Rectangle);
+    choice("operator", brush.op, BrushOperator::Gradient);
+    choice("create.facing.mode", brush.create.heading.mode, HeadingMode::TowardsViewer);
+    choice("orientation.facing.mode", brush.orientation.heading.mode, HeadingMode::TowardsViewer);
+}
+
 Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
 {
     constexpr float kHighestRate = 10'000.0F;
     Complaint complaint;
+    checkChoices(brush, complaint);
     complaint.number("radius", brush.radiusPixels, kMinRadiusPixels, kMaxRadiusPixels);
     complaint.number("rate", brush.ratePerSecond, 0.0F, kHighestRate);
     complaint.number("flow", brush.flow, 0.0F, 1.0F);

@@ -6,12 +6,31 @@
 #include <limits>
 #include <numeric>
 
+#include "app/python/ColumnRules.h"
 #include "model/brush/ClipChoice.h"
 
 namespace crowd::app {
 
 using namespace model;
 using namespace py::literals;
+
+py::array arrayOf(const std::string& name, const py::object& given)
+{
+    const bool isOddArray = py::isinstance<py::array>(given) &&
+                            reinterpret_cast<PyTypeObject*>(py::type::handle_of(given).ptr()) !=
+                                py::detail::npy_api::get().PyArray_Type_;
+    if (isOddArray && py::module_::import("numpy.ma").attr("is_masked")(given).cast<bool>()) {
+        throw ScriptError(name + " has masked values: fill them, as in array.filled(0), or leave "
+                                 "them out, as in array.compressed().");
+    }
+    py::array array = py::array::ensure(given);
+    if (!array) {
+        PyErr_Clear();
+        throw ScriptError(name + " must be a number or an array of numbers, not " + shortly(given) +
+                          ".");
+    }
+    return array;
+}
 
 namespace {
 
@@ -97,11 +116,7 @@ py::array allTints(const Population& population)
 /// The argument as an array of the wanted item type, refusing what would lose something.
 py::array toItems(const std::string& name, const py::object& given, const py::dtype& type)
 {
-    const py::array array = py::array::ensure(given);
-    if (!array) {
-        PyErr_Clear();
-        throw ScriptError(name + " must be a number or an array of numbers.");
-    }
+    const py::array array = arrayOf(name, given);
     const char kind = array.dtype().kind();
     const bool wantsFloat = type.kind() == 'f';
     if (!(kind == 'i' || kind == 'u' || (wantsFloat && kind == 'f'))) {
@@ -182,7 +197,13 @@ ColumnValues clipsByName(const Scene& scene, const py::object& given,
     if (py::isinstance<py::str>(given)) {
         names.assign(templates.size(), given.cast<std::string>());
     } else {
-        names = given.cast<std::vector<std::string>>();
+        for (const py::handle each : given) {
+            if (!py::isinstance<py::str>(each)) {
+                throw ScriptError("clip is a clip's name or number for each, not " + shortly(each) +
+                                  " among names.");
+            }
+            names.push_back(each.cast<std::string>());
+        }
     }
     if (names.size() != templates.size()) {
         throw ScriptError("clip names " + std::to_string(names.size()) + " clips for " +
@@ -206,24 +227,36 @@ bool isText(const py::handle& given)
     if (py::isinstance<py::str>(given)) {
         return true;
     }
+    if (py::isinstance<py::array>(given)) {
+        const auto array = py::reinterpret_borrow<py::array>(given);
+        return array.dtype().kind() == 'U' && array.ndim() == 1;
+    }
     return (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) &&
            py::len(given) > 0 && py::isinstance<py::str>(given.attr("__getitem__")(0));
 }
 
+bool isListOfObjects(const py::handle& given)
+{
+    return py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given) ||
+           (py::isinstance<py::array>(given) &&
+            py::reinterpret_borrow<py::array>(given).dtype().kind() == 'O' &&
+            py::reinterpret_borrow<py::array>(given).ndim() == 1);
+}
+
 /// Templates are given as handles, ids, or lists of either.
-py::object templateIds(const py::handle& given)
+py::object templateIds(const ScenePtr& scene, const py::object& given)
 {
     if (py::isinstance<TemplateHandle>(given)) {
-        return py::int_(given.cast<const TemplateHandle&>().id);
+        return py::int_(templateIdOf(scene, given));
     }
-    if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
+    if (isListOfObjects(given)) {
         py::list ids;
-        for (const py::handle& each : given) {
-            ids.append(templateIds(each));
+        for (const py::handle each : given) {
+            ids.append(py::int_(templateIdOf(scene, each)));
         }
         return ids;
     }
-    return py::reinterpret_borrow<py::object>(given);
+    return given;
 }
 
 /// "tint": a colour, 8×4, N×8×4; a colour (3 or 4 numbers) goes to all slots.
@@ -270,15 +303,10 @@ std::optional<std::size_t> rowsIn(const std::string& name, const py::object& giv
     }
     const auto dimensions = static_cast<std::size_t>(
         name == "tint" ? 2 : shapeOf(columnInfo(columnNamed(name)).type).extents.size());
-    if (isText(given) || name == "template") {
-        return py::hasattr(given, "__len__") ? std::optional<std::size_t>(py::len(given))
-                                             : std::nullopt;
+    if (isText(given) || (name == "template" && isListOfObjects(given))) {
+        return py::len(given);
     }
-    const py::array array = py::array::ensure(given);
-    if (!array) {
-        PyErr_Clear();
-        throw ScriptError(name + " must be a number or an array of numbers.");
-    }
+    const py::array array = arrayOf(name, given);
     if (static_cast<std::size_t>(array.ndim()) <= dimensions) {
         return std::nullopt;
     }
@@ -287,7 +315,8 @@ std::optional<std::size_t> rowsIn(const std::string& name, const py::object& giv
 
 } // namespace
 
-py::array columnArray(const Population& population, const std::string& name)
+// The population by value: making an array may run any code, which may edit the scene.
+py::array columnArray(Population population, const std::string& name)
 {
     if (name == "id") {
         return copied(py::dtype::of<IndividualId>(), {static_cast<py::ssize_t>(population.size())},
@@ -303,7 +332,7 @@ py::array columnArray(const Population& population, const std::string& name)
     return copied(shape.type, std::move(extents), population.columnBytes(column));
 }
 
-GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,
+GivenColumns columnsFrom(const ScenePtr& scene, const py::kwargs& arguments,
                          std::optional<std::size_t> count, std::span<const TemplateId> templates)
 {
     std::vector<std::pair<std::string, py::object>> given;
@@ -311,8 +340,15 @@ GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,
     for (const auto& [key, value] : arguments) {
         const auto name = key.cast<std::string>();
         const auto object = py::reinterpret_borrow<py::object>(value);
-        longest = std::max(longest, rowsIn(name, object).value_or(1));
-        if (rowsIn(name, object) == std::optional<std::size_t>(0)) {
+        const std::size_t rows = rowsIn(name, object).value_or(1);
+        if (rows > kMostPeople) { // before so much is converted
+            throw ScriptError(name + " has " + std::to_string(rows) +
+                              " rows; a scene has room "
+                              "for " +
+                              std::to_string(kMostPeople) + " people.");
+        }
+        longest = std::max(longest, rows);
+        if (rows == 0) {
             longest = 0;
             count = count.value_or(0);
         }
@@ -335,11 +371,11 @@ GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,
             if (theirs.size() != columns.count) {
                 throw ScriptError("Clips by name need the template beside them.");
             }
-            columns.values.push_back(clipsByName(scene, object, theirs));
+            columns.values.push_back(clipsByName(*scene->scene(), object, theirs));
         } else {
             const ColumnId column = columnNamed(name);
             const RowShape shape = shapeOf(columnInfo(column).type);
-            const py::object plain = name == "template" ? templateIds(object) : object;
+            const py::object plain = name == "template" ? templateIds(scene, object) : object;
             columns.values.push_back(
                 toColumn(column, name, toItems(name, plain, shape.type), shape, columns.count));
         }
@@ -347,25 +383,28 @@ GivenColumns columnsFrom(const Scene& scene, const py::kwargs& arguments,
     return columns;
 }
 
-std::vector<IndividualId> idsFrom(const Scene& scene, const py::object& idsOrMask,
+std::vector<IndividualId> idsFrom(const ScriptScene& scene, const py::object& idsOrMask,
                                   std::vector<std::size_t>& order)
 {
-    const py::array array = py::array::ensure(idsOrMask);
-    if (!array || array.ndim() > 1) {
-        PyErr_Clear();
+    const py::array array = arrayOf("ids", idsOrMask);
+    if (array.ndim() > 1) {
         throw ScriptError("ids must be an array of ids, or a mask with a truth value for each "
-                          "individual.");
+                          "individual, not an array of shape " +
+                          std::string(py::str(array.attr("shape"))) + ".");
     }
     std::vector<IndividualId> ids;
+    order.clear();
     if (array.dtype().kind() == 'b') {
-        const auto all = scene.population.ids();
-        if (array.ndim() != 1 || array.shape(0) != static_cast<py::ssize_t>(all.size())) {
-            throw ScriptError("The mask has " + std::to_string(array.size()) + " values for " +
+        const auto mask = py::array_t<bool>::ensure(array);
+        const auto now = scene.scene();
+        const auto all = now->population.ids();
+        if (mask.ndim() != 1 || mask.shape(0) != static_cast<py::ssize_t>(all.size())) {
+            throw ScriptError("The mask has " + std::to_string(mask.size()) + " values for " +
                               std::to_string(all.size()) + " individuals.");
         }
-        const auto mask = py::array_t<bool>::ensure(array).unchecked<1>();
+        const auto isMeant = mask.unchecked<1>();
         for (std::size_t row = 0; row < all.size(); ++row) {
-            if (mask(static_cast<py::ssize_t>(row))) {
+            if (isMeant(static_cast<py::ssize_t>(row))) {
                 ids.push_back(all[row]);
             }
         }
@@ -373,11 +412,13 @@ std::vector<IndividualId> idsFrom(const Scene& scene, const py::object& idsOrMas
         std::iota(order.begin(), order.end(), std::size_t{0});
         return ids;
     }
-    const auto given = py::array_t<IndividualId>::ensure(
-        array.size() == 0 ? array : toItems("ids", idsOrMask, py::dtype::of<IndividualId>()));
+    if (array.size() == 0) {
+        return ids;
+    }
+    const py::array given = toItems("ids", array, py::dtype::of<IndividualId>());
     order.resize(static_cast<std::size_t>(given.size()));
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const IndividualId* from = given.data();
+    const auto* from = static_cast<const IndividualId*>(given.data());
     std::ranges::stable_sort(order, {}, [from](std::size_t i) { return from[i]; });
     for (const std::size_t place : order) {
         ids.push_back(from[place]);

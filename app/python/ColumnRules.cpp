@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -34,36 +37,70 @@ Error refused(ColumnId column, std::size_t index, const std::string& why)
     return Error{std::string(columnInfo(column).name) + "[" + std::to_string(index) + "] " + why};
 }
 
+/// What makes sense of a column of numbers; a project file may hold anything finite.
+struct Limits
+{
+    float low;
+    float high;
+    const char* meaning;
+};
+
+Limits limitsOf(ColumnId column)
+{
+    constexpr float kFarthest = 1e6F;
+    constexpr float kMostTurned = 1e6F;
+    constexpr float kFastest = 100.0F;
+    switch (column) {
+    case ColumnId::Position:
+        return {-kFarthest, kFarthest, "in metres"};
+    case ColumnId::Heading:
+        return {-kMostTurned, kMostTurned, "in radians"};
+    case ColumnId::Height:
+    case ColumnId::Girth:
+        return {0.01F, 100.0F, "a scale"};
+    case ColumnId::Phase:
+        return {0.0F, 1.0F, "a phase"};
+    case ColumnId::PlaybackSpeed:
+        return {-kFastest, kFastest, "a playback speed"};
+    case ColumnId::WalkSpeed:
+        return {0.0F, kMaxWalkingSpeed, "in m/s"};
+    default:
+        return {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max(),
+                "a number"};
+    }
+}
+
+std::string numberText(float value)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
+}
+
 Result<void> checkNumbers(const ColumnValues& values)
 {
     const ColumnInfo& info = columnInfo(values.column);
     if (info.type != ColumnType::Float && info.type != ColumnType::Vec3) {
         return {};
     }
+    const Limits limits = limitsOf(values.column);
     const auto numbers = itemsOf<float>(values);
+    bool areRight = true; // also false where one is not a number; no branch, for whole columns
+    for (const float each : numbers) {
+        areRight &= static_cast<bool>(static_cast<int>(each >= limits.low) &
+                                      static_cast<int>(each <= limits.high));
+    }
+    if (areRight) {
+        return {};
+    }
+    const auto wrong = std::ranges::find_if(
+        numbers, [&](float each) { return !(each >= limits.low && each <= limits.high); });
     const std::size_t width = info.stride / sizeof(float);
-    const bool isScale = values.column == ColumnId::Height || values.column == ColumnId::Girth;
-    if (values.column != ColumnId::Phase && !isScale) {
-        float sum = 0.0F; // finite times zero is zero, in a loop over vectors
-        for (const float each : numbers) {
-            sum += each * 0.0F;
-        }
-        if (sum == 0.0F) {
-            return {};
-        }
-    }
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (!std::isfinite(numbers[i])) {
-            return refused(values.column, i / width, "is not a finite number.");
-        }
-        if (isScale && numbers[i] <= 0.0F) {
-            return refused(values.column, i / width, "is a scale: it must be above zero.");
-        }
-        if (values.column == ColumnId::Phase && (numbers[i] < 0.0F || numbers[i] > 1.0F)) {
-            return refused(values.column, i / width, "is a phase: it must lie between 0 and 1.");
-        }
-    }
-    return {};
+    return refused(values.column, static_cast<std::size_t>(wrong - numbers.begin()) / width,
+                   "is " + numberText(*wrong) + "; it is " + limits.meaning +
+                       " and must lie from " + numberText(limits.low) + " to " +
+                       numberText(limits.high) + ".");
 }
 
 /// What a template suggests for those created from it.
@@ -147,7 +184,7 @@ Result<void> checkStyles(const TemplateTable& table, std::span<const TemplateId>
     return {};
 }
 
-/// Paths to follow that are there, and speeds that people can walk.
+/// Paths to follow that are there.
 Result<void> checkWalks(const Scene& scene, std::span<const ColumnValues> values)
 {
     if (const ColumnValues* paths = find(values, ColumnId::Path)) {
@@ -158,14 +195,6 @@ Result<void> checkWalks(const Scene& scene, std::span<const ColumnValues> values
                                "is " + std::to_string(ids[i]) +
                                    ", and the scene has no such path: take the id of one of "
                                    "scene.environment[\"paths\"], or 0.");
-            }
-        }
-    }
-    if (const ColumnValues* speeds = find(values, ColumnId::WalkSpeed)) {
-        const auto all = itemsOf<float>(*speeds);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (!(all[i] >= 0.0F && all[i] <= kMaxWalkingSpeed)) {
-                return refused(ColumnId::WalkSpeed, i, "must lie from 0 to 10 m/s.");
             }
         }
     }
@@ -266,9 +295,26 @@ void put(IndividualRows& rows, const ColumnValues& values)
 
 } // namespace
 
+Result<void> checkRoom(const Scene& scene, std::size_t coming)
+{
+    const std::size_t now = scene.population.size();
+    if (coming > kMostPeople || now > kMostPeople - coming) {
+        return Error{"A scene has room for " + std::to_string(kMostPeople) + " people: it has " +
+                     std::to_string(now) + ", and " + std::to_string(coming) + " more do not fit."};
+    }
+    if (coming >= std::numeric_limits<IndividualId>::max() - scene.nextId) {
+        return Error{"The scene has no ids left for " + std::to_string(coming) +
+                     " more people: all have been given out. Go on in another scene."};
+    }
+    return {};
+}
+
 Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
                                std::span<const ColumnValues> values)
 {
+    if (auto room = checkRoom(scene, n); !room) {
+        return room.error();
+    }
     if (auto valid = checkCommon(n, values); !valid) {
         return valid.error();
     }

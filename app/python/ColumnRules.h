@@ -12,6 +12,12 @@
 /// a message names the column, the place in the array and what would do.
 namespace crowd::app {
 
+/// In one scene.
+inline constexpr std::size_t kMostPeople = 10'000'000;
+
+/// Whether so many more fit into the scene.
+[[nodiscard]] model::Result<void> checkRoom(const model::Scene& scene, std::size_t coming);
+
 /// n rows for addIndividuals: the given columns (n values each), elsewhere what the template and
 /// the seat suggest. "template" is needed, and "position" or "seat".
 [[nodiscard]] model::Result<model::IndividualRows> newRows(const model::Scene& scene, std::size_t n,

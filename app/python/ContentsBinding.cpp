@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "app/python/Binding.h"
-#include "model/project/EnvironmentText.h"
 
 namespace crowd::app {
 
@@ -34,12 +34,33 @@ float finite(float value, const char* name)
     return value;
 }
 
-float aboveZero(float value, const char* name)
+constexpr float kMostAway = 1e6F; ///< metres, and radians
+
+std::string text(float value)
 {
-    if (!(value > 0.0F) || !std::isfinite(value)) {
-        throw ScriptError(std::string(name) + " must be a finite number above zero.");
+    return py::str(py::float_(static_cast<double>(value)));
+}
+
+float within(float value, const char* name, float low, float high)
+{
+    if (!(value >= low && value <= high)) { // also where it is not a number
+        throw ScriptError(std::string(name) + " is " + text(value) + "; it must lie from " +
+                          text(low) + " to " + text(high) + ".");
     }
     return value;
+}
+
+float scaleFrom(float value)
+{
+    return within(value, "scale", 1e-4F, 1e4F);
+}
+
+glm::vec3 placeFrom(const Point3& point)
+{
+    for (const float each : point) {
+        within(each, "position", -kMostAway, kMostAway);
+    }
+    return toVector(point, "position");
 }
 
 /// What the import dialog asks for, each left as it is where nothing is given.
@@ -57,30 +78,30 @@ struct ImportArguments
 void ImportArguments::applyTo(TemplateEntry& entry) const
 {
     if (scale) {
-        entry.import.scale = aboveZero(*scale, "scale");
+        entry.import.scale = scaleFrom(*scale);
     }
     if (rotation) {
         const auto& [w, x, y, z] = *rotation;
-        entry.import.rotation = {finite(w, "rotation"), finite(x, "rotation"),
-                                 finite(y, "rotation"), finite(z, "rotation")};
+        const glm::quat turn(finite(w, "rotation"), finite(x, "rotation"), finite(y, "rotation"),
+                             finite(z, "rotation"));
+        if (!(glm::length(turn) > 0.5F && glm::length(turn) < 2.0F)) { // as files may have it
+            throw ScriptError("rotation is a quaternion (w, x, y, z) of length 1; (1, 0, 0, 0) "
+                              "does not turn. The length of what was given is " +
+                              text(glm::length(turn)) + ".");
+        }
+        entry.import.rotation = turn;
     }
     if (groundOffset) {
-        entry.import.groundOffset = finite(*groundOffset, "ground_offset");
+        entry.import.groundOffset = within(*groundOffset, "ground_offset", -1000.0F, 1000.0F);
     }
     entry.import.removeRootMotion = removeRootMotion.value_or(entry.import.removeRootMotion);
     if (clipSpeeds) {
         entry.clipSpeeds.clear();
         for (const Maybe<float>& each : *clipSpeeds) {
-            entry.clipSpeeds.push_back(each ? finite(*each, "clip_speeds")
+            entry.clipSpeeds.push_back(each ? within(*each, "clip_speeds", -100.0F, 100.0F)
                                             : std::numeric_limits<float>::quiet_NaN());
         }
     }
-}
-
-TemplateId idOf(const py::object& given)
-{
-    return py::isinstance<TemplateHandle>(given) ? given.cast<const TemplateHandle&>().id
-                                                 : given.cast<TemplateId>();
 }
 
 TemplateHandle addTemplate(const ScenePtr& scene, const FilePath& path, const std::string& name,
@@ -101,14 +122,14 @@ void changeTemplate(const ScenePtr& scene, const py::object& which, const Maybe<
                     const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
                     const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds)
 {
-    TemplateEntry entry = TemplateHandle{scene, idOf(which)}.entry();
+    TemplateEntry entry = TemplateHandle{scene, templateIdOf(scene, which)}.entry();
     entry.path = path ? path->string() : entry.path;
     entry.name = name.value_or(entry.name);
     ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds}.applyTo(entry);
     valueOrRaise(scene->changeTemplate(entry));
 }
 
-StageEntry stageOf(const ScenePtr& scene, std::uint8_t id)
+StageHandle stageOf(const ScenePtr& scene, std::uint8_t id)
 {
     const auto now = scene->scene();
     const StageEntry* entry = now->findStage(id);
@@ -116,25 +137,50 @@ StageEntry stageOf(const ScenePtr& scene, std::uint8_t id)
         throw ScriptError("The scene has no stage " + std::to_string(id) +
                           ": take one of scene.stages.");
     }
-    return *entry;
+    return {scene, *entry};
 }
 
-std::uint8_t stageId(const py::object& given)
+std::vector<StageHandle> stages(const ScenePtr& scene)
 {
-    return py::isinstance<StageEntry>(given) ? given.cast<const StageEntry&>().id
-                                             : given.cast<std::uint8_t>();
+    std::vector<StageHandle> handles;
+    const auto now = scene->scene();
+    for (const StageEntry& entry : now->stages) {
+        handles.push_back({scene, entry});
+    }
+    return handles;
 }
 
-StageEntry addStage(const ScenePtr& scene, const FilePath& path, const std::string& name,
-                    const Point3& position, float heading, float scale, std::uint8_t id)
+std::uint8_t stageId(const ScenePtr& scene, const py::object& given)
+{
+    if (py::isinstance<StageHandle>(given)) {
+        const auto& handle = given.cast<const StageHandle&>();
+        if (handle.owner != scene) {
+            throw ScriptError("Stage " + handle.entry.name +
+                              " belongs to another scene: take one of this scene's stages, or add "
+                              "it here with add_stage.");
+        }
+        return handle.entry.id;
+    }
+    constexpr long kHighest = 255;
+    const bool isNumber = py::isinstance<py::int_>(given) && !py::isinstance<py::bool_>(given);
+    const long id = isNumber ? PyLong_AsLong(given.ptr()) : -1;
+    PyErr_Clear(); // of numbers without end
+    if (id < 0 || id > kHighest) {
+        throw ScriptError("A stage is one of scene.stages or its id, not " + shortly(given) + ".");
+    }
+    return static_cast<std::uint8_t>(id);
+}
+
+StageHandle addStage(const ScenePtr& scene, const FilePath& path, const std::string& name,
+                     const Point3& position, float heading, float scale, std::uint8_t id)
 {
     StageEntry entry;
     entry.id = id;
     entry.path = path.string();
     entry.name = name;
-    entry.position = toVector(position, "position");
-    entry.headingRadians = finite(heading, "heading");
-    entry.scale = aboveZero(scale, "scale");
+    entry.position = placeFrom(position);
+    entry.headingRadians = within(heading, "heading", -kMostAway, kMostAway);
+    entry.scale = scaleFrom(scale);
     return stageOf(scene, valueOrRaise(scene->addStage(entry)));
 }
 
@@ -142,17 +188,17 @@ void changeStage(const ScenePtr& scene, const py::object& which, const Maybe<Fil
                  const Maybe<std::string>& name, const Maybe<Point3>& position,
                  const Maybe<float>& heading, const Maybe<float>& scale)
 {
-    StageEntry entry = stageOf(scene, stageId(which));
+    StageEntry entry = stageOf(scene, stageId(scene, which)).entry;
     entry.path = path ? path->string() : entry.path;
     entry.name = name.value_or(entry.name);
     if (position) {
-        entry.position = toVector(*position, "position");
+        entry.position = placeFrom(*position);
     }
     if (heading) {
-        entry.headingRadians = finite(*heading, "heading");
+        entry.headingRadians = within(*heading, "heading", -kMostAway, kMostAway);
     }
     if (scale) {
-        entry.scale = aboveZero(*scale, "scale");
+        entry.scale = scaleFrom(*scale);
     }
     valueOrRaise(scene->changeStage(entry));
 }
@@ -160,17 +206,30 @@ void changeStage(const ScenePtr& scene, const py::object& which, const Maybe<Fil
 py::dict cameras(const ScenePtr& scene)
 {
     py::dict all;
-    const auto now = scene->scene();
-    for (const NamedCamera& each : now->cameras) {
+    const std::vector<NamedCamera> known = scene->scene()->cameras;
+    for (const NamedCamera& each : known) {
         all[py::str(each.name)] = each.camera;
     }
     return all;
 }
 
+void needCameraName(const std::string& name)
+{
+    if (name.find_first_not_of(" \t\r\n") == std::string::npos) {
+        throw ScriptError("A camera needs a name.");
+    }
+}
+
 void setCameras(const ScenePtr& scene, const std::vector<std::pair<std::string, Camera>>& named)
 {
     std::vector<NamedCamera> all;
+    std::set<std::string> names;
     for (const auto& [name, camera] : named) {
+        needCameraName(name);
+        if (!names.insert(name).second) {
+            throw ScriptError("Two cameras are named \"" + name +
+                              "\": give each a name of its own.");
+        }
         all.push_back({name, camera});
     }
     valueOrRaise(scene->setCameras(std::move(all)));
@@ -186,21 +245,30 @@ auto colorGetter(glm::vec3 Lighting::*member)
     return [member](const Lighting& light) { return toPoint(light.*member); };
 }
 
+glm::vec3 colorFrom(const Point3& color, const char* name)
+{
+    for (const float each : color) {
+        within(each, name, 0.0F, 1.0F);
+    }
+    return toVector(color, name);
+}
+
 Lighting makeLighting(float sunAzimuth, float sunElevation, const Point3& sunColor,
                       float sunStrength, const Point3& ambientColor, float ambientStrength,
                       const Point3& skyZenith, const Point3& skyHorizon, const Point3& ground,
                       bool groundGrid)
 {
+    constexpr float kBrightest = 1000.0F;
     Lighting light;
-    light.sunAzimuthRadians = finite(sunAzimuth, "sun_azimuth");
-    light.sunElevationRadians = finite(sunElevation, "sun_elevation");
-    light.sunColor = toVector(sunColor, "sun_color");
-    light.sunStrength = finite(sunStrength, "sun_strength");
-    light.ambientColor = toVector(ambientColor, "ambient_color");
-    light.ambientStrength = finite(ambientStrength, "ambient_strength");
-    light.skyZenith = toVector(skyZenith, "sky_zenith");
-    light.skyHorizon = toVector(skyHorizon, "sky_horizon");
-    light.ground = toVector(ground, "ground");
+    light.sunAzimuthRadians = within(sunAzimuth, "sun_azimuth", -kMostAway, kMostAway);
+    light.sunElevationRadians = within(sunElevation, "sun_elevation", -kMostAway, kMostAway);
+    light.sunColor = colorFrom(sunColor, "sun_color");
+    light.sunStrength = within(sunStrength, "sun_strength", 0.0F, kBrightest);
+    light.ambientColor = colorFrom(ambientColor, "ambient_color");
+    light.ambientStrength = within(ambientStrength, "ambient_strength", 0.0F, kBrightest);
+    light.skyZenith = colorFrom(skyZenith, "sky_zenith");
+    light.skyHorizon = colorFrom(skyHorizon, "sky_horizon");
+    light.ground = colorFrom(ground, "ground");
     light.showGroundGrid = groundGrid;
     return light;
 }
@@ -235,16 +303,20 @@ void bindLighting(py::module_& module)
 
 void bindStage(py::module_& module)
 {
-    py::class_<StageEntry>(module, "Stage", "A stage as it is placed in a scene, for reading.")
-        .def_readonly("id", &StageEntry::id)
-        .def_readonly("name", &StageEntry::name)
-        .def_readonly("path", &StageEntry::path)
+    const auto reader = [](auto StageEntry::*member) {
+        return [member](const StageHandle& stage) { return stage.entry.*member; };
+    };
+    py::class_<StageHandle>(module, "Stage", "A stage as it is placed in a scene, for reading.")
+        .def_property_readonly("id", reader(&StageEntry::id))
+        .def_property_readonly("name", reader(&StageEntry::name))
+        .def_property_readonly("path", reader(&StageEntry::path))
         .def_property_readonly(
-            "position", [](const StageEntry& stage) { return toPoint(stage.position); },
+            "position", [](const StageHandle& stage) { return toPoint(stage.entry.position); },
             "World frame, metres.")
-        .def_readonly("heading", &StageEntry::headingRadians, "Radians.")
-        .def_readonly("scale", &StageEntry::scale)
-        .def("__repr__", [](const StageEntry& stage) { return "<Stage " + stage.name + ">"; });
+        .def_property_readonly("heading", reader(&StageEntry::headingRadians), "Radians.")
+        .def_property_readonly("scale", reader(&StageEntry::scale))
+        .def("__repr__",
+             [](const StageHandle& stage) { return "<Stage " + stage.entry.name + ">"; });
 }
 
 void bindTemplateCalls(SceneClass& scene)
@@ -277,7 +349,7 @@ void bindTemplateCalls(SceneClass& scene)
         .def(
             "remove_template",
             [](const ScenePtr& s, const py::object& which) {
-                valueOrRaise(s->removeTemplate(idOf(which)));
+                valueOrRaise(s->removeTemplate(templateIdOf(s, which)));
             },
             py::arg("template"), "By handle or id; refused as long as somebody is of it.");
 }
@@ -285,9 +357,7 @@ void bindTemplateCalls(SceneClass& scene)
 void bindStageCalls(SceneClass& scene)
 {
     scene
-        .def_property_readonly(
-            "stages", [](const ScenePtr& s) { return s->scene()->stages; },
-            "Geometry that people stand on, as it is placed.")
+        .def_property_readonly("stages", &stages, "Geometry that people stand on, as it is placed.")
         .def("add_stage", &addStage, py::arg("path"), py::arg("name") = "",
              py::arg("position") = Point3{0, 0, 0}, py::arg("heading") = 0.0F,
              py::arg("scale") = 1.0F, py::kw_only(), py::arg("id") = 0,
@@ -300,7 +370,7 @@ void bindStageCalls(SceneClass& scene)
         .def(
             "remove_stage",
             [](const ScenePtr& s, const py::object& which) {
-                valueOrRaise(s->removeStage(stageId(which)));
+                valueOrRaise(s->removeStage(stageId(s, which)));
             },
             py::arg("stage"), "By stage or id.");
 }
@@ -311,6 +381,7 @@ void bindCameraCalls(SceneClass& scene)
         .def(
             "set_camera",
             [](const ScenePtr& s, const std::string& name, const Camera& camera) {
+                needCameraName(name);
                 valueOrRaise(s->setCamera(name, camera));
             },
             py::arg("name"), py::arg("camera"), "Moves the one of that name, or adds it.")
@@ -329,50 +400,6 @@ void bindCameraCalls(SceneClass& scene)
             py::arg("lighting"), "Sun, sky and ground as given.");
 }
 
-py::object environment(const ScenePtr& scene)
-{
-    return py::module_::import("json").attr("loads")(environmentText(*scene->scene()));
-}
-
-/// Raises where a number has no finite value, naming its place: JSON has no words for those.
-void refuseInfinite(const py::handle& value, const std::string& place)
-{
-    if (py::isinstance<py::float_>(value) && !std::isfinite(value.cast<double>())) {
-        throw ScriptError(place + " must be a finite number.");
-    }
-    if (py::isinstance<py::dict>(value)) {
-        for (const auto& [key, item] : value.cast<py::dict>()) {
-            refuseInfinite(item, place + "." + py::str(key).cast<std::string>());
-        }
-    } else if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
-        std::size_t index = 0;
-        for (const py::handle item : value) {
-            refuseInfinite(item, place + "[" + std::to_string(index++) + "]");
-        }
-    }
-}
-
-void setEnvironment(const ScenePtr& scene, const py::object& given)
-{
-    refuseInfinite(given, "environment");
-    const py::object text =
-        py::isinstance<py::str>(given) ? given : py::module_::import("json").attr("dumps")(given);
-    valueOrRaise(scene->setEnvironment(text.cast<std::string>()));
-}
-
-void bindEnvironment(SceneClass& scene)
-{
-    scene
-        .def_property_readonly(
-            "environment", &environment,
-            "A dict of lists as the project file has them: places, paths, tags, rules, "
-            "numbers, cues, the surface to walk on, and stepsPerSecond.")
-        .def("set_environment", &setEnvironment, py::arg("environment"),
-             "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
-             "text; "
-             "what is not in it stays. Raises Error where a member is wrong.");
-}
-
 } // namespace
 
 void bindContents(py::module_& module, SceneClass& scene)
@@ -382,7 +409,6 @@ void bindContents(py::module_& module, SceneClass& scene)
     bindTemplateCalls(scene);
     bindStageCalls(scene);
     bindCameraCalls(scene);
-    bindEnvironment(scene);
 }
 
 } // namespace crowd::app

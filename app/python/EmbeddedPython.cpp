@@ -48,7 +48,9 @@ int exitStatus(const py::object& code)
         return 0;
     }
     if (py::isinstance<py::int_>(code)) {
-        return code.cast<int>() & 0xFF;
+        const auto status = static_cast<int>(PyLong_AsLong(code.ptr())); // -1 of what is too large
+        PyErr_Clear();
+        return status & 0xFF;
     }
     py::print(code, py::arg("file") = py::module_::import("sys").attr("stderr"));
     return kFailed;

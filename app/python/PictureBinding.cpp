@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include <pybind11/eval.h>
 #include <pybind11/operators.h>
 
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
+#include "app/python/OutsidePython.h"
 
 namespace crowd::app {
 
@@ -13,9 +16,11 @@ using namespace model;
 
 glm::vec3 toVector(const Point3& point, const char* name)
 {
+    constexpr float kFarthest = 1e9F;
     for (const float each : point) {
-        if (!std::isfinite(each)) {
-            throw ScriptError(std::string(name) + " must hold three finite numbers.");
+        if (!(std::abs(each) <= kFarthest)) {
+            throw ScriptError(std::string(name) +
+                              " must hold three finite numbers, at most 1000000000 away.");
         }
     }
     return {point[0], point[1], point[2]};
@@ -65,8 +70,10 @@ render::Look lookNamed(const std::string& name)
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
                    double time, const std::string& look)
 {
-    if (!std::isfinite(time)) {
-        throw ScriptError("time must be a finite number of seconds.");
+    constexpr double kLatest = 1e6;
+    if (!(std::abs(time) <= kLatest)) {
+        throw ScriptError("time is " + std::string(py::str(py::float_(time))) +
+                          "; it is in seconds, at most 1000000.");
     }
     return pictureOf(*scene, {width, height}, camera, look, time, nullptr);
 }
@@ -159,6 +166,20 @@ void bindCamera(py::module_& module)
         .def(py::self == py::self);
 }
 
+/// Another thread may be at one, which lets Python's other threads run.
+void waitForPictures(const ScriptScene& scene)
+{
+    constexpr std::chrono::milliseconds kPause{5};
+    while (scene.drawingThread() != std::thread::id()) {
+        if (scene.drawingThread() == std::this_thread::get_id()) {
+            throw ScriptError("A picture of this scene is being drawn: draw the next one when it "
+                              "is done.");
+        }
+        outsidePython([&] { std::this_thread::sleep_for(kPause); });
+        raiseSignals();
+    }
+}
+
 } // namespace
 
 py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
@@ -174,6 +195,8 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.seconds = time;
     request.frame = std::move(frame);
     request.look = lookNamed(look);
+    request.patience = &mindingSignals;
+    waitForPictures(scene);
     const std::vector<std::uint8_t> pixels = valueOrRaise(scene.picture(request));
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
     return py::module_::import("crowdbrush").attr("Picture")(array);

@@ -2,6 +2,7 @@
 #include "app/python/PythonModule.h"
 
 #include "app/python/Binding.h"
+#include "app/python/OutsidePython.h"
 
 namespace crowd::app {
 
@@ -30,6 +31,8 @@ void registerModule(py::module_& module)
     bindScriptBrushes(module);
     bindScene(module);
     bindSession(module);
+    speakOfArguments(module);
+    watchPythonsEnd();
 }
 
 } // namespace crowd::app

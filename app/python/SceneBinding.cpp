@@ -4,6 +4,7 @@
 
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
+#include "app/python/ColumnRules.h"
 
 namespace crowd::app {
 
@@ -11,37 +12,28 @@ using namespace model;
 
 namespace {
 
-/// `with scene.edit("name"):` one undo step, or nothing at all when the block raises.
-struct EditBlock
-{
-    ScenePtr scene;
-    std::string text;
-};
-
 py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
                  const py::kwargs& columns)
 {
-    constexpr std::size_t kMost = 10'000'000;
-    if (count.value_or(0) > kMost) {
-        throw ScriptError("count is at most 10 000 000 people at once.");
+    if (count) {
+        valueOrRaise(checkRoom(*scene->scene(), *count));
     }
-    const GivenColumns given = columnsFrom(*scene->scene(), columns, count, {});
+    const GivenColumns given = columnsFrom(scene, columns, count, {});
     const auto ids = valueOrRaise(scene->create(given.count, given.values));
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
 
 void remove(const ScenePtr& scene, const py::object& idsOrMask)
 {
-    const auto now = scene->scene();
     std::vector<std::size_t> order;
-    valueOrRaise(scene->remove(idsFrom(*now, idsOrMask, order)));
+    valueOrRaise(scene->remove(idsFrom(*scene, idsOrMask, order)));
 }
 
 void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)
 {
-    const auto now = scene->scene();
     std::vector<std::size_t> order;
-    const auto ids = idsFrom(*now, idsOrMask, order);
+    const auto ids = idsFrom(*scene, idsOrMask, order);
+    const auto now = scene->scene();
     std::vector<TemplateId> templates(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::size_t row = now->population.rowOf(ids[i]);
@@ -51,14 +43,14 @@ void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs
         }
         templates[order[i]] = now->population.column(columns::templateId)[row];
     }
-    GivenColumns given = columnsFrom(*now, columns, ids.size(), templates);
+    GivenColumns given = columnsFrom(scene, columns, ids.size(), templates);
     reorder(given.values, order);
     valueOrRaise(scene->change(ids, given.values));
 }
 
 void send(const ScenePtr& scene, const std::string& event, const py::object& ids, float number)
 {
-    valueOrRaise(scene->send(eventOf(*scene->scene(), event, ids, number)));
+    valueOrRaise(scene->send(eventOf(*scene, event, ids, number)));
 }
 
 py::dict seats(const ScenePtr& scene)
@@ -196,6 +188,7 @@ void bindScene(py::module_& module)
     bindPopulation(scene);
     bindPictures(module, scene);
     bindContents(module, scene);
+    bindEnvironment(scene);
     bindStrokes(module, scene);
     module.def(
         "open",

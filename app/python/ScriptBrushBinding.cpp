@@ -3,6 +3,7 @@
 
 #include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "app/python/OutsidePython.h"
 
 namespace crowd::app {
 
@@ -32,14 +33,8 @@ py::array_t<IndividualId> present(const ScenePtr& scene, const std::vector<Indiv
 bool nextDab(ScriptStrokeLink& dabs, ScriptDab& dab)
 {
     while (true) {
-        ScriptStrokeLink::Wait got{};
-        {
-            const py::gil_scoped_release others;
-            got = dabs.next(dab);
-        }
-        if (PyErr_CheckSignals() != 0) {
-            throw py::error_already_set();
-        }
+        const ScriptStrokeLink::Wait got = outsidePython([&] { return dabs.next(dab); });
+        raiseSignals();
         if (got != ScriptStrokeLink::Wait::Nothing) {
             return got == ScriptStrokeLink::Wait::Dab;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/ScriptScene.h"
 
+#include <unistd.h>
+
 #include <QtCore/QFileInfo>
 
 #include "app/python/ScriptSceneParts.h"
@@ -31,12 +33,12 @@ ScriptScene::ScriptScene()
                                                   [](const std::function<void()>& work) {
                                                       work();
                                                   }},
-      m_pictureKeyframes(kKeyframeBytes)
+      m_pictureKeyframes(kKeyframeBytes), m_process(getpid())
 {
 }
 
 ScriptScene::ScriptScene(ScriptHost host)
-    : m_host(std::move(host)), m_pictureKeyframes(kKeyframeBytes)
+    : m_host(std::move(host)), m_pictureKeyframes(kKeyframeBytes), m_process(getpid())
 {
     m_interruption = QObject::connect(m_host.document, &SceneDocument::editInterrupted,
                                       m_host.document, [this] { dropEdits(); });
@@ -57,15 +59,17 @@ void ScriptScene::dropEdits()
 
 ScriptScene::~ScriptScene()
 {
-    QObject::disconnect(m_interruption);
-    if (m_edit) {
-        try {
-            endEdit(false);
-        } catch (const std::exception&) {
-            (void)m_edit.release(); // the editor is closing: the document goes with all it holds
-        }
+    try {
+        m_host.run([this] {
+            QObject::disconnect(m_interruption);
+            m_stroke.reset(); // takes back what was not finished
+            m_edit.reset();
+        });
+    } catch (const std::exception&) {
+        QObject::disconnect(m_interruption);
+        (void)m_edit.release(); // the editor is closing: the document goes with all it holds
+        (void)m_stroke.release();
     }
-    (void)m_stroke.release(); // likewise: the gate was closed while its brush painted
 }
 
 std::shared_ptr<const Scene> ScriptScene::scene() const
@@ -74,6 +78,14 @@ std::shared_ptr<const Scene> ScriptScene::scene() const
         return {&m_own->document.scene(), [](const Scene*) {}}; // stays where it is
     }
     return onDocument([this] { return std::make_shared<const Scene>(m_host.document->scene()); });
+}
+
+ScriptScene::Snapshot ScriptScene::snapshot() const
+{
+    return onDocument([this]() -> Snapshot {
+        return {std::make_shared<const Scene>(m_host.document->scene()),
+                m_host.document->revision()};
+    });
 }
 
 std::uint64_t ScriptScene::revision() const
@@ -125,10 +137,10 @@ Result<void> ScriptScene::open(const std::string& path)
 
 Result<void> ScriptScene::save(const std::string& path)
 {
-    if (auto allowed = refuseDuringEdit("Saving"); !allowed) {
-        return allowed;
-    }
     return onDocument([&]() -> Result<void> {
+        if (auto allowed = refuseDuringEdit("Saving"); !allowed) {
+            return allowed;
+        }
         SceneDocument& document = *m_host.document;
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -40,6 +42,11 @@ struct ScriptStroke
     std::uint64_t seed = 1;
 };
 
+/// Does work that takes long, on whatever thread, and returns when it is done. May cancel it, and
+/// then throws.
+using Patience =
+    std::function<void(std::atomic<bool>& isCancelled, const std::function<void()>& work)>;
+
 /// A picture as a script asks for it.
 struct ScriptPicture
 {
@@ -48,6 +55,7 @@ struct ScriptPicture
     double seconds = 0.0;                ///< of the transport
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     render::Look look = render::Look::Lit;
+    Patience patience = [](std::atomic<bool>&, const std::function<void()>& work) { work(); };
 };
 
 /// An event as a script sends it.
@@ -73,8 +81,8 @@ struct ScriptHost
 /// What a script works on: a document with all that painting and drawing need, without a window.
 /// Every change goes through the undoable edits that the editor's own tools use. What is refused
 /// is refused before anything changes, with a message. Knows nothing of Python. With a host its
-/// functions may be called from any one thread at a time: they reach the document through
-/// ScriptHost::run.
+/// functions may be called from any one thread at a time: they reach the document, and what is
+/// open on it, through ScriptHost::run.
 class ScriptScene
 {
 public:
@@ -84,8 +92,16 @@ public:
     ScriptScene(const ScriptScene&) = delete;
     ScriptScene& operator=(const ScriptScene&) = delete;
 
-    /// The scene as it is now, for reading: a snapshot where a host could change it meanwhile.
+    /// The scene as it is now, for reading: a snapshot where a host could change it meanwhile. Of a
+    /// scene of its own it is the scene itself: only for as long as no other code of Python's runs.
     [[nodiscard]] std::shared_ptr<const model::Scene> scene() const;
+    /// A copy that stays as it is, and the revision it is of.
+    struct Snapshot
+    {
+        std::shared_ptr<const model::Scene> scene;
+        std::uint64_t revision = 0;
+    };
+    [[nodiscard]] Snapshot snapshot() const;
     /// Grows with every change.
     [[nodiscard]] std::uint64_t revision() const;
     [[nodiscard]] std::string path() const;
@@ -121,7 +137,7 @@ public:
     [[nodiscard]] model::Result<void> setCameras(std::vector<model::NamedCamera> cameras);
     [[nodiscard]] model::Result<void> setLighting(model::Lighting lighting);
     /// Places, paths, tags and rules as JSON: see readEnvironmentText.
-    [[nodiscard]] model::Result<void> setEnvironment(const std::string& text);
+    [[nodiscard]] model::Result<void> setEnvironment(const std::string& text, bool isStrict);
     [[nodiscard]] model::Result<model::Camera> camera(const std::string& name) const;
 
     /// n individuals with these values; the rest gets the defaults of their templates. Their ids.
@@ -134,8 +150,9 @@ public:
 
     /// People become as a session shows them: as part of the open edit, or as a step of its own.
     /// How many are another way than before.
+    /// `after`: as the scene is then.
     [[nodiscard]] model::Result<int> keepPose(const model::Population& shown,
-                                              const behavior::SessionPose& pose);
+                                              const behavior::SessionPose& pose, Snapshot& after);
 
     /// Of brush kind Script: `paint` gets the dabs, on the calling thread; what it throws takes the
     /// stroke back and goes on.
@@ -143,10 +160,12 @@ public:
     [[nodiscard]] model::Result<model::StrokeOutcome> stroke(const ScriptStroke& stroke,
                                                              const PaintWork& paint = {});
     /// Between the two all edits belong to that stroke. The calling thread is Python's.
-    void joinStroke(ScriptStrokeLinkPtr link) { m_link = std::move(link); }
-    void leaveStroke() { m_link.reset(); }
+    void joinStroke(const ScriptStrokeLinkPtr& link);
+    void leaveStroke(); ///< does nothing where the host is closing
     /// RGBA8, sRGB, rows from the top.
     [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(const ScriptPicture& picture);
+    /// The thread that a picture is being drawn on; none else. Another one waits until it is done.
+    [[nodiscard]] std::thread::id drawingThread() const { return m_drawing; }
 
 private:
     using Work = std::function<void(model::SceneEdit&)>;
@@ -163,13 +182,17 @@ private:
     scriptStroke(const model::RecordedStroke& recording, const PaintWork& paint);
     void dropEdits();
     [[nodiscard]] model::Result<bool> step(bool isUndo);
-    [[nodiscard]] model::CrowdFramePtr frameAt(double seconds);
+    [[nodiscard]] model::CrowdFramePtr frameAt(double seconds, const Patience& patience);
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>> draw(const ScriptPicture& picture);
 
     std::unique_ptr<OwnParts> m_own; ///< null with a host
     ScriptHost m_host;
     model::KeyframeStore m_pictureKeyframes; ///< pictures wait for all of it, whatever else goes on
     std::unique_ptr<PictureMaker> m_pictures; ///< made when first asked for
     std::unique_ptr<Motion> m_motion;         ///< of the pictures, where the scene has behaviour
+    std::thread::id m_drawing;
+    int m_process; ///< that made it
+    // The document's thread alone.
     std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
     QString m_editText;
     ScriptStrokeLinkPtr m_link;              ///< while a script brush paints

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include <QtCore/QFileInfo>
 
 #include "app/python/ScriptSceneParts.h"
+#include "model/brush/ClipChoice.h"
 #include "model/project/AssetPaths.h"
 #include "model/project/SceneAssets.h"
 
@@ -41,6 +45,68 @@ bool sameNumbers(const std::vector<float>& a, const std::vector<float>& b)
     });
 }
 
+/// One speed for each clip, or none.
+Result<void> checkSpeeds(const TemplateEntry& entry)
+{
+    if (!entry.clipSpeeds.empty() && entry.clipSpeeds.size() != entry.clipNames.size()) {
+        return Error{"clip_speeds has " + std::to_string(entry.clipSpeeds.size()) +
+                     " speeds, and template " + entry.name + " has " +
+                     std::to_string(entry.clipNames.size()) +
+                     " clips: give one for each, in the order of clip_names; None takes the "
+                     "file's."};
+    }
+    return {};
+}
+
+/// Where a clip of one file is in another: by name; nothing where it is not there.
+std::optional<std::size_t> clipIn(const std::vector<std::string>& names, const TemplateEntry& was,
+                                  std::size_t clip)
+{
+    if (clip >= was.clipNames.size()) {
+        return std::nullopt;
+    }
+    const auto found = std::ranges::find(names, was.clipNames[clip]);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - names.begin()));
+}
+
+/// Speeds that were set before, for the clips of the same names.
+std::vector<float> speedsByName(const TemplateEntry& was, const std::vector<std::string>& names)
+{
+    std::vector<float> speeds(names.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t clip = 0; clip < was.clipSpeeds.size(); ++clip) {
+        if (const auto now = clipIn(names, was, clip)) {
+            speeds[*now] = was.clipSpeeds[clip];
+        }
+    }
+    return speeds;
+}
+
+/// People count clips as their template does: they keep theirs by name, and get the usual one where
+/// the new file has none of that name.
+void followClips(SceneEdit& edit, const TemplateEntry& was, const TemplateEntry& now)
+{
+    std::vector<IndividualId> ids;
+    std::vector<std::uint16_t> clips;
+    std::vector<std::uint16_t> styles;
+    const Population& people = edit.scene().population;
+    const auto templates = people.column(columns::templateId);
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (templates[row] != now.id) {
+            continue;
+        }
+        const bool isSeated = people.column(columns::seat)[row] != kNoSeat;
+        const auto clip = clipIn(now.clipNames, was, people.column(columns::clip)[row]);
+        const std::uint16_t style = people.column(columns::walkStyle)[row];
+        const auto walk = style == 0 ? std::nullopt : clipIn(now.clipNames, was, style - 1U);
+        ids.push_back(people.ids()[row]);
+        clips.push_back(clip ? static_cast<std::uint16_t>(*clip) : usualClip(now, isSeated));
+        styles.push_back(walk ? static_cast<std::uint16_t>(*walk + 1) : std::uint16_t{0});
+    }
+    edit.setColumn(columns::clip, ids, std::span<const std::uint16_t>(clips));
+    edit.setColumn(columns::walkStyle, ids, std::span<const std::uint16_t>(styles));
+}
+
 } // namespace
 
 Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
@@ -53,7 +119,15 @@ Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
     if (entry.name.empty()) {
         entry.name = asset.value()->name;
     }
+    const std::vector<float> speeds = std::exchange(entry.clipSpeeds, {});
     attachAsset(entry, asset.value());
+    if (!speeds.empty()) {
+        entry.clipSpeeds = speeds;
+        if (auto valid = checkSpeeds(entry); !valid) {
+            return valid.error();
+        }
+        attachAsset(entry, asset.value());
+    }
     return onDocument([&]() -> Result<TemplateId> {
         if (entry.id != 0 && m_host.document->scene().findTemplate(entry.id) != nullptr) {
             return Error{"The scene already has a template " + std::to_string(entry.id) + "."};
@@ -82,11 +156,31 @@ Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
         if (!asset) {
             return asset.error();
         }
+        const bool areSpeedsNew = !sameNumbers(was->clipSpeeds, entry.clipSpeeds);
+        if (was->path != entry.path) {
+            const std::vector<float> speeds = std::exchange(entry.clipSpeeds, {});
+            entry.clipNames.clear();
+            attachAsset(entry, asset.value()); // its own names
+            entry.clipSpeeds = areSpeedsNew || was->clipSpeeds.empty()
+                                   ? speeds
+                                   : speedsByName(*was, entry.clipNames);
+        }
+        if (auto valid = checkSpeeds(entry); areSpeedsNew && !valid) {
+            return valid.error();
+        }
         attachAsset(entry, asset.value());
     }
-    return onDocument([&] {
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change template")),
-                    [&](SceneEdit& open) { open.changeTemplate(entry); });
+    return onDocument([&]() -> Result<void> {
+        if (m_host.document->scene().findTemplate(entry.id) == nullptr) {
+            return noTemplate(entry.id); // it went while the file was read
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change template")), [&](SceneEdit& open) {
+            const TemplateEntry before = *open.scene().findTemplate(entry.id);
+            open.changeTemplate(entry);
+            if (before.clipNames != entry.clipNames) {
+                followClips(open, before, entry);
+            }
+        });
     });
 }
 
@@ -147,7 +241,10 @@ Result<void> ScriptScene::changeStage(StageEntry entry)
         entry.asset = asset.value();
         entry.problem.clear();
     }
-    return onDocument([&] {
+    return onDocument([&]() -> Result<void> {
+        if (m_host.document->scene().findStage(entry.id) == nullptr) {
+            return noStage(entry.id);
+        }
         return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change stage")),
                     [&](SceneEdit& open) { open.changeStage(entry); });
     });

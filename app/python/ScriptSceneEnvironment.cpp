@@ -10,50 +10,9 @@ using namespace model;
 
 namespace {
 
-template<class Entry>
-bool isAmong(const std::vector<Entry>& entries, const Entry& wanted)
-{
-    const auto found = std::ranges::find(entries, wanted.id, &Entry::id);
-    return found != entries.end() && *found == wanted;
-}
-
-/// Ids in `now` that `wanted` lacks.
-template<class Entry>
-auto missingIds(const std::vector<Entry>& now, const std::vector<Entry>& wanted)
-{
-    std::vector<decltype(Entry::id)> ids;
-    for (const Entry& each : now) {
-        if (std::ranges::find(wanted, each.id, &Entry::id) == wanted.end()) {
-            ids.push_back(each.id);
-        }
-    }
-    return ids;
-}
-
-void putPaths(SceneEdit& edit, const Scene& wanted)
-{
-    for (const Path& each : wanted.paths) {
-        if (!isAmong(edit.scene().paths, each)) {
-            edit.changePath(each);
-        }
-    }
-}
-
 void putEnvironment(SceneEdit& edit, const Scene& wanted)
 {
-    for (const Place& each : wanted.places) {
-        if (!isAmong(edit.scene().places, each)) {
-            edit.changePlace(each);
-        }
-    }
-    putPaths(edit, wanted);
-    for (const PathId id : missingIds(edit.scene().paths, wanted.paths)) {
-        edit.removePath(id);
-    }
-    for (const PlaceId id : missingIds(edit.scene().places, wanted.places)) {
-        edit.removePlace(id);
-    }
-    putPaths(edit, wanted); // who lost a place or a branch with those
+    edit.setPlacesAndPaths(wanted.places, wanted.paths);
     edit.setRules(wanted.rules);
     edit.setTags(wanted.tags);
     edit.setNumbers(wanted.numbers);
@@ -118,11 +77,11 @@ Result<void> ScriptScene::setLighting(Lighting lighting)
     });
 }
 
-Result<void> ScriptScene::setEnvironment(const std::string& text)
+Result<void> ScriptScene::setEnvironment(const std::string& text, bool isStrict)
 {
     return onDocument([&]() -> Result<void> {
         Scene wanted = m_host.document->scene();
-        if (auto read = readEnvironmentText(text, wanted); !read) {
+        if (auto read = readEnvironmentText(text, wanted, isStrict); !read) {
             return read;
         }
         return edit(stepText(QT_TRANSLATE_NOOP("Script", "Set environment")),

@@ -5,6 +5,7 @@ namespace crowd::app {
 
 using namespace model;
 
+/// On the document's thread, as all that asks what is open.
 Result<void> ScriptScene::refuseDuringEdit(const char* what) const
 {
     if (m_link) {
@@ -29,10 +30,10 @@ Result<void> ScriptScene::refuseDuringStroke() const
 
 Result<bool> ScriptScene::step(bool isUndo)
 {
-    if (auto allowed = refuseDuringEdit(isUndo ? "Undo" : "Redo"); !allowed) {
-        return allowed.error();
-    }
     return onDocument([&]() -> Result<bool> {
+        if (auto allowed = refuseDuringEdit(isUndo ? "Undo" : "Redo"); !allowed) {
+            return allowed.error();
+        }
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed.error();
         }
@@ -82,10 +83,10 @@ int ScriptScene::historyIndex() const
 
 Result<void> ScriptScene::beginEdit(const std::string& text)
 {
-    if (auto allowed = refuseDuringEdit("Another edit"); !allowed) {
-        return allowed;
-    }
     return onDocument([&]() -> Result<void> {
+        if (auto allowed = refuseDuringEdit("Another edit"); !allowed) {
+            return allowed;
+        }
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed;
         }
@@ -103,6 +104,20 @@ void ScriptScene::endEdit(bool isKept)
         }
         m_edit.reset(); // takes back what was not committed
     });
+}
+
+void ScriptScene::joinStroke(const ScriptStrokeLinkPtr& link)
+{
+    m_host.run([&] { m_link = link; });
+}
+
+void ScriptScene::leaveStroke()
+{
+    try {
+        m_host.run([this] { m_link.reset(); });
+    } catch (const std::exception&) {
+        return; // the editor is closing: nobody will edit any more
+    }
 }
 
 Result<void> ScriptScene::edit(const QString& text, const Work& work)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <set>
 
+#include <unistd.h>
+
 #include "app/python/BrushRules.h"
 #include "app/python/ScriptSceneParts.h"
 
@@ -22,7 +24,9 @@ Result<Camera> cameraOrFirst(const Scene& scene, const std::optional<Camera>& ca
     return scene.cameras.front().camera;
 }
 
-void bakeAllShown(const Scene& scene, KeyframeStore& keyframes)
+/// Whether all clips that are shown are there: where they had to be baked and `mayWait` is false,
+/// they are not.
+bool bakeAllShown(const Scene& scene, KeyframeStore& keyframes, bool mayWait)
 {
     const auto templates = scene.population.column(columns::templateId);
     const auto clips = scene.population.column(columns::clip);
@@ -34,13 +38,26 @@ void bakeAllShown(const Scene& scene, KeyframeStore& keyframes)
             shown.emplace(templates[row], clips[row]);
         }
     }
+    bool areComplete = true;
     for (const auto& [id, clip] : shown) {
         const TemplateEntry* entry = scene.findTemplate(id);
         if (entry != nullptr && entry->asset && clip < entry->asset->clips.size()) {
-            (void)keyframes.clip(entry->asset, clip);
+            areComplete = keyframes.clip(entry->asset, clip).isComplete && areComplete;
         }
     }
-    keyframes.waitForAll();
+    if (mayWait) {
+        keyframes.waitForAll();
+    }
+    return areComplete || mayWait;
+}
+
+/// Graphics drivers have threads of their own, which a fork leaves behind.
+bool wasForkedAfterDrawing()
+{
+    static std::atomic<pid_t> drawer{0};
+    pid_t nobody = 0;
+    drawer.compare_exchange_strong(nobody, getpid());
+    return drawer != getpid();
 }
 
 } // namespace
@@ -90,7 +107,7 @@ Result<StrokeOutcome> ScriptScene::scriptStroke(const RecordedStroke& recording,
 
 Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const PaintWork& paint)
 {
-    if (auto allowed = refuseDuringEdit("A stroke"); !allowed) {
+    if (auto allowed = onDocument([this] { return refuseDuringEdit("A stroke"); }); !allowed) {
         return allowed.error();
     }
     const auto now = scene();
@@ -102,7 +119,11 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
         return valid.error();
     }
     // A stroke sees people as they are, not as they stand in until they are baked.
-    bakeAllShown(*now, *m_host.keyframes);
+    if (!bakeAllShown(*now, *m_host.keyframes, m_process == getpid())) {
+        return Error{"People cannot be painted on in a process that was forked from the one that "
+                     "has the scene: what bakes their clips is not there. Open the scene in the "
+                     "new process, or start that with multiprocessing's \"spawn\"."};
+    }
     RecordedStroke recording;
     recording.settings = stroke.settings;
     recording.seed = stroke.seed;
@@ -122,29 +143,61 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
 }
 
 /// As crowdbrush render has it: simulated up to that time where there is behaviour.
-CrowdFramePtr ScriptScene::frameAt(double seconds)
+CrowdFramePtr ScriptScene::frameAt(double seconds, const Patience& patience)
 {
-    const std::uint64_t now = revision();
-    if (m_motion && m_motion->revision != now) {
+    if (m_motion && m_motion->revision != revision()) {
         m_motion.reset();
     }
-    const auto known = scene();
-    if (!(seconds > 0.0) || !known->hasBehaviour()) {
+    if (!(seconds > 0.0) || !scene()->hasBehaviour()) {
         return onDocument([&] { return m_host.document->frame(seconds); });
     }
-    if (!m_motion) {
-        m_motion = std::make_unique<Motion>(known, now);
+    const Snapshot now = m_motion ? Snapshot() : snapshot();
+    std::atomic<bool> isCancelled{false};
+    CrowdFramePtr frame;
+    try {
+        patience(isCancelled, [&] {
+            if (!m_motion) {
+                m_motion = std::make_unique<Motion>(now, isCancelled);
+            }
+            frame = m_motion->motion.at(seconds, &isCancelled);
+        });
+    } catch (...) {
+        m_motion.reset(); // it stopped anywhere
+        throw;
     }
-    return m_motion->motion.at(seconds);
+    return frame;
 }
 
 Result<std::vector<std::uint8_t>> ScriptScene::picture(const ScriptPicture& picture)
+{
+    if (wasForkedAfterDrawing()) {
+        return Error{"Pictures cannot be drawn in a process that was forked from one that draws: "
+                     "the graphics driver's threads are not there. Start another process instead, "
+                     "with subprocess or multiprocessing's \"spawn\"."};
+    }
+    if (m_drawing != std::thread::id()) {
+        return Error{"Another picture of this scene is being drawn."};
+    }
+    m_drawing = std::this_thread::get_id();
+    try {
+        auto pixels = draw(picture);
+        m_drawing = {};
+        return pixels;
+    } catch (...) {
+        m_drawing = {};
+        throw;
+    }
+}
+
+Result<std::vector<std::uint8_t>> ScriptScene::draw(const ScriptPicture& picture)
 {
     const auto now = scene();
     const auto camera = cameraOrFirst(*now, picture.camera);
     if (!camera) {
         return camera.error();
     }
+    PictureRequest request;
+    request.frame = picture.frame ? picture.frame : frameAt(picture.seconds, picture.patience);
     if (!m_pictures) {
         auto maker = PictureMaker::create(m_pictureKeyframes);
         if (!maker) {
@@ -152,20 +205,22 @@ Result<std::vector<std::uint8_t>> ScriptScene::picture(const ScriptPicture& pict
         }
         m_pictures = std::move(maker).value();
     }
-    const std::vector<WorldSeat> seats = now->worldSeats();
-    PictureRequest request;
-    request.frame = picture.frame ? picture.frame : frameAt(picture.seconds);
-    request.stages = now->stages;
+    const auto shown = scene(); // others may have edited it meanwhile
+    const std::vector<WorldSeat> seats = shown->worldSeats();
+    request.stages = shown->stages;
     request.seats = seats;
     request.seatsVersion = ++m_pictureCount;
-    request.lighting = now->lighting;
+    request.lighting = shown->lighting;
     request.camera = camera.value();
     request.size = picture.size;
     request.look = picture.look;
-    if (auto drawn = m_pictures->draw(request); !drawn) {
+    const auto drawn = m_pictures->draw(request);
+    std::vector<std::uint8_t> pixels = drawn ? m_pictures->pixels() : std::vector<std::uint8_t>();
+    m_pictures->release(); // the next one may be wanted on another thread
+    if (!drawn) {
         return drawn.error();
     }
-    return m_pictures->pixels();
+    return pixels;
 }
 
 } // namespace crowd::app

@@ -23,8 +23,8 @@ inline QString stepText(const char* text)
 /// What moves in pictures of a later time.
 struct ScriptScene::Motion
 {
-    Motion(std::shared_ptr<const model::Scene> now, std::uint64_t nowRevision)
-        : scene(std::move(now)), revision(nowRevision), motion(*scene)
+    Motion(const Snapshot& now, const std::atomic<bool>& isCancelled)
+        : scene(now.scene), revision(now.revision), motion(*scene, &isCancelled)
     {
     }
 

@@ -55,12 +55,16 @@ Result<void> ScriptScene::change(std::span<const IndividualId> ids,
     });
 }
 
-Result<int> ScriptScene::keepPose(const Population& shown, const behavior::SessionPose& pose)
+Result<int> ScriptScene::keepPose(const Population& shown, const behavior::SessionPose& pose,
+                                  Snapshot& after)
 {
     int people = 0;
     const auto done = onDocument([&] {
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Keep the pose")),
-                    [&](SceneEdit& open) { people = behavior::keepPose(open, shown, &pose); });
+        auto kept = edit(stepText(QT_TRANSLATE_NOOP("Script", "Keep the pose")),
+                         [&](SceneEdit& open) { people = behavior::keepPose(open, shown, &pose); });
+        after = {std::make_shared<const Scene>(m_host.document->scene()),
+                 m_host.document->revision()};
+        return kept;
     });
     if (!done) {
         return done.error();

@@ -22,40 +22,44 @@ bool standsOnTheSame(const behavior::SurfacePlan& a, const behavior::SurfacePlan
 
 } // namespace
 
-ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene) : m_scene(std::move(scene))
-{
-    follow();
-}
+ScriptSession::ScriptSession(std::shared_ptr<ScriptScene> scene) : m_scene(std::move(scene)) {}
 
 ScriptSession::~ScriptSession() = default;
 
-void ScriptSession::follow()
+bool ScriptSession::isUpToDate(std::uint64_t revision) const
 {
-    const std::uint64_t revision = m_scene->revision();
-    {
-        const std::scoped_lock lock(m_mutex);
-        if (m_session && revision == m_revision) {
-            return;
-        }
-    }
-    const auto now = m_scene->scene();
     const std::scoped_lock lock(m_mutex);
-    m_revision = revision;
-    if (!m_session) {
-        m_session = std::make_unique<behavior::Session>(*now);
-        m_stepsPerSecond = now->stepsPerSecond;
-    } else {
-        m_session->adopt(*now);
-    }
-    if (!now->hasBehaviour()) {
+    return m_isComplete && revision <= m_revision;
+}
+
+void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<bool>& isCancelled)
+{
+    const Scene& scene = *now.scene;
+    const std::scoped_lock lock(m_mutex);
+    if (m_isComplete && now.revision <= m_revision) {
         return;
     }
-    behavior::SurfacePlan plan = behavior::SurfacePlan::of(*now);
-    if (!standsOnTheSame(plan, m_plan)) {
-        m_surfaceProblem.clear();
-        m_session->setSurface(behavior::surfaceOf(*now, m_surfaceProblem));
-        m_plan = std::move(plan);
+    m_isComplete = false;
+    if (!m_session) {
+        m_session = std::make_unique<behavior::Session>(scene);
+        m_stepsPerSecond = scene.stepsPerSecond;
+    } else {
+        m_session->adopt(scene);
     }
+    if (scene.hasBehaviour()) {
+        behavior::SurfacePlan plan = behavior::SurfacePlan::of(scene);
+        if (!standsOnTheSame(plan, m_plan)) {
+            m_surfaceProblem.clear();
+            auto surface = behavior::surfaceOf(scene, m_surfaceProblem, &isCancelled);
+            if (isCancelled) {
+                return;
+            }
+            m_session->setSurface(std::move(surface));
+            m_plan = std::move(plan);
+        }
+    }
+    m_revision = now.revision;
+    m_isComplete = true;
 }
 
 void ScriptSession::step()
@@ -120,25 +124,19 @@ std::vector<std::string> ScriptSession::problems() const
     return problems;
 }
 
-Result<int> ScriptSession::keepPose()
+ScriptSession::Pose ScriptSession::pose() const
 {
-    follow();
-    CrowdFramePtr shown;
-    behavior::SessionPosePtr pose;
-    {
-        const std::scoped_lock lock(m_mutex); // both of the same step
-        shown = m_session->frame();
-        pose = m_session->pose();
+    const std::scoped_lock lock(m_mutex); // both of the same step
+    return {m_session->frame(), m_session->pose()};
+}
+
+void ScriptSession::adoptKept(const ScriptScene::Snapshot& kept)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (kept.revision > m_revision) {
+        m_revision = kept.revision;
+        m_session->adopt(*kept.scene, true);
     }
-    auto kept = m_scene->keepPose(shown->population, *pose);
-    if (kept) {
-        // Where people are in the scene is where they are here.
-        const auto now = m_scene->scene();
-        const std::scoped_lock lock(m_mutex);
-        m_revision = m_scene->revision();
-        m_session->adopt(*now, true);
-    }
-    return kept;
 }
 
 } // namespace crowd::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -16,16 +17,21 @@ namespace crowd::app {
 
 /// A run of the simulation that a script steps by itself: the same as in the editor, without a
 /// clock and without a window. Edits of the scene reach it at its next step. Starts as the scene is
-/// when it is made. Knows nothing of Python. One thread at a time is let in.
+/// when it is made. Knows nothing of Python. One thread at a time is let in: others wait, so call
+/// it without Python's lock. Nothing in here asks the scene, which may want that lock.
 class ScriptSession
 {
 public:
+    /// Empty until it followed once.
     explicit ScriptSession(std::shared_ptr<ScriptScene> scene);
     ~ScriptSession();
 
     [[nodiscard]] const std::shared_ptr<ScriptScene>& scene() const { return m_scene; }
-    /// Takes over what has been edited since the last time. Where the scene may be asked.
-    void follow();
+    /// Whether it knows the scene as of this revision, or a later one.
+    [[nodiscard]] bool isUpToDate(std::uint64_t revision) const;
+    /// Takes over what has been edited since the last time. An older one than is known is passed
+    /// over. May be cancelled from another thread: then it is not up to date.
+    void follow(const ScriptScene::Snapshot& now, const std::atomic<bool>& isCancelled);
     void step();
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] double seconds() const; ///< that it has run
@@ -41,14 +47,21 @@ public:
     /// What could not be followed or came to grief, in sentences.
     [[nodiscard]] std::vector<std::string> problems() const;
 
-    /// Where everybody is now becomes where the scene has them: one undo step. How many people are
-    /// another way than before.
-    [[nodiscard]] model::Result<int> keepPose();
+    /// Everybody as of the last step, to be kept in the scene.
+    struct Pose
+    {
+        model::CrowdFramePtr shown;
+        behavior::SessionPosePtr pose;
+    };
+    [[nodiscard]] Pose pose() const;
+    /// Where people are in the scene is where they are here.
+    void adoptKept(const ScriptScene::Snapshot& kept);
 
 private:
     std::shared_ptr<ScriptScene> m_scene;
     mutable std::mutex m_mutex;
     std::uint64_t m_revision = 0; ///< of the scene as it is known
+    bool m_isComplete = false;    ///< following was not cancelled
     std::uint32_t m_stepsPerSecond = 30;
     behavior::SurfacePlan m_plan; ///< of the surface in use
     std::string m_surfaceProblem;

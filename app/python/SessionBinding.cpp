@@ -4,6 +4,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
+#include "app/python/OutsidePython.h"
 #include "app/python/ScriptSession.h"
 
 namespace crowd::app {
@@ -12,11 +13,39 @@ using namespace model;
 
 namespace {
 
-/// An edit of the scene has reached it when it is used. Only the scene needs Python's lock.
+/// An edit of the scene has reached it when it is used.
 ScriptSession& upToDate(ScriptSession& session)
 {
-    session.follow();
+    const std::uint64_t revision = session.scene()->revision();
+    if (outsidePython([&] { return session.isUpToDate(revision); })) {
+        return session;
+    }
+    const ScriptScene::Snapshot now = session.scene()->snapshot();
+    std::atomic<bool> isCancelled{false};
+    mindingSignals(isCancelled, [&] { session.follow(now, isCancelled); });
     return session;
+}
+
+std::shared_ptr<ScriptSession> makeSession(const ScenePtr& scene)
+{
+    auto session = std::make_shared<ScriptSession>(scene);
+    upToDate(*session);
+    return session;
+}
+
+/// What a question without arguments answers: others may be at a step meanwhile.
+template<class Answer>
+auto asked(Answer (ScriptSession::*question)() const)
+{
+    return [question](const ScriptSession& session) {
+        return outsidePython([&] { return (session.*question)(); });
+    };
+}
+
+CrowdFramePtr frameOf(ScriptSession& session)
+{
+    upToDate(session);
+    return outsidePython([&] { return session.frame(); });
 }
 
 void makeSteps(ScriptSession& session, std::int64_t count)
@@ -26,14 +55,21 @@ void makeSteps(ScriptSession& session, std::int64_t count)
     }
     upToDate(session);
     for (std::int64_t i = 0; i < count; ++i) {
-        {
-            const py::gil_scoped_release others;
-            session.step();
-        }
-        if (PyErr_CheckSignals() != 0) {
-            throw py::error_already_set();
-        }
+        outsidePython([&] { session.step(); });
+        raiseSignals();
     }
+}
+
+/// With what was edited since: the pose that is kept goes into the scene as it is.
+int keepPose(ScriptSession& session)
+{
+    upToDate(session);
+    const ScriptSession::Pose now = outsidePython([&] { return session.pose(); });
+    ScriptScene::Snapshot after;
+    const int people =
+        valueOrRaise(session.scene()->keepPose(now.shown->population, *now.pose, after));
+    outsidePython([&] { session.adoptKept(after); });
+    return people;
 }
 
 void runFor(ScriptSession& session, double seconds)
@@ -66,23 +102,24 @@ void sendEvent(ScriptSession& session, const std::string& event, const py::objec
                float number)
 {
     upToDate(session);
-    const ScriptEvent made = eventOf(*session.scene()->scene(), event, ids, number);
-    session.send(made.name, made.number, made.ids);
+    const ScriptEvent made = eventOf(*session.scene(), event, ids, number);
+    outsidePython([&] { session.send(made.name, made.number, made.ids); });
 }
 
 void sendTagged(ScriptSession& session, const std::string& event,
                 const std::variant<int, std::string>& tag, float number)
 {
     upToDate(session);
-    const auto scene = session.scene()->scene();
-    const ScriptEvent made = eventOf(*scene, event, py::none(), number);
-    session.sendTagged(made.name, made.number, tagNamed(*scene, tag));
+    const ScriptEvent made = eventOf(*session.scene(), event, py::none(), number);
+    const std::uint8_t bit = tagNamed(*session.scene()->scene(), tag);
+    outsidePython([&] { session.sendTagged(made.name, made.number, bit); });
 }
 
 py::list takeLog(ScriptSession& session)
 {
     py::list log;
-    for (const behavior::RuleFired& fired : session.takeLog()) {
+    const auto taken = outsidePython([&] { return session.takeLog(); });
+    for (const behavior::RuleFired& fired : taken) {
         log.append(py::make_tuple(fired.seconds, fired.rule, fired.who));
     }
     return log;
@@ -91,8 +128,8 @@ py::list takeLog(ScriptSession& session)
 py::object pictureNow(ScriptSession& session, int width, int height, const CameraKey& camera,
                       const std::string& look)
 {
-    return pictureOf(*session.scene(), {width, height}, camera, look, session.seconds(),
-                     upToDate(session).frame());
+    const CrowdFramePtr frame = frameOf(session);
+    return pictureOf(*session.scene(), {width, height}, camera, look, frame->seconds, frame);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
@@ -100,7 +137,7 @@ using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;
 void bindTime(SessionClass& session)
 {
     session
-        .def(py::init<ScenePtr>(), py::arg("scene"),
+        .def(py::init(&makeSession), py::arg("scene"),
              "Begins where the scene is now. Where there are stages and somebody walks, what can "
              "be walked on is found first, which takes seconds.")
         .def_property_readonly(
@@ -108,10 +145,8 @@ void bindTime(SessionClass& session)
         .def("step", &makeSteps, py::arg("count") = 1,
              "So many steps on, each as long as the scene says (1/30 s where it says nothing).")
         .def("run", &runFor, py::arg("seconds"), "So long on, in whole steps.")
-        .def_property_readonly(
-            "seconds", [](const ScriptSession& s) { return s.seconds(); }, "That it has run.")
-        .def_property_readonly(
-            "steps", [](const ScriptSession& s) { return s.steps(); }, "That it has made.");
+        .def_property_readonly("seconds", asked(&ScriptSession::seconds), "That it has run.")
+        .def_property_readonly("steps", asked(&ScriptSession::steps), "That it has made.");
 }
 
 void bindEvents(SessionClass& session)
@@ -125,33 +160,30 @@ void bindEvents(SessionClass& session)
              py::arg("number") = 0.0F,
              "To those who have a tag at that time; tag: its name, or its number from 0 to 63.")
         .def_property_readonly(
-            "fired", [](const ScriptSession& s) { return s.fired(); },
+            "fired", asked(&ScriptSession::fired),
             "How often each rule has fired, by its id; those that have not are left out.")
         .def("take_log", &takeLog,
              "(seconds, rule's id, individual's id) of what fired since the last call, at most "
              "some thousand.")
-        .def_property_readonly(
-            "problems", [](const ScriptSession& s) { return s.problems(); },
-            "What could not be followed or came to grief, in sentences.");
+        .def_property_readonly("problems", asked(&ScriptSession::problems),
+                               "What could not be followed or came to grief, in sentences.");
 }
 
 void bindPeople(SessionClass& session)
 {
-    session.def("__len__", [](ScriptSession& s) { return upToDate(s).frame()->population.size(); })
+    session.def("__len__", [](ScriptSession& s) { return frameOf(s)->population.size(); })
         .def_property_readonly(
-            "ids",
-            [](ScriptSession& s) { return columnArray(upToDate(s).frame()->population, "id"); },
+            "ids", [](ScriptSession& s) { return columnArray(frameOf(s)->population, "id"); },
             "N uint32, ascending.")
         .def(
             "column",
             [](ScriptSession& s, const std::string& name) {
-                return columnArray(upToDate(s).frame()->population, name);
+                return columnArray(frameOf(s)->population, name);
             },
             py::arg("name"), "As Scene.column, but as everybody is after the last step.")
-        .def(
-            "keep_pose", [](ScriptSession& s) { return valueOrRaise(s.keepPose()); },
-            "Where everybody is now becomes where the scene has them: one undo step. How many "
-            "people stand or sit another way than before.")
+        .def("keep_pose", &keepPose,
+             "Where everybody is now becomes where the scene has them: one undo step. How many "
+             "people stand or sit another way than before.")
         .def("render", &pictureNow, py::arg("width"), py::arg("height"), py::kw_only(),
              py::arg("camera") = CameraKey(), py::arg("look") = "lit",
              "As Scene.render, but as everybody is after the last step.");
@@ -159,7 +191,7 @@ void bindPeople(SessionClass& session)
 
 } // namespace
 
-ScriptEvent eventOf(const Scene& scene, const std::string& name, const py::object& ids,
+ScriptEvent eventOf(const ScriptScene& scene, const std::string& name, const py::object& ids,
                     float number)
 {
     if (name.empty()) {
@@ -170,13 +202,14 @@ ScriptEvent eventOf(const Scene& scene, const std::string& name, const py::objec
     }
     ScriptEvent event{name, number, {}};
     if (ids.is_none()) {
-        const auto all = scene.population.ids();
+        const auto now = scene.scene();
+        const auto all = now->population.ids();
         event.ids.assign(all.begin(), all.end());
         return event;
     }
     std::vector<std::size_t> order;
     event.ids = idsFrom(scene, ids, order);
-    valueOrRaise(checkAlive(scene, event.ids));
+    valueOrRaise(checkAlive(*scene.scene(), event.ids));
     return event;
 }
 

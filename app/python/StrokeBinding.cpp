@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/python/Binding.h"
+#include "app/python/ColumnArrays.h"
 
 namespace crowd::app {
 
@@ -12,9 +13,13 @@ namespace {
 /// Points as rows of x, y, then pressure, time, shown seconds; without times one each 1/60 s.
 std::vector<PointerInput> inputsFrom(const py::object& points, double shownSeconds)
 {
-    const auto rows =
-        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(points);
-    if (!rows || rows.ndim() != 2 || rows.shape(0) == 0 || rows.shape(1) < 2 || rows.shape(1) > 5) {
+    const py::array given = arrayOf("points", points);
+    const char kind = given.dtype().kind();
+    const bool areNumbers = kind == 'i' || kind == 'u' || kind == 'f';
+    using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+    const Rows rows = areNumbers ? Rows::ensure(given) : Rows();
+    if (!areNumbers || !rows || rows.ndim() != 2 || rows.shape(0) == 0 || rows.shape(1) < 2 ||
+        rows.shape(1) > 5) {
         PyErr_Clear();
         throw ScriptError("points must be an array of at least one row of x, y, optionally "
                           "pressure, optionally time, optionally the seconds that were shown.");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 
 #include "app/python/Binding.h"
 #include "model/bake/Pose.h"
@@ -29,18 +30,42 @@ TemplatePtr TemplateHandle::asset() const
     return known.asset;
 }
 
-namespace {
-
-/// A clip for reading.
-struct ClipInfo
+std::string shortly(const py::handle& given)
 {
-    std::string name;
-    double seconds;
-    int keyframes;
-    double speed;
-    bool loop;
-    std::optional<float> seatHeight;
-};
+    constexpr std::size_t kLongest = 60;
+    const auto text = py::reinterpret_steal<py::object>(PyObject_ASCII(given.ptr()));
+    if (!text) {
+        PyErr_Clear(); // an object that cannot even say what it is
+        return std::string("an object of type ") + Py_TYPE(given.ptr())->tp_name;
+    }
+    const auto whole = text.cast<std::string>();
+    return whole.size() <= kLongest ? whole : whole.substr(0, kLongest) + "...";
+}
+
+TemplateId templateIdOf(const ScenePtr& scene, const py::handle& given)
+{
+    if (py::isinstance<TemplateHandle>(given)) {
+        const auto& handle = given.cast<const TemplateHandle&>();
+        if (handle.owner != scene) {
+            throw ScriptError("Template " + handle.entry().name +
+                              " belongs to another scene: take one of this scene's templates, or "
+                              "add it here with add_template.");
+        }
+        return handle.id;
+    }
+    const bool isNumber = PyIndex_Check(given.ptr()) != 0 && !py::isinstance<py::bool_>(given);
+    const auto number =
+        py::reinterpret_steal<py::object>(isNumber ? PyNumber_Index(given.ptr()) : nullptr);
+    const long id = number ? PyLong_AsLong(number.ptr()) : -1;
+    PyErr_Clear(); // arrays, and numbers without end
+    if (id < 0 || id > static_cast<long>(std::numeric_limits<TemplateId>::max())) {
+        throw ScriptError("A template is one of scene.templates or its id, not " + shortly(given) +
+                          ".");
+    }
+    return static_cast<TemplateId>(id);
+}
+
+namespace {
 
 std::vector<ClipInfo> clipsOf(const TemplateHandle& handle)
 {
@@ -187,8 +212,12 @@ void bindTemplates(py::module_& module)
                 return toArray(keyframeOf(t, clip, k).normals);
             },
             py::arg("clip"), py::arg("k"), "V×3 float32: unit normals of the same vertices.")
-        .def("__eq__", [](const TemplateHandle& a,
-                          const TemplateHandle& b) { return a.owner == b.owner && a.id == b.id; })
+        .def(
+            "__eq__",
+            [](const TemplateHandle& a, const TemplateHandle& b) {
+                return a.owner == b.owner && a.id == b.id;
+            },
+            py::is_operator())
         .def("__hash__", [](const TemplateHandle& t) { return t.id; })
         .def("__repr__",
              [](const TemplateHandle& t) { return "<Template " + t.entry().name + ">"; });

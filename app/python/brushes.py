@@ -239,5 +239,10 @@ def _apply(brush, selection):
         brush.apply(selection)
         return
     columns = brush(selection) if _inspect.isroutine(brush) else brush.values(selection)
+    if columns is None:
+        return
+    if not isinstance(columns, dict) or not all(isinstance(name, str) for name in columns):
+        raise TypeError(f"{_name_of(brush)} must return a dict of columns by name, as in "
+                        f"{{'heading': 1.0}}, or None, not {_shortly(columns)}.")
     if columns:
         selection.change(**columns)

@@ -314,7 +314,10 @@ std::string environment(const SceneDelta& delta, const Scene& after)
         !changed.cues && !changed.surface && !changed.steps) {
         return {};
     }
-    return Call("scene.set_environment", pythonText(environmentText(after, changed))).line();
+    // What is done by hand may name what is not there.
+    Call call("scene.set_environment", pythonText(environmentText(after, changed)));
+    call.add("strict", "False");
+    return call.line();
 }
 
 } // namespace

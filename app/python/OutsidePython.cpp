@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/OutsidePython.h"
+
+#include <future>
+#include <thread>
+
+#include <pthread.h>
+#include <unistd.h>
+
+namespace crowd::app {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr std::chrono::milliseconds kMoment{50};
+constexpr std::chrono::seconds kLongestStep{5}; ///< that Python's end waits for
+
+std::atomic<int> outsiders{0}; ///< threads without Python's lock, at work in our code
+std::atomic<bool> isPythonEnding{false};
+std::atomic<std::thread::id> endingThread;
+
+[[noreturn]] void stayHere()
+{
+    while (true) {
+        pause();
+    }
+}
+
+/// For threads that scripts left behind.
+bool isOver()
+{
+    return isPythonEnding && endingThread.load() != std::this_thread::get_id();
+}
+
+/// A thread that Python ends is unwound from in there; it must not get past here.
+void takeLock(PyThreadState* state)
+{
+    try {
+        PyEval_RestoreThread(state);
+    } catch (...) {
+        stayHere();
+    }
+}
+
+void beginEnd()
+{
+    endingThread = std::this_thread::get_id();
+    isPythonEnding = true;
+    PyThreadState* state = PyEval_SaveThread();
+    const auto deadline = std::chrono::steady_clock::now() + kLongestStep;
+    while (outsiders > 0 && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    takeLock(state);
+}
+
+} // namespace
+
+OutsidePython::OutsidePython()
+{
+    leave();
+}
+
+OutsidePython::~OutsidePython()
+{
+    comeBack();
+}
+
+void OutsidePython::leave()
+{
+    ++outsiders; // under Python's lock: beginEnd() sees it
+    m_state = PyEval_SaveThread();
+    if (isOver()) {
+        --outsiders;
+        stayHere();
+    }
+}
+
+void OutsidePython::comeBack()
+{
+    takeLock(m_state);
+    --outsiders; // Python's end waits until now
+}
+
+bool OutsidePython::isInterrupted()
+{
+    m_isInterrupted = m_isInterrupted || isOver();
+    if (!m_isInterrupted && std::chrono::steady_clock::now() - m_asked >= kMoment) {
+        takeLock(m_state);
+        m_isInterrupted = PyErr_CheckSignals() != 0;
+        m_state = PyEval_SaveThread();
+        m_asked = std::chrono::steady_clock::now();
+    }
+    return m_isInterrupted;
+}
+
+void raiseSignals()
+{
+    if (PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+    }
+}
+
+void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work)
+{
+    std::future<void> done;
+    {
+        OutsidePython others;
+        done = std::async(std::launch::async, work);
+        while (done.wait_for(kMoment) != std::future_status::ready) {
+            if (others.isInterrupted()) {
+                isCancelled = true;
+                done.wait();
+            }
+        }
+    }
+    if (PyErr_Occurred() != nullptr) {
+        throw py::error_already_set();
+    }
+    if (isOver()) {
+        PyEval_SaveThread();
+        stayHere();
+    }
+    done.get();
+}
+
+void watchPythonsEnd()
+{
+    isPythonEnding = false;
+    py::module_::import("atexit").attr("register")(py::cpp_function(&beginEnd));
+    static const bool isWatchingForks = [] {
+        // A child has but the thread that forked.
+        return pthread_atfork(nullptr, nullptr, [] { outsiders = 0; }) == 0;
+    }();
+    (void)isWatchingForks;
+}
+
+} // namespace crowd::app
