@@ -17,7 +17,6 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Rules
     tst_Session
     tst_SessionEdits
-    tst_SessionPlayer
     tst_SessionSteps
     tst_StrideKernel
     tst_Validation

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <thread>
 
+#include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
 
 #include "tests/program/Test.h"
@@ -22,6 +24,7 @@ class SessionPlayerTest : public QObject
 private Q_SLOTS:
     void editsWhileItRuns();
     void stopsInTheMiddle();
+    void stoppingWaitsForNobody();
     void peopleAreCountedWhenAsked();
 };
 
@@ -112,6 +115,30 @@ void SessionPlayerTest::stopsInTheMiddle()
         QVERIFY(!player.isRunning());
         QCOMPARE(player.available(), 0.0);
     }
+}
+
+/// The window must stay alive however long a step takes.
+void SessionPlayerTest::stoppingWaitsForNobody()
+{
+    constexpr std::chrono::milliseconds kStep{1500};
+    const model::Scene scene = squareScene();
+    std::atomic<int> steps = 0;
+    SessionPlayer player([&] {
+        ++steps;
+        std::this_thread::sleep_for(kStep); // on the session's thread
+    });
+    player.start(scene);
+    player.request(4.0);
+    QTRY_VERIFY(steps > 0);
+    QElapsedTimer timer;
+    timer.start();
+    player.stop();
+    player.start(scene, 2.0); // nor does the next one
+    QVERIFY2(timer.elapsed() < kStep.count() / 2, qPrintable(QString::number(timer.elapsed())));
+    QCOMPARE(player.available(), 2.0);
+    QVERIFY(player.isRunning());
+    player.stop();
+    QVERIFY(!player.isRunning());
 }
 
 /// Two walk to a place, one stands in it, one leaves by an exit there.
