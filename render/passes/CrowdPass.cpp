@@ -5,6 +5,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -206,13 +208,38 @@ void CrowdPass::findUsedClips(const Population& people)
     }
 }
 
-/// Asks for the clips that somebody is in; others are not baked.
+/// The clips that people come from; some of them nobody else may be in.
+void CrowdPass::useFadedClips(const PassContext& context)
+{
+    const CrowdFrame& frame = *context.input.frame;
+    if (frame.fades.empty()) {
+        return;
+    }
+    const std::span<const TemplateId> templates = frame.population.column(columns::templateId);
+    std::set<std::pair<TemplateId, std::uint16_t>> faded;
+    for (const ClipFade& fade : frame.fades) {
+        faded.emplace(templates[fade.row], fade.clip);
+    }
+    for (const auto& [id, name] : faded) {
+        const auto entry = std::ranges::find(*m_entries, id, &TemplateEntry::id);
+        const auto index = static_cast<std::size_t>(entry - m_entries->begin());
+        if (entry == m_entries->end() || !m_planTemplates[index].isDrawable) {
+            continue;
+        }
+        const std::vector<std::uint16_t>& clips = m_planTemplates[index].clipOfName;
+        const std::size_t clip = std::min<std::size_t>(name, clips.size() - 1);
+        gpuOf(entry->asset).useClip(context.input.keyframes, clips[clip]);
+    }
+}
+
+/// Asks for the clips that somebody is in or comes from; others are not baked.
 void CrowdPass::useShownClips(const PassContext& context)
 {
     findUsedClips(context.input.frame->population);
     for (const UsedClip& used : m_usedClips) {
         gpuOf((*m_entries)[used.entry].asset).useClip(context.input.keyframes, used.clip);
     }
+    useFadedClips(context);
     for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
         if (m_planTemplates[i].isDrawable) {
             m_planTemplates[i].clips = gpuOf((*m_entries)[i].asset).clips();

@@ -55,6 +55,7 @@ private:
     void dropUnused();
     void refreshTemplates(const PassContext& context);
     void findUsedClips(const model::Population& people);
+    void useFadedClips(const PassContext& context);
     void useShownClips(const PassContext& context);
     void uploadRecords(const PassContext& context);
     void uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const;
