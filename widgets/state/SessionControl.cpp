@@ -323,6 +323,12 @@ void SessionControl::pose(model::CrowdFrame& frame) const
     }
 }
 
+std::size_t SessionControl::goneCount() const
+{
+    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    return pose ? pose->gone : 0;
+}
+
 model::CrowdFramePtr SessionControl::frame(double seconds) const
 {
     if (!isRunning()) {
