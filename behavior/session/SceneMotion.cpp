@@ -45,7 +45,7 @@ void SceneMotion::begin()
     m_before = m_after;
 }
 
-model::CrowdFramePtr SceneMotion::at(double seconds)
+model::CrowdFramePtr SceneMotion::at(double seconds, const Progress& told)
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
     if (m_session) {
@@ -55,6 +55,9 @@ model::CrowdFramePtr SceneMotion::at(double seconds)
         while (m_after->seconds < seconds - 1e-9) {
             m_session->step();
             m_before = std::exchange(m_after, m_session->pose());
+            if (told) {
+                told(m_after->seconds);
+            }
         }
         applyPose(*m_before, *m_after, frame);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,9 @@ namespace crowd::behavior {
 [[nodiscard]] std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene,
                                                            std::string& problem);
 
+/// Times of a scene are asked for up to here, and down to its negative: a week.
+inline constexpr double kMostSceneSeconds = 604'800.0;
+
 /// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
 /// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
 class SceneMotion
@@ -22,7 +26,9 @@ public:
     explicit SceneMotion(const model::Scene& scene);
     ~SceneMotion();
 
-    [[nodiscard]] model::CrowdFramePtr at(double seconds);
+    /// `told` hears after each step up to what time is simulated, seconds.
+    using Progress = std::function<void(double seconds)>;
+    [[nodiscard]] model::CrowdFramePtr at(double seconds, const Progress& told = {});
     /// Sentences about what could not be followed.
     [[nodiscard]] std::vector<std::string> problems() const;
 
