@@ -234,6 +234,12 @@ void KeyframeStore::waitForAll()
                             [this] { return m_private->queue.empty() && m_private->running == 0; });
 }
 
+void KeyframeStore::releaseUnused()
+{
+    const std::lock_guard<std::mutex> guard(m_private->mutex);
+    m_private->forgetExpired();
+}
+
 KeyframeStore::Progress KeyframeStore::progress() const
 {
     const std::lock_guard<std::mutex> guard(m_private->mutex);

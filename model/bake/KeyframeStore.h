@@ -61,6 +61,9 @@ public:
     /// Blocks until everything asked for so far is baked (pictures without a window).
     void waitForAll();
 
+    /// Frees the clips of templates that nobody holds any more.
+    void releaseUnused();
+
     struct Progress
     {
         int pendingClips = 0;

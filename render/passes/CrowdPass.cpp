@@ -114,8 +114,7 @@ TemplateGpu& CrowdPass::gpuOf(const TemplatePtr& asset)
     return *gpu;
 }
 
-/// Templates that no frame mentions any more go, after a while: thumbnails come back often.
-void CrowdPass::dropUnused()
+void CrowdPass::countUnused()
 {
     if (m_entries) {
         for (const TemplateEntry& entry : *m_entries) {
@@ -123,12 +122,24 @@ void CrowdPass::dropUnused()
         }
     }
     for (auto& [asset, frames] : m_unusedFrames) {
-        if (++frames > kFramesBeforeDropping) {
-            m_gpu.erase(asset);
-        }
+        ++frames;
     }
-    std::erase_if(m_unusedFrames,
-                  [](const auto& item) { return item.second > kFramesBeforeDropping; });
+}
+
+void CrowdPass::dropUnused(int frames)
+{
+    std::erase_if(m_unusedFrames, [&](const auto& item) {
+        const bool isDropped = item.second > frames;
+        if (isDropped) {
+            m_gpu.erase(item.first);
+        }
+        return isDropped;
+    });
+}
+
+void CrowdPass::releaseUnused()
+{
+    dropUnused(0);
 }
 
 void CrowdPass::refreshTemplates(const PassContext& context)
@@ -273,7 +284,8 @@ void CrowdPass::uploadInstances(GlBuffer& buffer, std::span<const Instance> inst
 Result<void> CrowdPass::prepare(const PassContext& context)
 {
     const RenderInput& input = context.input;
-    dropUnused();
+    countUnused();
+    dropUnused(kFramesBeforeDropping); // after a while: ghosts come back often
     if (!input.frame) {
         return {};
     }

@@ -31,6 +31,8 @@ public:
     void drawShadows(const PassContext& context);
     [[nodiscard]] model::Result<void> drawOutlines(const PassContext& context);
     [[nodiscard]] model::Result<void> drawGhosts(const PassContext& context);
+    /// Templates that the last picture did not mention go at once.
+    void releaseUnused();
 
 private:
     /// Per-row buffers: of the population, or of the ghosts.
@@ -52,7 +54,8 @@ private:
     };
 
     [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
-    void dropUnused();
+    void countUnused();
+    void dropUnused(int frames);
     void refreshTemplates(const PassContext& context);
     void findUsedClips(const model::Population& people);
     void useFadedClips(const PassContext& context);

@@ -131,6 +131,7 @@ void SessionControl::followScene(const model::SceneChange& change)
         Q_EMIT surfaceChanged();
     }
     if (std::holds_alternative<model::SceneReplaced>(change)) {
+        m_surface->plan = {}; // it holds the stages
         drop();
     }
     m_isBehaviourStale = true;

@@ -124,7 +124,8 @@ private:
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
     int m_drawnFrames = 0;
-    int m_bakedBefore = 0; ///< clips finished when the present baking began
+    bool m_isSceneNew = false; ///< replaced since the last picture
+    int m_bakedBefore = 0;     ///< clips finished when the present baking began
     QString m_problem;
     PathDrawing m_paths;
     std::vector<render::Marker> m_marks; ///< under people: tags, and for whom a rule fired
