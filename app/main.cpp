@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,10 @@ struct CommandLine
 void addInfo(CLI::App& cli, CommandLine& line)
 {
     CLI::App* command = cli.add_subcommand("info", "Say what is in a scene, template or stage");
-    command->add_option("FILE", line.info.file, "A .crowd, .glb or .gltf file")->required();
+    command
+        ->add_option("FILE", line.info.file,
+                     "A .crowd, .glb or .gltf file, or builtin:scenes/theatre.crowd")
+        ->required();
     command->add_flag("--json", line.info.json, "Print one JSON object");
     command->add_option("--as", line.info.as, "Read a glTF file as this")
         ->check(CLI::IsMember({"template", "stage"}));
@@ -91,6 +96,14 @@ void addScript(CLI::App& cli, CommandLine& line)
     });
 }
 
+/// No number is in no range, and compares as outside of none.
+std::string refuseNan(std::string& text)
+{
+    double value = 0.0;
+    const bool isNumber = CLI::detail::lexical_cast(text, value) && !std::isnan(value);
+    return isNumber ? std::string() : text + " is no number";
+}
+
 void addBenchSimulate(CLI::App& bench, CommandLine& line)
 {
     BenchSimulateOptions& options = line.benchSimulate;
@@ -112,7 +125,7 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     command
         ->add_option("--slowing", options.slowing,
                      "How much density slows walkers: 0 not at all, 1 as observed")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(CLI::Range(0.0, 1.0) & CLI::Validator(refuseNan, ""));
     command->add_flag("--validate", options.validate,
                       "Repeat published experiments and print how people walked there and here");
     command->add_flag("--json", options.json, "Print one JSON object");
@@ -123,7 +136,8 @@ void addCommands(CLI::App& cli, CommandLine& line)
 {
     cli.set_version_flag("--version", std::string("crowdbrush ") + CROWD_VERSION);
     cli.require_subcommand(0, 1);
-    cli.add_option("FILE", line.files, "Scenes and models to open in the editor");
+    cli.add_option("FILE", line.files,
+                   "Scenes and models to open in the editor, such as builtin:scenes/city.crowd");
     addInfo(cli, line);
     addRenderCommand(cli, line.render, line.status);
     addScript(cli, line);
@@ -150,6 +164,8 @@ QStringList toList(const std::vector<std::string>& texts)
 /// Dispatches the command line; each command lives in a file of its own.
 int main(int argc, char** argv)
 {
+    // A limit on the size of files is a message, and not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App cli("Crowdbrush: paint crowds. Without a command the editor opens.", "crowdbrush");
     CommandLine line;
     addCommands(cli, line);

@@ -130,7 +130,7 @@ struct RenderStatistics
     int uploadedPlacements = 0;       ///< rows whose static records were sent: where they stand
     int uploadedAppearances = 0;      ///< ... and how they look
     std::int64_t uploadedBytes = 0;   ///< of static records
-    bool areKeyframesMissing = false; ///< somebody stands in his clip's first keyframe
+    bool areKeyframesMissing = false; ///< somebody's clip, or the one he comes from, is not ready
     double recordsMs = 0.0;           ///< CPU: static records of changed rows
     double planMs = 0.0;              ///< CPU: phase, cull, level, sort
     double submitMs = 0.0;            ///< CPU: uploads and GL calls

@@ -159,6 +159,14 @@ void Renderer::abandon()
     m_private->passes.reset();
 }
 
+void Renderer::releaseUnused()
+{
+    if (m_private->passes) {
+        m_private->passes->crowd.releaseUnused();
+        m_private->passes->stage.releaseUnused();
+    }
+}
+
 model::Result<void> Renderer::Private::drawPasses(const PassContext& context) const
 {
     glm::vec3 clear = context.light.horizon;

@@ -30,6 +30,10 @@ public:
     /// Forgets every GL object without touching GL: the context died before.
     void abandon();
 
+    /// Frees what the last picture did not show; what comes back is sent anew. The context is
+    /// current.
+    void releaseUnused();
+
     /// Draws into a framebuffer (0: the window's own) at the origin, in physical pixels, opaque,
     /// sRGB-encoded. Leaves the framebuffer bound and GL state as QOpenGLWidget and QPainter expect
     /// it (no program, no array, no blending, depth test off).

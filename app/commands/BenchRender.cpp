@@ -18,6 +18,7 @@
 #include "app/commands/SceneSource.h"
 #include "app/pictures/PictureFile.h"
 #include "model/bake/ClipBaker.h"
+#include "model/project/LocateAssets.h"
 #include "render/OffscreenContext.h"
 #include "render/Renderer.h"
 #include "render/reference/PaperMethod.h"
@@ -61,6 +62,11 @@ model::Result<model::Scene> loadWorkload(const BenchRenderOptions& options)
     if (!options.scene.empty()) {
         auto scene = loadForPicture(QString::fromStdString(options.scene));
         if (scene) {
+            const auto missing = model::missingFromPictures(scene.value());
+            if (!missing.empty()) {
+                return model::Error{options.scene + " is not complete: " + missing.front() +
+                                    " Open it in the editor and locate what is missing."};
+            }
             seatMore(scene.value(), static_cast<std::size_t>(options.count));
             keepPeople(scene.value(), static_cast<std::size_t>(options.count));
         }

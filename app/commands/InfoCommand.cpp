@@ -11,6 +11,7 @@
 
 #include "model/gltf/GltfImport.h"
 #include "model/gltf/ImportProposal.h"
+#include "model/project/AssetPaths.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
 #include "widgets/docks/RuleTexts.h"
@@ -202,8 +203,12 @@ void printPlain(const Json& info)
 
 } // namespace
 
-int runInfo(const InfoOptions& options)
+int runInfo(const InfoOptions& given)
 {
+    InfoOptions options = given;
+    if (const QString file = model::assetFile(given.file); !file.isEmpty()) {
+        options.file = file.toStdString(); // of what comes with the program
+    }
     const bool isScene = options.as.empty() && options.file.ends_with(".crowd");
     const model::Result<Json> info = isScene ? describeScene(options.file) : describeAsset(options);
     if (!info) {

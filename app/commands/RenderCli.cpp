@@ -34,7 +34,10 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
 {
     CLI::App* command =
         cli.add_subcommand("render", "Draw pictures of a scene without opening a window");
-    command->add_option("SCENE", options.scene, "A .crowd, .glb or .gltf file")->required();
+    command
+        ->add_option("SCENE", options.scene,
+                     "A .crowd, .glb or .gltf file, or builtin:scenes/theatre.crowd")
+        ->required();
     command->add_option("--output", options.output, "Picture to write, .png; #### for the frame")
         ->required();
     command->add_option("--camera", options.camera, "Name of a camera of the scene");
@@ -45,6 +48,8 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
     command->add_option("--frames", options.frames, "Draw frames A-B");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")
         ->capture_default_str();
+    command->add_flag("--allow-missing", options.allowsMissing,
+                      "Draw without characters and stages that cannot be loaded");
     command->callback([&options, &status] {
         const HeadlessApplication application;
         status = runRender(options);

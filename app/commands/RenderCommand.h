@@ -17,6 +17,7 @@ struct RenderOptions
     std::string look = "lit";
     std::string frames; ///< "A-B"
     double framesPerSecond = 30.0;
+    bool allowsMissing = false; ///< draws without characters and stages that cannot be had
 };
 
 /// The exit code: 0, 1 with one line on standard error, or 2 for options that make no sense. Prints

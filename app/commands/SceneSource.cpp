@@ -69,7 +69,7 @@ Result<Scene> loadLoneStage(const std::string& path)
 
 Result<Scene> loadForPicture(const QString& path)
 {
-    const QFileInfo file(path);
+    const QFileInfo file(assetFile(path.toStdString()));
     if (!file.exists()) {
         return Error{path.toStdString() + " does not exist. Check the name and the folder."};
     }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/pictures/PictureFile.h"
 
+#include <string_view>
+
+#include <QtCore/QBuffer>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSaveFile>
 #include <QtGui/QImage>
 #include <QtGui/QImageWriter>
+
+#include "model/project/WholeFile.h"
 
 namespace crowd::app {
 
@@ -19,19 +23,17 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
     // Opaque: no alpha channel in the file.
     const QImage image = QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBX8888)
                              .convertToFormat(QImage::Format_RGB888);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        return model::Error{path.toStdString() +
-                            " cannot be written: " + file.errorString().toStdString() +
-                            ". Check the folder and its rights."};
+    QBuffer encoded;
+    QImageWriter writer(&encoded, format);
+    if (!writer.write(image)) {
+        return model::Error{path.toStdString() + ": the picture could not be made: " +
+                            writer.errorString().toStdString() + ". Try a smaller size."};
     }
-    QImageWriter writer(&file, format);
-    if (!writer.write(image) || !file.commit()) {
-        return model::Error{path.toStdString() + " cannot be written: " +
-                            (writer.error() == QImageWriter::UnknownError ? file.errorString()
-                                                                          : writer.errorString())
-                                .toStdString() +
-                            ". Check the space on the disk."};
+    const QByteArray& bytes = encoded.data();
+    const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    if (auto written = model::writeWholeFile(path, text); !written) {
+        return model::Error{path.toStdString() + " cannot be written: " + written.error().message +
+                            ". Check the folder, its rights and the space on the disk."};
     }
     return {};
 }

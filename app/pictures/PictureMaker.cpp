@@ -48,8 +48,24 @@ model::Result<void> PictureMaker::draw(const PictureRequest& request)
         return model::Error{"The graphics context for pictures was lost. Start the program again."};
     }
     const render::RenderInput input = inputOf(request, m_keyframes);
+    auto drawn = drawComplete(input);
+    // Clips of earlier pictures may leave no room for these; a picture does not depend on them.
+    if (drawn && m_hasDrawn && m_renderer.statistics().areKeyframesMissing) {
+        m_renderer.destroy();
+        m_keyframes.clear();
+        drawn = m_renderer.initialize();
+        if (drawn) {
+            drawn = drawComplete(input);
+        }
+    }
+    m_hasDrawn = true;
+    return drawn;
+}
+
+/// The first time asks for the clips; it is drawn again when they are complete.
+model::Result<void> PictureMaker::drawComplete(const render::RenderInput& input)
+{
     auto drawn = m_renderer.draw(input);
-    // The first picture asks for the clips; it is drawn again when they are complete.
     if (drawn && m_renderer.statistics().areKeyframesMissing) {
         m_keyframes.waitForAll();
         drawn = m_renderer.draw(input);

@@ -33,14 +33,14 @@ struct PictureRequest
 class PictureMaker
 {
 public:
-    /// The store outlives it.
+    /// The store outlives it, and is used by nobody else.
     [[nodiscard]] static model::Result<std::unique_ptr<PictureMaker>>
     create(model::KeyframeStore& keyframes);
     ~PictureMaker();
     PictureMaker(const PictureMaker&) = delete;
     PictureMaker& operator=(const PictureMaker&) = delete;
 
-    /// Waits until all clips in the picture are baked.
+    /// Waits until all clips in the picture are baked. What was drawn before makes no difference.
     [[nodiscard]] model::Result<void> draw(const PictureRequest& request);
     /// The last picture: RGBA8, sRGB, rows from the top.
     [[nodiscard]] std::vector<std::uint8_t> pixels() const { return m_renderer.readPixels(); }
@@ -51,7 +51,10 @@ public:
 private:
     explicit PictureMaker(model::KeyframeStore& keyframes) : m_keyframes(keyframes) {}
 
+    [[nodiscard]] model::Result<void> drawComplete(const render::RenderInput& input);
+
     model::KeyframeStore& m_keyframes;
+    bool m_hasDrawn = false;
     std::unique_ptr<render::OffscreenContext> m_context;
     render::Renderer m_renderer;
 };

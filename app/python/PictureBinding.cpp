@@ -9,6 +9,8 @@
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
 #include "app/python/OutsidePython.h"
+#include "behavior/session/SceneMotion.h"
+#include "model/project/LocateAssets.h"
 
 namespace crowd::app {
 
@@ -67,13 +69,30 @@ render::Look lookNamed(const std::string& name)
     throw ScriptError("There is no look \"" + name + "\"; there are: " + names + ".");
 }
 
-py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
-                   double time, const std::string& look)
+void refuseMissing(const Scene& scene)
 {
-    constexpr double kLatest = 1e6;
-    if (!(std::abs(time) <= kLatest)) {
+    const std::vector<std::string> missing = missingFromPictures(scene);
+    if (missing.empty()) {
+        return;
+    }
+    std::string all;
+    for (const std::string& each : missing) {
+        all += "\nMissing: " + each;
+    }
+    throw ScriptError("The picture would lack something: change the templates and stages so that "
+                      "they are found, or render with allow_missing=True." +
+                      all);
+}
+
+py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
+                   double time, const std::string& look, bool allowsMissing)
+{
+    if (!(std::abs(time) <= behavior::kMostSceneSeconds)) {
         throw ScriptError("time is " + std::string(py::str(py::float_(time))) +
-                          "; it is in seconds, at most 1000000.");
+                          "; it must be from -604800 to 604800 seconds, a week.");
+    }
+    if (!allowsMissing) {
+        refuseMissing(*scene->scene());
     }
     return pictureOf(*scene, {width, height}, camera, look, time, nullptr);
 }
@@ -208,7 +227,10 @@ void bindPictures(py::module_& module, SceneClass& scene)
     bindPicture(module);
     scene.def("render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
               py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
-              "The picture as height × width × 4 uint8. Needs no display.");
+              py::arg("allow_missing") = false,
+              "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
+              "week. Where a stage, or a character of whom there is somebody, could not be loaded, "
+              "it fails and says what is missing, unless allow_missing.");
 }
 
 } // namespace crowd::app

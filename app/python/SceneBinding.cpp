@@ -5,6 +5,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
+#include "model/project/LocateAssets.h"
 
 namespace crowd::app {
 
@@ -85,6 +86,24 @@ py::dict seats(const ScenePtr& scene)
     table["wedge"] = wedges;
     table["free"] = free;
     return table;
+}
+
+void warn(const std::string& text)
+{
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) < 0) {
+        throw py::error_already_set(); // the script wants them as errors
+    }
+}
+
+/// What the editor shows in a dialog when it opens a scene.
+void warnOfOddities(const Scene& scene)
+{
+    for (const std::string& warning : scene.readWarnings) {
+        warn(warning);
+    }
+    for (const MissingAsset& each : missingAssets(scene)) {
+        warn((each.isStage ? "Stage \"" : "Template \"") + each.name + "\": " + each.problem);
+    }
 }
 
 void bindEdit(py::module_& module)
@@ -195,11 +214,13 @@ void bindScene(py::module_& module)
         [](const FilePath& path) {
             auto opened = std::make_shared<ScriptScene>();
             valueOrRaise(opened->open(path.string()));
+            warnOfOddities(*opened->scene());
             return opened;
         },
         py::arg("path"),
         "Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd. Raises "
-        "Error with the reason why it cannot be read.");
+        "Error with the reason why it cannot be read; warns (UserWarning) of stages and templates "
+        "that could not be loaded, and of what in the file was odd.");
 }
 
 } // namespace crowd::app

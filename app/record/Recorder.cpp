@@ -3,12 +3,12 @@
 
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSaveFile>
 
 #include "app/record/DeltaScript.h"
 #include "app/record/ScriptText.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/ProjectWriter.h"
+#include "model/project/WholeFile.h"
 
 namespace crowd::app {
 
@@ -152,10 +152,9 @@ Result<void> Recorder::save(const QString& path) const
             return saved;
         }
     }
-    QSaveFile out(path);
-    const auto size = static_cast<qint64>(text.size());
-    if (!out.open(QIODevice::WriteOnly) || out.write(text.data(), size) != size || !out.commit()) {
-        return Error{path.toStdString() + ": " + out.errorString().toStdString()};
+    if (auto saved = writeWholeFile(path, text); !saved) {
+        return Error{path.toStdString() + ": could not be written (" + saved.error().message +
+                     "). The script was not saved; choose another place or free some room."};
     }
     return {};
 }

@@ -7,6 +7,7 @@
 
 #include "app/window/AssetController.h"
 #include "app/window/FileController.h"
+#include "model/project/AssetPaths.h"
 
 namespace crowd::app {
 
@@ -23,7 +24,11 @@ struct SortedFiles
 SortedFiles sorted(const QStringList& files)
 {
     SortedFiles all;
-    for (const QString& file : files) {
+    for (const QString& given : files) {
+        const QString builtin = model::isBuiltin(given.toStdString())
+                                    ? model::assetFile(given.toStdString())
+                                    : QString();
+        const QString file = builtin.isEmpty() ? given : builtin;
         const bool isScene =
             QFileInfo(file).suffix().compare(QStringLiteral("crowd"), Qt::CaseInsensitive) == 0;
         (isScene ? all.scenes : all.models) << QFileInfo(file).absoluteFilePath();

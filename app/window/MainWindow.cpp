@@ -21,6 +21,7 @@
 #include "app/console/ScriptGuard.h"
 #include "app/window/FieldKeys.h"
 #include "app/window/KeysDialog.h"
+#include "app/window/MemoryRelease.h"
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
@@ -231,6 +232,8 @@ void MainWindow::connectParts()
             });
     connect(&m_files, &FileController::sceneOpened, &m_assets, &AssetController::reportMissing);
     connect(&m_files, &FileController::sceneOpened, this, &MainWindow::refreshTitle);
+    connect(&m_files, &FileController::sceneOpened, new MemoryRelease(m_state.keyframes(), this),
+            &MemoryRelease::plan);
     connect(&m_document, &model::SceneDocument::pathChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&m_document, &model::SceneDocument::undoRefused, this, [this](const QString& why) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/StatusPanel.h"
 
+#include <algorithm>
+
 #include <QtCore/QLocale>
 
 namespace crowd::app {
@@ -57,14 +59,20 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
     connect(&state, &widgets::EditorState::toolChanged, this, [this] { clearMessage(); });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
     connect(&state.selection(), &widgets::Selection::changed, this, &StatusPanel::refreshCounts);
+    connect(&state.session(), &widgets::SessionControl::stateChanged, this,
+            &StatusPanel::refreshCounts); // back where the scene has them
     m_hint->setFullText(state.hint());
     refreshCounts();
 }
 
 void StatusPanel::refreshCounts()
 {
-    QStringList parts{
-        tr("%n characters", nullptr, static_cast<int>(m_state.scene().population.size()))};
+    const std::size_t gone = m_state.session().goneCount();
+    const std::size_t all = m_state.scene().population.size();
+    QStringList parts{tr("%n characters", nullptr, static_cast<int>(all - std::min(gone, all)))};
+    if (gone > 0) {
+        parts << tr("%n have left", nullptr, static_cast<int>(gone));
+    }
     if (m_statistics.render.individuals > 0) {
         parts << tr("%n in view", nullptr, static_cast<int>(m_statistics.render.visible));
     }

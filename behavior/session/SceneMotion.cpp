@@ -47,7 +47,8 @@ void SceneMotion::begin()
     m_before = m_after;
 }
 
-model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* isCancelled)
+model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* isCancelled,
+                                     const Progress& told)
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
     if (m_session) {
@@ -60,6 +61,9 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
             }
             m_session->step();
             m_before = std::exchange(m_after, m_session->pose());
+            if (told) {
+                told(m_after->seconds);
+            }
         }
         applyPose(*m_before, *m_after, frame);
     }

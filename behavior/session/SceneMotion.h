@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -15,6 +16,9 @@ namespace crowd::behavior {
 surfaceOf(const model::Scene& scene, std::string& problem,
           const std::atomic<bool>* isCancelled = nullptr);
 
+/// Times of a scene are asked for up to here, and down to its negative: a week.
+inline constexpr double kMostSceneSeconds = 604'800.0;
+
 /// What a scene looks like at a time, without a window: simulated from 0 where it has behaviour,
 /// else the clips' clock alone. Times that rise are quick; an earlier one begins anew. One thread.
 class SceneMotion
@@ -25,9 +29,11 @@ public:
     explicit SceneMotion(const model::Scene& scene, const std::atomic<bool>* isCancelled = nullptr);
     ~SceneMotion();
 
-    /// Null: cancelled from another thread, and may be asked again.
-    [[nodiscard]] model::CrowdFramePtr at(double seconds,
-                                          const std::atomic<bool>* isCancelled = nullptr);
+    /// Null: cancelled from another thread, and may be asked again. `told` hears after each step up
+    /// to what time is simulated, seconds.
+    using Progress = std::function<void(double seconds)>;
+    [[nodiscard]] model::CrowdFramePtr
+    at(double seconds, const std::atomic<bool>* isCancelled = nullptr, const Progress& told = {});
     /// Sentences about what could not be followed.
     [[nodiscard]] std::vector<std::string> problems() const;
 

@@ -23,6 +23,8 @@ SessionPosePtr Session::pose() const
         }
     }
     addTo(*pose, live);
+    pose->gone = static_cast<std::size_t>(std::ranges::count_if(
+        pose->flags, [](std::uint8_t flags) { return (flags & kPoseGone) != 0; }));
     for (const std::uint32_t agent : m_rules.lit()) {
         pose->lit.push_back(m_population.ids()[agent]);
     }

@@ -104,6 +104,7 @@ struct SessionPose
     std::vector<model::SeatId> seats;     ///< empty: nobody's is another than in the scene
     std::vector<PoseFade> fades;          ///< ascending
     bool hasSeats = false;                ///< somebody's seat is not the scene's
+    std::size_t gone = 0;                 ///< people who have left the scene
     std::vector<model::IndividualId> lit; ///< for whom a rule fired lately; ascending
     std::shared_ptr<const std::vector<SetLook>> looks;     ///< ascending ids; null: nobody's
     std::shared_ptr<const std::vector<OwnNumber>> numbers; ///< see RuleEngine::ownNumbers

@@ -234,6 +234,23 @@ void KeyframeStore::waitForAll()
                             [this] { return m_private->queue.empty() && m_private->running == 0; });
 }
 
+void KeyframeStore::clear()
+{
+    std::unique_lock<std::mutex> lock(m_private->mutex);
+    m_private->queue.clear();
+    m_private->jobDone.wait(lock, [this] { return m_private->running == 0; });
+    m_private->kept.clear();
+    m_private->reservedBytes = 0;
+    m_private->isBudgetReached = false;
+    m_private->jobDone.notify_all();
+}
+
+void KeyframeStore::releaseUnused()
+{
+    const std::lock_guard<std::mutex> guard(m_private->mutex);
+    m_private->forgetExpired();
+}
+
 KeyframeStore::Progress KeyframeStore::progress() const
 {
     const std::lock_guard<std::mutex> guard(m_private->mutex);

@@ -61,6 +61,11 @@ public:
     /// Blocks until everything asked for so far is baked (pictures without a window).
     void waitForAll();
 
+    /// Forgets every clip, so that there is room for others. Waits for what is being baked.
+    void clear();
+    /// Frees the clips of templates that nobody holds any more.
+    void releaseUnused();
+
     struct Progress
     {
         int pendingClips = 0;

@@ -185,6 +185,13 @@ ScenePicker::ScenePicker(KeyframeStore& keyframes, const StageRays& stage)
 
 ScenePicker::~ScenePicker() = default;
 
+void ScenePicker::forget()
+{
+    m_private->people = {};
+    m_private->index.build(m_private->people, m_private->view); // of nobody
+    m_private->templates = nullptr;
+}
+
 void ScenePicker::update(CrowdFramePtr frame, std::span<const WorldSeat> seats, const View& view)
 {
     Private& d = *m_private;

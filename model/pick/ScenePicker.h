@@ -51,6 +51,8 @@ public:
 
     /// What is shown. Cheap when only the time changed; rebuilds the index when people or the view
     /// changed (about 4 ms for 100 000). `seats` are Scene::worldSeats(), ascending by id.
+    /// Lets go of the frame and its templates, until the next update().
+    void forget();
     void update(CrowdFramePtr frame, std::span<const WorldSeat> seats, const View& view);
     /// Takes individuals out of all later answers until the next update() with changed people.
     void exclude(std::span<const IndividualId> ids);

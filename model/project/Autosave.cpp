@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <QtCore/QCoreApplication>
 #include <QtCore/QCryptographicHash>
 #include <QtCore/QDateTime>
 #include <QtCore/QDir>
@@ -11,6 +10,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
 
+#include "model/project/ProcessName.h"
 #include "model/project/ProjectFile.h"
 
 namespace crowd::model {
@@ -24,32 +24,6 @@ QString dataFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
            QStringLiteral("/unsaved");
-}
-
-/// When a process was started, in ticks since the machine was (proc(5)); empty: there is none.
-QString startOf(const QString& processId)
-{
-    QFile stat(QStringLiteral("/proc/%1/stat").arg(processId));
-    if (!stat.open(QIODevice::ReadOnly)) {
-        return {};
-    }
-    const QByteArray text = stat.readAll();
-    constexpr int kStartAfterName = 20; // field 22; the name ends with the last ')'
-    return QString::fromLatin1(
-        text.mid(text.lastIndexOf(')') + 2).split(' ').value(kStartAfterName - 1));
-}
-
-/// Process ids come again, but not with the same start.
-QString ownName()
-{
-    const QString id = QString::number(QCoreApplication::applicationPid());
-    return id + QLatin1Char('-') + startOf(id);
-}
-
-bool isAlive(const QString& owner)
-{
-    const QString start = startOf(owner.section(QLatin1Char('-'), 0, 0));
-    return !start.isEmpty() && start == owner.section(QLatin1Char('-'), 1, 1);
 }
 
 /// Folder and first part of the name of a document's autosaves.
@@ -94,7 +68,7 @@ QFileInfoList leftAt(const CopyPlace& place)
         if (name.startsWith(start) && name.endsWith(kSuffix)) {
             const QString owner =
                 name.mid(start.size(), name.size() - start.size() - kSuffix.size());
-            if (owner.contains(QLatin1Char('-')) && !isAlive(owner)) {
+            if (owner.contains(QLatin1Char('-')) && !isProcessAlive(owner)) {
                 left << file;
             }
         }
@@ -122,14 +96,14 @@ Result<void> writeAt(const CopyPlace& place, const Scene& scene)
         return Error{place.folder.toStdString() +
                      ": the folder could not be made; unsaved work is not kept."};
     }
-    return saveProject(scene, place.fileOf(ownName()));
+    return saveProject(scene, place.fileOf(ownProcessName()));
 }
 
 } // namespace
 
 QString autosavePath(const QString& projectPath)
 {
-    return placeBeside(projectPath).fileOf(ownName());
+    return placeBeside(projectPath).fileOf(ownProcessName());
 }
 
 Result<void> writeAutosave(const Scene& scene, const QString& projectPath)
@@ -143,9 +117,9 @@ Result<void> writeAutosave(const Scene& scene, const QString& projectPath)
 
 void removeAutosave(const QString& projectPath)
 {
-    QFile::remove(placeBeside(projectPath).fileOf(ownName()));
+    QFile::remove(placeBeside(projectPath).fileOf(ownProcessName()));
     if (!projectPath.isEmpty()) {
-        QFile::remove(placeElsewhere(projectPath).fileOf(ownName()));
+        QFile::remove(placeElsewhere(projectPath).fileOf(ownProcessName()));
     }
 }
 
@@ -174,8 +148,8 @@ void adoptRecovery(const QString& recovery, const QString& projectPath)
                                 ? placeBeside(projectPath)
                                 : placeElsewhere(projectPath);
     // Relative asset paths in it stay right: it stays in its folder.
-    QFile::remove(place.fileOf(ownName()));
-    QFile::rename(recovery, place.fileOf(ownName()));
+    QFile::remove(place.fileOf(ownProcessName()));
+    QFile::rename(recovery, place.fileOf(ownProcessName()));
 }
 
 void removeOldRecoveries(const QString& projectPath)

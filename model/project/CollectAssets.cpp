@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/CollectAssets.h"
 
+#include <string_view>
+
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QHash>
-#include <QtCore/QSaveFile>
 #include <QtCore/QtEndian>
 
 #include <nlohmann/json.hpp>
 
 #include "model/project/AssetPaths.h"
+#include "model/project/WholeFile.h"
 
 namespace crowd::model {
 
@@ -70,21 +72,32 @@ Result<void> copyFile(const QString& from, const QString& to)
         return {};
     }
     QFile source(from);
-    QSaveFile target(to);
     if (!QDir().mkpath(QFileInfo(to).absolutePath())) {
         return copyError(from, QFileInfo(to).absolutePath());
     }
     if (!source.open(QIODevice::ReadOnly)) {
         return copyError(from, source.errorString());
     }
-    bool isWhole = target.open(QIODevice::WriteOnly);
-    constexpr qint64 kPiece = 1 << 20;
-    while (isWhole && !source.atEnd()) {
-        const QByteArray piece = source.read(kPiece);
-        isWhole = !piece.isEmpty() && target.write(piece) == piece.size();
+    const auto problem = [&](const Error& why) {
+        return copyError(from, to + QStringLiteral(": ") + QString::fromStdString(why.message));
+    };
+    auto target = WholeFile::begin(to);
+    if (!target) {
+        return problem(target.error());
     }
-    if (!isWhole || !target.commit()) {
-        return copyError(from, to + QStringLiteral(": ") + target.errorString());
+    constexpr qint64 kPiece = 1 << 20;
+    while (!source.atEnd()) {
+        const QByteArray piece = source.read(kPiece);
+        if (piece.isEmpty()) {
+            return copyError(from, source.errorString());
+        }
+        const std::string_view bytes(piece.constData(), static_cast<std::size_t>(piece.size()));
+        if (const auto written = target.value().write(bytes); !written) {
+            return problem(written.error());
+        }
+    }
+    if (const auto done = target.value().commit(); !done) {
+        return problem(done.error());
     }
     return {};
 }
@@ -93,8 +106,9 @@ bool haveSameBytes(const QString& a, const QString& b)
 {
     QFile first(a);
     QFile second(b);
-    return first.open(QIODevice::ReadOnly) && second.open(QIODevice::ReadOnly) &&
-           first.size() == second.size() && first.readAll() == second.readAll();
+    return QFileInfo(b).isFile() && first.open(QIODevice::ReadOnly) &&
+           second.open(QIODevice::ReadOnly) && first.size() == second.size() &&
+           first.readAll() == second.readAll();
 }
 
 class Collector

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/LocateAssets.h"
 
+#include <algorithm>
+
 #include <QtCore/QFileInfo>
 #include <QtCore/QStringList>
 
@@ -32,6 +34,24 @@ std::vector<MissingAsset> missingAssets(const Scene& scene)
     std::vector<MissingAsset> missing;
     addMissing(scene.stages, true, missing);
     addMissing(scene.templates, false, missing);
+    return missing;
+}
+
+std::vector<std::string> missingFromPictures(const Scene& scene)
+{
+    const auto used = scene.population.column(columns::templateId);
+    std::vector<std::string> missing;
+    for (const MissingAsset& each : missingAssets(scene)) {
+        if (each.isStage) {
+            missing.push_back("stage \"" + each.name + "\". " + each.problem);
+            continue;
+        }
+        const auto people = std::ranges::count(used, each.id);
+        if (people > 0) {
+            missing.push_back("character \"" + each.name + "\", of whom there are " +
+                              std::to_string(people) + ". " + each.problem);
+        }
+    }
     return missing;
 }
 

@@ -20,6 +20,10 @@ struct MissingAsset
 
 [[nodiscard]] std::vector<MissingAsset> missingAssets(const Scene& scene);
 
+/// What pictures of the scene lack: stages, and characters of whom there is somebody. One or more
+/// sentences each.
+[[nodiscard]] std::vector<std::string> missingFromPictures(const Scene& scene);
+
 /// Where a missing file probably is now that another one, missing at `oldPath`, was found at
 /// `newPath`: in the folder found under its own name, or moved the same way with a whole tree of
 /// folders. Empty when neither is there.

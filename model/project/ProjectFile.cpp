@@ -5,11 +5,11 @@
 
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSaveFile>
 
 #include "model/project/AssetPaths.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "model/project/WholeFile.h"
 
 namespace crowd::model {
 
@@ -45,13 +45,10 @@ Result<void> saveProject(const Scene& scene, const QString& path)
     if (!text) {
         return Error{"The scene was not saved. " + text.error().message};
     }
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(text.value().size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.value().data(), size) != size ||
-        !file.commit()) {
+    if (const auto saved = writeWholeFile(path, text.value()); !saved) {
         return fileError(path, QStringLiteral("could not be written (%1). The scene was not saved; "
                                               "choose another place or free some room.")
-                                   .arg(file.errorString()));
+                                   .arg(QString::fromStdString(saved.error().message)));
     }
     return {};
 }

@@ -8,9 +8,8 @@
 
 namespace crowd::model {
 
-/// Writes the scene to a .crowd file: whole, to a temporary file beside it, flushed, then renamed
-/// over the old one, which stays untouched when anything fails. Asset paths below or near the file
-/// become relative to its folder; "builtin:" ones stay.
+/// Writes the scene to a .crowd file, whole or not at all; see WholeFile. Asset paths below or near
+/// the file become relative to its folder; "builtin:" ones stay.
 [[nodiscard]] Result<void> saveProject(const Scene& scene, const QString& path);
 
 /// Reads a .crowd file without its assets; relative asset paths become absolute. The message of a

@@ -87,14 +87,14 @@ void CrowdPlan::look(const Request& request)
         seen.isMissing = false;
         look.rows(begin, end, m_levels, m_flags, seen);
     });
-    m_keyframeEnd = look.keyframeEnd();
+    m_orderEnd = look.orderEnd();
     m_areKeyframesMissing = std::ranges::any_of(m_seen, &PlanSeen::isMissing);
 }
 
 /// The first of two stable counting sorts.
 void CrowdPlan::sortByKeyframe()
 {
-    m_counts.assign(m_keyframeEnd, 0);
+    m_counts.assign(m_orderEnd, 0);
     std::size_t count = 0;
     for (const PlanSeen& seen : m_seen) {
         for (std::size_t i = 0; i < seen.count; ++i) {

@@ -65,12 +65,12 @@ struct PlanSeen
     std::vector<Instance> instances;
     struct Key
     {
-        std::uint32_t keyframe = 0;
-        std::uint32_t group = 0; ///< (level × entries + entry) × kDistanceSteps + step
+        std::uint32_t keyframe = 0; ///< among those of all clips of the template, in their order
+        std::uint32_t group = 0;    ///< (level × entries + entry) × kDistanceSteps + step
     };
     std::vector<Key> keys; ///< of instances
     std::size_t count = 0;
-    bool isMissing = false; ///< somebody's clip is not complete
+    bool isMissing = false; ///< somebody's clip, or the one he comes from, is not complete
 };
 
 /// Keeps each individual's level from frame to frame, for the hysteresis.
@@ -125,7 +125,7 @@ private:
         std::uint32_t group;
     };
     std::vector<PlanSeen> m_seen; ///< per chunk
-    std::uint32_t m_keyframeEnd = 0;
+    std::uint32_t m_orderEnd = 0;
     std::vector<Key> m_byKeyframe;
     std::vector<std::uint32_t> m_places; ///< sorted
     std::vector<std::uint32_t> m_counts;

@@ -170,12 +170,22 @@ void PlanLook::addEntry(const PlanTemplate& asset, TemplateId id, std::size_t in
 {
     m_clipsOfId[id] = {static_cast<std::uint16_t>(m_extents.size()),
                        static_cast<std::uint16_t>(asset.clipOfName.size() - 1)};
+    // By the asset's clips, not by where they lie on the card: that depends on who asked first.
+    std::vector<std::uint32_t> orders(asset.clips.size());
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < asset.clips.size(); ++i) {
+        orders[i] = next;
+        const Clip* clip = asset.clips[i].clip;
+        next += clip != nullptr ? static_cast<std::uint32_t>(clip->keyframeCount()) : 0U;
+    }
+    m_orderEnd = std::max(m_orderEnd, next);
     for (const std::uint16_t clip : asset.clipOfName) {
-        addClip(asset.clips[clip], asset, index);
+        addClip(asset.clips[clip], asset, index, orders[clip]);
     }
 }
 
-void PlanLook::addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index)
+void PlanLook::addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index,
+                       std::uint32_t order)
 {
     const Bounds& box = clip.bounds;
     const glm::vec3 size = box.size();
@@ -184,13 +194,12 @@ void PlanLook::addClip(const PlanClip& clip, const PlanTemplate& asset, std::siz
                          reach * kBoundsMargin * kDiagonal, std::min(asset.height, size.y)});
     Course& course = m_courses.emplace_back();
     course.firstKeyframe = clip.firstKeyframe;
+    course.order = order;
     course.boxes = clip.box | static_cast<std::uint32_t>(clip.box) << 16U;
     course.group = static_cast<std::uint32_t>(index) * CrowdPlan::kDistanceSteps;
     course.coarsest = std::min(asset.levels, static_cast<int>(kMaxLevels)) - 1;
     course.isMissing = !clip.isComplete;
     const int last = clip.clip->keyframeCount() - 1;
-    m_keyframeEnd =
-        std::max(m_keyframeEnd, clip.firstKeyframe + static_cast<std::uint32_t>(last) + 1);
     if (!clip.isComplete || last == 0) {
         return;
     }
@@ -294,11 +303,12 @@ void PlanLook::emit(std::size_t begin, std::span<const std::uint8_t> flags, cons
         instance[k] = {static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(flags[row])
                                                              << 24U,
                        keyframe, keyframe + course.step, course.boxes, blends[k]};
-        key[k] = {keyframe, piece.levels[k] * m_groupsPerLevel + course.group + piece.steps[i]};
+        key[k] = {course.order + static_cast<std::uint32_t>(intervals[k]),
+                  piece.levels[k] * m_groupsPerLevel + course.group + piece.steps[i]};
         isMissing |= course.isMissing;
     }
     if (!m_fades.empty()) {
-        fade(begin, piece, {instance, piece.count});
+        isMissing |= fade(begin, piece, {instance, piece.count});
     }
     seen.count += piece.count;
     seen.isMissing = isMissing;
@@ -306,8 +316,9 @@ void PlanLook::emit(std::size_t begin, std::span<const std::uint8_t> flags, cons
 
 /// Who changes clips is drawn between the nearest keyframes of both. Their place in the order
 /// stays: it is only there for the sake of speed.
-void PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> instances) const
+bool PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> instances) const
 {
+    bool isMissing = false;
     auto next = std::ranges::lower_bound(m_fades, begin, {}, &ClipFade::row);
     for (std::size_t k = 0; k < piece.count && next != m_fades.end(); ++k) {
         const std::size_t row = begin + piece.seen[k];
@@ -320,6 +331,7 @@ void PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> i
         const Clips clips = m_clipsOfId[m_templates[row]];
         const Course& from = m_courses[clips.first + std::min(next->clip, clips.last)];
         if (from.isMissing || m_courses[piece.clips[piece.seen[k]]].isMissing) {
+            isMissing = true;
             continue;
         }
         const float at = next->place * from.seconds * static_cast<float>(kKeyframeRate);
@@ -333,6 +345,7 @@ void PlanLook::fade(std::size_t begin, const Piece& piece, std::span<Instance> i
         shown.boxes = (from.boxes & 0xFFFFU) | (shown.boxes & 0xFFFF0000U);
         shown.blend = std::clamp(next->share, 0.0F, 1.0F);
     }
+    return isMissing;
 }
 
 } // namespace crowd::render

@@ -27,8 +27,8 @@ public:
     /// `flags` are per row of the frame; the former are brought up to date.
     void rows(std::size_t begin, std::size_t end, std::span<std::uint8_t> levels,
               std::span<const std::uint8_t> flags, PlanSeen& seen) const;
-    /// Above every keyframe that an instance may show.
-    [[nodiscard]] std::uint32_t keyframeEnd() const { return m_keyframeEnd; }
+    /// Above every key of PlanSeen.
+    [[nodiscard]] std::uint32_t orderEnd() const { return m_orderEnd; }
 
     static constexpr std::size_t kPieceRows = 512;
 
@@ -62,7 +62,8 @@ private:
         float perLastWidth = 0.0F;
         std::int32_t lastInterval = 0;
         std::uint32_t firstKeyframe = 0;
-        std::uint32_t step = 0; ///< to the second keyframe: 0 or 1
+        std::uint32_t order = 0; ///< of its first keyframe among those of all the template's clips
+        std::uint32_t step = 0;  ///< to the second keyframe: 0 or 1
         std::uint32_t boxes = 0;
         std::uint32_t group = 0;   ///< entry × kDistanceSteps
         std::int32_t coarsest = 0; ///< level
@@ -78,18 +79,21 @@ private:
     struct Piece;
 
     void addEntry(const PlanTemplate& asset, model::TemplateId id, std::size_t index);
-    void addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index);
+    void addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index,
+                 std::uint32_t order);
     void gather(std::size_t begin, std::size_t count, Piece& piece) const;
     void cull(std::size_t begin, std::size_t count, Piece& piece) const;
     void chooseLevels(std::span<std::uint8_t> levels, Piece& piece) const;
     void emit(std::size_t begin, std::span<const std::uint8_t> flags, const Piece& piece,
               PlanSeen& seen) const;
-    void fade(std::size_t begin, const Piece& piece, std::span<Instance> instances) const;
+    /// Whether a clip that somebody comes from is not there yet.
+    [[nodiscard]] bool fade(std::size_t begin, const Piece& piece,
+                            std::span<Instance> instances) const;
 
     Eye m_eye;
     double m_seconds;
     std::uint32_t m_groupsPerLevel; ///< entries × kDistanceSteps
-    std::uint32_t m_keyframeEnd = 1;
+    std::uint32_t m_orderEnd = 1;
     std::vector<Clips> m_clipsOfId; ///< by template id
     std::vector<Extent> m_extents;  ///< the first is never in view
     std::vector<Course> m_courses;

@@ -5,6 +5,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -94,8 +96,7 @@ TemplateGpu& CrowdPass::gpuOf(const TemplatePtr& asset)
     return *gpu;
 }
 
-/// Templates that no frame mentions any more go, after a while: thumbnails come back often.
-void CrowdPass::dropUnused()
+void CrowdPass::countUnused()
 {
     if (m_entries) {
         for (const TemplateEntry& entry : *m_entries) {
@@ -103,12 +104,24 @@ void CrowdPass::dropUnused()
         }
     }
     for (auto& [asset, frames] : m_unusedFrames) {
-        if (++frames > kFramesBeforeDropping) {
-            m_gpu.erase(asset);
-        }
+        ++frames;
     }
-    std::erase_if(m_unusedFrames,
-                  [](const auto& item) { return item.second > kFramesBeforeDropping; });
+}
+
+void CrowdPass::dropUnused(int frames)
+{
+    std::erase_if(m_unusedFrames, [&](const auto& item) {
+        const bool isDropped = item.second > frames;
+        if (isDropped) {
+            m_gpu.erase(item.first);
+        }
+        return isDropped;
+    });
+}
+
+void CrowdPass::releaseUnused()
+{
+    dropUnused(0);
 }
 
 void CrowdPass::refreshTemplates(const PassContext& context)
@@ -188,13 +201,38 @@ void CrowdPass::findUsedClips(const Population& people)
     }
 }
 
-/// Asks for the clips that somebody is in; others are not baked.
+/// The clips that people come from; some of them nobody else may be in.
+void CrowdPass::useFadedClips(const PassContext& context)
+{
+    const CrowdFrame& frame = *context.input.frame;
+    if (frame.fades.empty()) {
+        return;
+    }
+    const std::span<const TemplateId> templates = frame.population.column(columns::templateId);
+    std::set<std::pair<TemplateId, std::uint16_t>> faded;
+    for (const ClipFade& fade : frame.fades) {
+        faded.emplace(templates[fade.row], fade.clip);
+    }
+    for (const auto& [id, name] : faded) {
+        const auto entry = std::ranges::find(*m_entries, id, &TemplateEntry::id);
+        const auto index = static_cast<std::size_t>(entry - m_entries->begin());
+        if (entry == m_entries->end() || !m_planTemplates[index].isDrawable) {
+            continue;
+        }
+        const std::vector<std::uint16_t>& clips = m_planTemplates[index].clipOfName;
+        const std::size_t clip = std::min<std::size_t>(name, clips.size() - 1);
+        gpuOf(entry->asset).useClip(context.input.keyframes, clips[clip]);
+    }
+}
+
+/// Asks for the clips that somebody is in or comes from; others are not baked.
 void CrowdPass::useShownClips(const PassContext& context)
 {
     findUsedClips(context.input.frame->population);
     for (const UsedClip& used : m_usedClips) {
         gpuOf((*m_entries)[used.entry].asset).useClip(context.input.keyframes, used.clip);
     }
+    useFadedClips(context);
     for (std::size_t i = 0; i < m_planTemplates.size(); ++i) {
         if (m_planTemplates[i].isDrawable) {
             m_planTemplates[i].clips = gpuOf((*m_entries)[i].asset).clips();
@@ -228,7 +266,8 @@ void CrowdPass::uploadInstances(GlBuffer& buffer, std::span<const Instance> inst
 Result<void> CrowdPass::prepare(const PassContext& context)
 {
     const RenderInput& input = context.input;
-    dropUnused();
+    countUnused();
+    dropUnused(kFramesBeforeDropping); // after a while: ghosts come back often
     if (!input.frame) {
         return {};
     }

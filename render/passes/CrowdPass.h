@@ -35,6 +35,8 @@ public:
     [[nodiscard]] bool hasHighlighted() const { return !m_plan.highlighted().empty(); }
     /// What they cover, generously.
     [[nodiscard]] PixelRect highlightedPart(const PassContext& context) const;
+    /// Templates that the last picture did not mention go at once.
+    void releaseUnused();
 
 private:
     /// Per-row buffers: of the population, or of the ghosts.
@@ -54,9 +56,11 @@ private:
     };
 
     [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
-    void dropUnused();
+    void countUnused();
+    void dropUnused(int frames);
     void refreshTemplates(const PassContext& context);
     void findUsedClips(const model::Population& people);
+    void useFadedClips(const PassContext& context);
     void useShownClips(const PassContext& context);
     void uploadRecords(const PassContext& context);
     void uploadInstances(GlBuffer& buffer, std::span<const Instance> instances) const;

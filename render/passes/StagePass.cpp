@@ -202,6 +202,11 @@ Result<void> StagePass::draw(const PassContext& context)
     return drawEntries(context, false);
 }
 
+void StagePass::releaseUnused()
+{
+    std::erase_if(m_gpu, [](const auto& item) { return item.second->unusedFrames > 0; });
+}
+
 Result<void> StagePass::drawBlended(const PassContext& context)
 {
     glEnable(GL_BLEND);

@@ -21,6 +21,8 @@ public:
     /// Opaque and cut-out materials; blended ones follow in drawBlended().
     [[nodiscard]] model::Result<void> draw(const PassContext& context);
     [[nodiscard]] model::Result<void> drawBlended(const PassContext& context);
+    /// Stages that the last picture did not show go at once.
+    void releaseUnused();
 
 private:
     struct Batch

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <csignal>
+#include <functional>
+
+#include <sched.h>
+#include <sys/resource.h>
+
 #include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -7,7 +13,11 @@
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 
+#include "model/project/ProjectFile.h"
+#include "tests/app/SceneWindow.h"
 #include "tests/program/Test.h"
+
+using namespace crowd;
 
 /// The program from outside, in an environment without a display: statuses and messages.
 class CommandLineTest : public QObject
@@ -26,6 +36,12 @@ private Q_SLOTS:
     void measuresOnlyWhatMakesSense_data();
     void measuresOnlyWhatMakesSense();
     void givesScriptsTheirArgumentsInOrder();
+    void drawsNothingThatLacksSomething();
+    void opensWhatComesWithIt();
+    void aFrameIsTheSameFromAnyRangeAndThreads_data();
+    void aFrameIsTheSameFromAnyRangeAndThreads();
+    void aFullDiskIsAFailure();
+    void aLongSimulationTellsAndEnds();
 };
 
 namespace {
@@ -37,14 +53,23 @@ struct Outcome
     QByteArray errors;
 };
 
-Outcome run(const QStringList& arguments)
+QProcessEnvironment withoutDisplay()
 {
-    QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
         environment.remove(QLatin1String(name));
     }
-    program.setProcessEnvironment(environment);
+    return environment;
+}
+
+/// `inProgram` is run in the new process, before the program.
+Outcome run(const QStringList& arguments, const std::function<void()>& inProgram = {})
+{
+    QProcess program;
+    program.setProcessEnvironment(withoutDisplay());
+    if (inProgram) {
+        program.setChildProcessModifier(inProgram);
+    }
     program.start(QStringLiteral(CROWD_PROGRAM), arguments);
     if (!program.waitForFinished(60'000) || program.exitStatus() != QProcess::NormalExit) {
         return {};
@@ -203,6 +228,17 @@ void CommandLineTest::drawsOnlyWhatMakesSense_data()
         {"a place without frames", "--output %1/a#.png", 2, "--frames A-B"},
         {"no frames a second", "--output %1/a#.png --frames 0-1 --fps 0", 2, "--fps"},
         {"no output", "--size 64x36", 2, "--output"},
+        {"a time beyond all", "--output %1/a.png --time 1e18", 2, "604800, a week"},
+        {"endless time", "--output %1/a.png --time inf", 2, "--time"},
+        {"a time long before", "--output %1/a.png --time -1e18", 2, "--time"},
+        {"hardly a frame a second", "--output %1/a#.png --frames 0-1 --fps 1e-300", 2, "0.01"},
+        {"endless frames a second", "--output %1/a#.png --frames 0-1 --fps inf", 2, "--fps"},
+        {"frames a second that are none", "--output %1/a.png --fps nan", 2, "--fps"},
+        {"negative frames a second", "--output %1/a#.png --frames 0-1 --fps -30", 2, "--fps"},
+        {"the last frame of all", "--output %1/a#.png --frames 0-2147483647", 2, "a week"},
+        {"more frames than a number holds", "--output %1/a#.png --frames 0-99999999999", 2,
+         "not a range"},
+        {"negative frames", "--output %1/a#.png --frames -3-5", 2, "not a range"},
     };
     for (const BadDrawing& row : rows) {
         QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
@@ -265,6 +301,11 @@ void CommandLineTest::measuresOnlyWhatMakesSense_data()
         {"too many samples", "render --samples 99", 2, "--samples"},
         {"negative triangles", "render --triangles -5", 2, "--triangles"},
         {"missing scene", "render --scene /nowhere/at-all.crowd", 1, "at-all.crowd does not exist"},
+        {"slowing that is no number", "simulate --slowing nan", 2, "no number"},
+        {"slowing without end", "simulate --slowing inf", 2, "--slowing"},
+        {"no steps", "simulate --steps 0", 2, "--steps"},
+        {"negative threads", "simulate --threads -1", 2, "--threads"},
+        {"rounds beyond all", "python --rounds 1e18", 2, "--rounds"},
         {"painting nobody", "paint --count 0", 2, "--count"},
         {"painting words", "paint --count many", 2, "--count"},
         {"files of nobody", "io --count 0", 2, "--count"},
@@ -300,6 +341,198 @@ void CommandLineTest::givesScriptsTheirArgumentsInOrder()
              QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("-x")});
     QCOMPARE(outcome.status, 0);
     QCOMPARE(outcome.output, QByteArray("['--write', '--only', 'one', 'two', '-x']\n"));
+}
+
+namespace {
+
+/// People who stand and begin to walk away along a path.
+model::Scene walkers()
+{
+    model::Scene scene = testing::plainScene(24);
+    scene.places = {{1, "near", {0.0F, 0.0F, 3.0F}, 0.5F}, {2, "far", {0.0F, 0.0F, -9.0F}, 0.5F}};
+    scene.paths = {{1, "away", model::PathKind::Simple, {1, 2}}};
+    const auto present = scene.population.ids();
+    const std::vector<model::IndividualId> ids(present.begin(), present.end());
+    std::vector<glm::vec3> positions;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        positions.emplace_back(static_cast<float>(i % 6) * 1.2F - 3.0F, 0.0F,
+                               static_cast<float>(i / 6) * 1.2F);
+    }
+    scene.population.setValues<glm::vec3>(model::columns::position, ids, positions);
+    scene.population.setValues<model::PathId>(model::columns::path, ids,
+                                              std::vector<model::PathId>(ids.size(), 1));
+    return scene;
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+void CommandLineTest::drawsNothingThatLacksSomething()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.crowd"));
+    const QString picture = folder.filePath(QStringLiteral("a.png"));
+    const QStringList render{QStringLiteral("render"),   path,
+                             QStringLiteral("--output"), picture,
+                             QStringLiteral("--size"),   QStringLiteral("64x36")};
+    model::Scene scene = testing::plainScene(3);
+    scene.templates.front().path = "builtin:templates/nobody.glb";
+    scene.templates.front().name = "Somebody";
+    model::StageEntry stage;
+    stage.id = 1;
+    stage.name = "Opera";
+    stage.path = folder.filePath(QStringLiteral("opera.glb")).toStdString();
+    scene.stages.push_back(stage);
+    QVERIFY(model::saveProject(scene, path).isOk());
+    const Outcome refused = run(render);
+    QCOMPARE(refused.status, 1);
+    for (const char* part : {"character \"Somebody\", of whom there are 3", "stage \"Opera\"",
+                             "opera.glb", "--allow-missing"}) {
+        QVERIFY2(refused.errors.contains(part), refused.errors.constData());
+    }
+    QVERIFY(refused.output.isEmpty());
+    QVERIFY(!QFile::exists(picture));
+    const Outcome allowed = run(render + QStringList{QStringLiteral("--allow-missing")});
+    QVERIFY2(allowed.status == 0, allowed.errors.constData());
+    QVERIFY(allowed.errors.contains("Opera"));
+    QCOMPARE(QImage(picture).size(), QSize(64, 36));
+    const Outcome measured =
+        run({QStringLiteral("bench"), QStringLiteral("render"), QStringLiteral("--scene"), path});
+    QCOMPARE(measured.status, 1);
+    QVERIFY2(measured.errors.contains("Opera"), measured.errors.constData());
+    // Of whom there is nobody, no picture lacks.
+    scene = testing::plainScene(1);
+    scene.templates.push_back(scene.templates.front());
+    scene.templates.back().id = 2;
+    scene.templates.back().path = "builtin:templates/nobody.glb";
+    QVERIFY(model::saveProject(scene, path).isOk());
+    QCOMPARE(run(render).status, 0);
+}
+
+void CommandLineTest::opensWhatComesWithIt()
+{
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath(QStringLiteral("a.png"));
+    const QString meadow = QStringLiteral("builtin:scenes/meadow.crowd");
+    const Outcome described = run({QStringLiteral("info"), meadow});
+    QVERIFY2(described.status == 0, described.errors.constData());
+    QVERIFY(described.output.contains("individuals"));
+    const Outcome drawn = run({QStringLiteral("render"), meadow, QStringLiteral("--output"),
+                               picture, QStringLiteral("--size"), QStringLiteral("64x36")});
+    QVERIFY2(drawn.status == 0, drawn.errors.constData());
+    QCOMPARE(QImage(picture).size(), QSize(64, 36));
+    QCOMPARE(run({QStringLiteral("info"), QStringLiteral("builtin:templates/man.glb")}).status, 0);
+    for (const char* wrong : {"builtin:scenes/nowhere.crowd", "builtin:../../etc/passwd"}) {
+        const Outcome outcome = run(
+            {QStringLiteral("render"), QLatin1String(wrong), QStringLiteral("--output"), picture});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.errors.contains(wrong), outcome.errors.constData());
+    }
+}
+
+void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
+{
+    QTest::addColumn<QString>("scene"); ///< empty: walkers
+    QTest::newRow("people who begin to walk") << QString();
+    for (const char* name : {"theatre", "city", "meadow", "stadium"}) {
+        QTest::newRow(name) << QStringLiteral("builtin:scenes/%1.crowd").arg(QLatin1String(name));
+    }
+}
+
+void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads()
+{
+    QFETCH(QString, scene);
+    const QTemporaryDir folder;
+    if (scene.isEmpty()) {
+        scene = folder.filePath(QStringLiteral("walkers.crowd"));
+        QVERIFY(model::saveProject(walkers(), scene).isOk());
+    }
+    const auto draw = [&](const char* name, const char* frames, bool isOneThread) {
+        const QString pattern = folder.filePath(QLatin1String(name) + QStringLiteral("_##.png"));
+        const auto onOneProcessor = [] {
+            cpu_set_t processors;
+            CPU_ZERO(&processors);
+            ::sched_getaffinity(0, sizeof processors, &processors);
+            int first = 0;
+            while (first < CPU_SETSIZE && !CPU_ISSET(first, &processors)) {
+                ++first;
+            }
+            CPU_ZERO(&processors);
+            CPU_SET(first, &processors);
+            ::sched_setaffinity(0, sizeof processors, &processors);
+        };
+        return run({QStringLiteral("render"), scene, QStringLiteral("--output"), pattern,
+                    QStringLiteral("--size"), QStringLiteral("192x108"), QStringLiteral("--frames"),
+                    QLatin1String(frames)},
+                   isOneThread ? std::function<void()>(onOneProcessor) : std::function<void()>());
+    };
+    const Outcome whole = draw("whole", "0-11", false);
+    QVERIFY2(whole.status == 0, whole.errors.constData());
+    const Outcome one = draw("one", "5-5", true);
+    QVERIFY2(one.status == 0, one.errors.constData());
+    const Outcome late = draw("late", "9-11", false);
+    QVERIFY2(late.status == 0, late.errors.constData());
+    for (const auto& [name, frame] : {std::pair{"one", "05"}, {"late", "09"}, {"late", "11"}}) {
+        const auto at = [&, frame = frame](const char* range) {
+            return contentOf(folder.filePath(
+                QStringLiteral("%1_%2.png").arg(QLatin1String(range), QLatin1String(frame))));
+        };
+        QVERIFY(!at("whole").isEmpty());
+        QVERIFY2(at(name) == at("whole"), frame);
+    }
+}
+
+void CommandLineTest::aFullDiskIsAFailure()
+{
+    const QTemporaryDir folder;
+    const QStringList render{
+        QStringLiteral("render"),   QStringLiteral(CROWD_RESOURCES "/templates/man.glb"),
+        QStringLiteral("--output"), folder.filePath(QStringLiteral("a.png")),
+        QStringLiteral("--size"),   QStringLiteral("160x90")};
+    QCOMPARE(run(render).status, 0);
+    const qint64 size = QFileInfo(folder.filePath(QStringLiteral("a.png"))).size();
+    QVERIFY(size > 1000);
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("a.png"))));
+    for (const qint64 room : {qint64{0}, size / 2, size - 1}) {
+        const Outcome outcome = run(render, [room] {
+            const rlimit full{static_cast<rlim_t>(room), static_cast<rlim_t>(room)};
+            ::setrlimit(RLIMIT_FSIZE, &full);
+        });
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.errors.contains("a.png cannot be written"), outcome.errors.constData());
+        QVERIFY(outcome.output.isEmpty());
+        QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    }
+}
+
+void CommandLineTest::aLongSimulationTellsAndEnds()
+{
+    const QTemporaryDir folder;
+    const QString scene = folder.filePath(QStringLiteral("walkers.crowd"));
+    QVERIFY(model::saveProject(walkers(), scene).isOk());
+    QProcess program;
+    program.setProcessEnvironment(withoutDisplay());
+    program.start(QStringLiteral(CROWD_PROGRAM),
+                  {QStringLiteral("render"), scene, QStringLiteral("--output"),
+                   folder.filePath(QStringLiteral("a.png")), QStringLiteral("--size"),
+                   QStringLiteral("64x36"), QStringLiteral("--time"), QStringLiteral("604800")});
+    QByteArray errors;
+    const auto hears = [&] {
+        program.waitForReadyRead(100);
+        errors += program.readAllStandardError();
+        return errors.contains("of 604800.0 s");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(hears(), 60'000);
+    QCOMPARE(::kill(static_cast<pid_t>(program.processId()), SIGINT), 0);
+    QVERIFY(program.waitForFinished(5000));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 130);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
 }
 
 CROWD_TEST(CommandLineTest)

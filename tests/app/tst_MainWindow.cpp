@@ -83,6 +83,7 @@ private Q_SLOTS:
     void shortcutConflictsAreNamed();
     void preferencesTakeEffectAndCanBeTakenBack();
     void statusBarCounts();
+    void statusBarCountsWhoIsThere();
     void aRemarkGoesWithItsTool();
     void controlSpacePlaysOverThePicture();
     void iconsFollowTheTheme();
@@ -542,6 +543,25 @@ void MainWindowTest::statusBarCounts()
                               QStringLiteral("5 characters · 5 in view · 1 selected"), kPatienceMs);
     const auto* frame = m_window->findChild<QLabel*>(QStringLiteral("statusFrame"));
     QTRY_VERIFY_WITH_TIMEOUT(frame->text().contains(QStringLiteral(" ms")), kPatienceMs);
+}
+
+void MainWindowTest::statusBarCountsWhoIsThere()
+{
+    model::Scene scene = plainScene(3);
+    scene.places = {{1, "near", {0.0F, 0.0F, 0.5F}, 0.5F}, {2, "out", {0.0F, 0.0F, 2.5F}, 1.0F}};
+    scene.places[1].role = model::PlaceRole::Exit;
+    scene.paths = {{1, "away", model::PathKind::Simple, {1, 2}}};
+    const auto first = scene.population.ids().front();
+    scene.population.setValues<model::PathId>(model::columns::path, std::span(&first, 1),
+                                              std::vector<model::PathId>{1});
+    openScene(scene, QStringLiteral("a.crowd"));
+    const auto* counts = m_window->findChild<QLabel*>(QStringLiteral("statusCounts"));
+    m_window->state().transport().setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("2 people · 1 ")),
+                             4 * kPatienceMs);
+    m_window->state().session().stop();
+    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("3 people ·")), kPatienceMs);
+    QVERIFY(!counts->text().contains(QStringLiteral("left")));
 }
 
 void MainWindowTest::aRemarkGoesWithItsTool()

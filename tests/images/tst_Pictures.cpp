@@ -26,6 +26,8 @@ private Q_SLOTS:
     void seesWhatPeopleSee();
     void overlooksWhatDriversDo_data();
     void overlooksWhatDriversDo();
+    void aPictureDoesNotDependOnThoseBefore_data();
+    void aPictureDoesNotDependOnThoseBefore();
 
 private:
     [[nodiscard]] QImage draw(const model::Scene& scene, const char* camera = "",
@@ -248,6 +250,70 @@ void tst_Pictures::overlooksWhatDriversDo()
         const PictureDifference difference = comparePictures(before, other);
         QVERIFY2(!difference.isVisible(), qPrintable(told(difference)));
     }
+}
+
+namespace {
+
+/// Two templates of which `id` has people, who are in a clip and some of them come from another.
+model::CrowdFramePtr framed(const std::vector<model::TemplateEntry>& entries, model::TemplateId id,
+                            std::uint16_t clip, bool isFading)
+{
+    auto frame = std::make_shared<model::CrowdFrame>(*frameOf(makeRow(5), entries, 0.7));
+    for (model::IndividualId each = 1; each <= 5; ++each) {
+        frame->population.setValues(model::columns::templateId, std::span(&each, 1),
+                                    std::span<const model::TemplateId>(&id, 1));
+        frame->population.setValues(model::columns::clip, std::span(&each, 1),
+                                    std::span<const std::uint16_t>(&clip, 1));
+    }
+    if (isFading) {
+        frame->fades = {{0, 1, 0.5F, 0.3F}, {3, 1, 0.25F, 0.6F}};
+    }
+    return frame;
+}
+
+std::vector<std::uint8_t> lastOf(const std::vector<model::CrowdFramePtr>& frames,
+                                 std::size_t budget)
+{
+    model::KeyframeStore keyframes(budget);
+    auto maker = app::PictureMaker::create(keyframes);
+    if (!maker) {
+        qFatal("%s", maker.error().message.c_str());
+    }
+    for (const model::CrowdFramePtr& frame : frames) {
+        app::PictureRequest request;
+        request.frame = frame;
+        request.camera = model::Camera::lookingAt({5.0F, 3.0F, 7.0F}, {3.0F, 0.8F, 0.0F});
+        request.size = kSize;
+        if (const auto drawn = maker.value()->draw(request); !drawn) {
+            qFatal("%s", drawn.error().message.c_str());
+        }
+    }
+    return maker.value()->pixels();
+}
+
+} // namespace
+
+void tst_Pictures::aPictureDoesNotDependOnThoseBefore_data()
+{
+    QTest::addColumn<bool>("isFading"); ///< from a clip that nobody is in any more
+    QTest::addColumn<qulonglong>("budget");
+    QTest::newRow("clips of another template") << false << qulonglong{100'000'000};
+    QTest::newRow("clips that leave no room") << false << qulonglong{60'000};
+    QTest::newRow("clips that people come from") << true << qulonglong{100'000'000};
+}
+
+void tst_Pictures::aPictureDoesNotDependOnThoseBefore()
+{
+    QFETCH(const bool, isFading);
+    QFETCH(const qulonglong, budget);
+    const std::vector<model::TemplateEntry> entries{entryFor(makeBoxMan(), 1),
+                                                    entryFor(makeBoxMan(), 2)};
+    const model::CrowdFramePtr before = framed(entries, isFading ? 2 : 1, 1, false);
+    const model::CrowdFramePtr wanted = framed(entries, 2, isFading ? 0 : 1, isFading);
+    const auto alone = lastOf({wanted}, budget);
+    QVERIFY(alone != lastOf({framed(entries, 2, 0, false)}, budget)); // it moves
+    QVERIFY(lastOf({before, wanted}, budget) == alone);
+    QVERIFY(lastOf({before, before, wanted, before, wanted}, budget) == alone);
 }
 
 CROWD_TEST(tst_Pictures)

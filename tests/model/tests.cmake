@@ -39,6 +39,7 @@ crowd_add_tests(ROOM model
     tst_RuleSequence
     tst_SceneDocument
     tst_UndoMemory
+    tst_WholeFile
 )
 
 add_executable(pack_ground tools/pack_ground.cpp)

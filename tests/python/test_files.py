@@ -45,6 +45,23 @@ class Files(unittest.TestCase):
             scene.add_template(self.path("dancer.fbx"))
         self.assertEqual(scene.templates, [])
 
+    def test_what_is_missing_is_said_and_not_drawn(self):
+        scene = crowdbrush.Scene()
+        man = scene.add_template("builtin:templates/man.glb", name="Somebody")
+        scene.create(2, template=man)
+        scene.save(self.path("a.crowd"))
+        with open(self.path("a.crowd"), encoding="utf-8") as file:
+            text = file.read()
+        with open(self.path("a.crowd"), "w", encoding="utf-8") as file:
+            file.write(text.replace("man.glb", "nobody.glb"))
+        with self.assertWarnsRegex(UserWarning, "Somebody.*nobody.glb"):
+            scene = crowdbrush.open(self.path("a.crowd"))
+        camera = crowdbrush.Camera((0, 2, 5), (0, 1, 0))
+        with self.assertRaisesRegex(crowdbrush.Error, "Somebody.*of whom there are 2"):
+            scene.render(16, 9, camera=camera)
+        picture = scene.render(16, 9, camera=camera, allow_missing=True)
+        self.assertEqual(picture.shape, (9, 16, 4))
+
     def test_non_ascii_names(self):
         scene = crowdbrush.Scene()
         scene.add_template("builtin:templates/man.glb", name="Mädchen 男")

@@ -134,7 +134,8 @@ class Pictures(unittest.TestCase):
     def test_bad_requests(self):
         scene = theatre()
         for arguments in [dict(width=0), dict(width=100_000), dict(camera="nowhere"),
-                          dict(time=float("nan")), dict(look="sepia")]:
+                          dict(time=float("nan")), dict(time=1e18), dict(time=-float("inf")),
+                          dict(look="sepia")]:
             with self.subTest(arguments=arguments), self.assertRaises(crowdbrush.Error):
                 scene.render(**{"width": 10, "height": 10, **arguments})
         with self.assertRaisesRegex(crowdbrush.Error, "no camera"):

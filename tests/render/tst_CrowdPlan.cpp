@@ -30,6 +30,8 @@ private Q_SLOTS:
     void highlightedAreListed();
     void keyframesAreThoseOfTheShownPhase();
     void standInsAreReported();
+    void standInsOfFadesAreReported();
+    void theOrderIsTheSameWhereverClipsLie();
     void whoChangesClipsIsDrawnBetweenBoth();
     void onlyChangedRowsAreListed();
     void rowsThatComeBackAreListed();
@@ -304,6 +306,46 @@ void TestCrowdPlan::standInsAreReported()
     const model::CrowdFramePtr frame = frameOf(people, m_entries);
     made.make({*frame, m_templates, m_lifts, frontView(), 1.0F, {}, {}, 0});
     QVERIFY(made.areKeyframesMissing());
+}
+
+/// Nobody may be in that clip any more.
+void TestCrowdPlan::standInsOfFadesAreReported()
+{
+    render::CrowdPlan made;
+    make(made, makeRow(2), frontView());
+    const auto frame = std::make_shared<model::CrowdFrame>(*frameOf(makeRow(2), m_entries));
+    QCOMPARE(frame->population.column(model::columns::clip)[0], std::uint16_t{0});
+    m_templates[0].clips[1].isComplete = false;
+    made.make({*frame, m_templates, m_lifts, frontView(), 1.0F, {}, {}, 0});
+    QVERIFY(!made.areKeyframesMissing());
+    frame->fades.push_back({0, 1, 0.5F, 0.25F});
+    made.make({*frame, m_templates, m_lifts, frontView(), 1.0F, {}, {}, 0});
+    QVERIFY(made.areKeyframesMissing());
+}
+
+void TestCrowdPlan::theOrderIsTheSameWhereverClipsLie()
+{
+    const model::Population people = makeField(3000);
+    const model::View view = frontView({1280.0F, 720.0F}, 60.0F);
+    const render::CrowdPlan asAsked = plan(people, view);
+    for (render::PlanTemplate& asset : m_templates) {
+        std::uint32_t next = 0; // the last clip was asked for first
+        for (auto clip = asset.clips.rbegin(); clip != asset.clips.rend(); ++clip) {
+            clip->firstKeyframe = next;
+            next += static_cast<std::uint32_t>(clip->clip->keyframeCount());
+        }
+    }
+    const std::vector<float> lifts(people.size(), 0.0F);
+    render::CrowdPlan otherwise;
+    otherwise.make({*frameOf(people, m_entries), m_templates, lifts, view, 1.0F, {}, {}, 0});
+    QVERIFY(asAsked.instances().size() > 1000);
+    QCOMPARE(otherwise.instances().size(), asAsked.instances().size());
+    bool isElsewhere = false;
+    for (std::size_t i = 0; i < asAsked.instances().size(); ++i) {
+        QCOMPARE(otherwise.instances()[i].rowAndFlags, asAsked.instances()[i].rowAndFlags);
+        isElsewhere |= otherwise.instances()[i].keyframeA != asAsked.instances()[i].keyframeA;
+    }
+    QVERIFY(isElsewhere);
 }
 
 std::vector<render::RowRange> listed(std::span<const render::RowRange> ranges)

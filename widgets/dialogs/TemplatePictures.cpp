@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDebug>
+#include <QtCore/QTimer>
 #include <QtGui/QOpenGLContext>
 
 #include "render/OffscreenContext.h"
@@ -14,7 +15,19 @@ namespace crowd::widgets {
 
 namespace {
 
-/// Context and renderer, made at the first picture. Kept until the application object dies.
+/// EGL refuses while a widget's GLX context is current; that one makes itself current again before
+/// it draws.
+void leaveWidgetsContext()
+{
+    if (QOpenGLContext* current = QOpenGLContext::currentContext()) {
+        current->doneCurrent();
+    }
+}
+
+constexpr int kIdleMs = 2000;
+
+/// Context and renderer, made at the first picture. The context is kept until the application
+/// object dies, what was sent to the card until no picture has been asked for in a while.
 class Studio : public QObject
 {
 public:
@@ -26,12 +39,10 @@ public:
             return;
         }
         m_context = std::move(context).value();
-        if (const auto ready = m_renderer.initialize(); !ready) {
-            qWarning() << QString::fromStdString(ready.error().message);
-            m_context.reset();
-            return;
-        }
         m_context->doneCurrent();
+        m_idle.setSingleShot(true);
+        m_idle.setInterval(kIdleMs);
+        connect(&m_idle, &QTimer::timeout, this, &Studio::release);
     }
     ~Studio() override
     {
@@ -44,9 +55,10 @@ public:
 
     QImage picture(model::KeyframeStore& keyframes, const render::ThumbnailRequest& request)
     {
-        if (!m_context || !m_context->makeCurrent()) {
+        if (!m_context || !m_context->makeCurrent() || !prepare()) {
             return {};
         }
+        m_idle.start();
         const auto pixels = render::renderThumbnail(m_renderer, keyframes, request);
         m_context->doneCurrent();
         if (!pixels) {
@@ -58,19 +70,38 @@ public:
     }
 
 private:
+    [[nodiscard]] bool prepare()
+    {
+        if (m_renderer.isInitialized()) {
+            return true;
+        }
+        const auto ready = m_renderer.initialize();
+        if (!ready) {
+            qWarning() << QString::fromStdString(ready.error().message);
+            m_context.reset();
+        }
+        return ready.isOk();
+    }
+    /// Templates that are only here go with it.
+    void release()
+    {
+        leaveWidgetsContext();
+        if (m_context && m_context->makeCurrent()) {
+            m_renderer.destroy();
+            m_context->doneCurrent();
+        }
+    }
+
     std::unique_ptr<render::OffscreenContext> m_context;
     render::Renderer m_renderer;
+    QTimer m_idle;
 };
 
 } // namespace
 
 QImage templatePicture(model::KeyframeStore& keyframes, const render::ThumbnailRequest& request)
 {
-    // EGL refuses while a widget's GLX context is current; that one makes itself current again
-    // before it draws.
-    if (QOpenGLContext* current = QOpenGLContext::currentContext()) {
-        current->doneCurrent();
-    }
+    leaveWidgetsContext();
     QObject* application = QCoreApplication::instance();
     auto* studio = application->findChild<Studio*>(QStringLiteral("thumbnailStudio"),
                                                    Qt::FindDirectChildrenOnly);

@@ -152,6 +152,7 @@ void SessionControl::followScene(const model::SceneChange& change)
         Q_EMIT surfaceChanged();
     }
     if (std::holds_alternative<model::SceneReplaced>(change)) {
+        m_surface->plan = {}; // it holds the stages
         drop();
     }
     m_isBehaviourStale = true;
@@ -335,6 +336,12 @@ void SessionControl::pose(model::CrowdFrame& frame) const
     if (isRunning()) {
         m_player->pose(frame);
     }
+}
+
+std::size_t SessionControl::goneCount() const
+{
+    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    return pose ? pose->gone : 0;
 }
 
 model::CrowdFramePtr SessionControl::frame(double seconds) const

@@ -62,6 +62,8 @@ public:
     void askTally();
     /// How many people of the running session are where, as last counted.
     [[nodiscard]] behavior::SessionTally tally() const;
+    /// People of the scene who have left it in the running session, at the time that is shown.
+    [[nodiscard]] std::size_t goneCount() const;
     /// Time of the last step that is done, of the transport.
     [[nodiscard]] double availableSeconds() const;
     /// Milliseconds that the last step took.

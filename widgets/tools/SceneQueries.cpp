@@ -20,6 +20,10 @@ SceneQueries::SceneQueries(EditorState& state)
                 m_seats.follow(change);
                 m_isStageStale |= std::holds_alternative<model::StagesChanged>(change) ||
                                   std::holds_alternative<model::SceneReplaced>(change);
+                if (std::holds_alternative<model::SceneReplaced>(change)) {
+                    m_picker.forget(); // the old scene's memory is wanted back
+                    m_stage.setStages({});
+                }
             });
 }
 

@@ -83,7 +83,8 @@ void ViewportWidget::connectState()
         redraw();
     };
     connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [redrawPaths](const model::SceneChange& change) {
+            [this, redrawPaths](const model::SceneChange& change) {
+                m_isSceneNew |= std::holds_alternative<model::SceneReplaced>(change);
                 if (std::holds_alternative<model::PathsChanged>(change) ||
                     std::holds_alternative<model::StagesChanged>(change) ||
                     std::holds_alternative<model::SceneReplaced>(change)) {
@@ -208,6 +209,10 @@ void ViewportWidget::paintGL()
     chooseQuality();
     const render::RenderInput input = renderInput();
     const model::Result<void> result = m_renderer->draw(input, defaultFramebufferObject());
+    if (m_isSceneNew) { // what the old one was drawn from goes
+        m_isSceneNew = false;
+        m_renderer->releaseUnused();
+    }
     setProblem(result ? QString() : QString::fromStdString(result.error().message));
     m_shownSeconds = m_state.transport().seconds();
     m_statistics.render = m_renderer->statistics();

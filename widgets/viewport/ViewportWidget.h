@@ -126,7 +126,8 @@ private:
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
     int m_drawnFrames = 0;
-    int m_bakedBefore = 0; ///< clips finished when the present baking began
+    bool m_isSceneNew = false; ///< replaced since the last picture
+    int m_bakedBefore = 0;     ///< clips finished when the present baking began
     QString m_problem;
     PathDrawing m_paths;
     PeopleMarks m_marks;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/RenderPlan.h"
+
+#include <cmath>
+#include <optional>
+
+#include "app/commands/OptionText.h"
+#include "behavior/session/SceneMotion.h"
+
+namespace crowd::app {
+
+namespace {
+
+constexpr double kLeastRate = 0.01; ///< frames per second
+constexpr double kMostRate = 1000.0;
+
+std::optional<render::Look> lookNamed(const std::string& name)
+{
+    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
+        const auto look = static_cast<render::Look>(i);
+        if (name == render::lookName(look)) {
+            return look;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string knownLooks()
+{
+    std::string names;
+    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
+        names += (i > 0 ? ", " : "") + std::string(render::lookName(static_cast<render::Look>(i)));
+    }
+    return names;
+}
+
+/// No number is one, too.
+bool isInRange(double value, double least, double most)
+{
+    return value >= least && value <= most;
+}
+
+model::Result<void> planFrames(const RenderOptions& options, RenderPlan& plan)
+{
+    const bool hasPlace = options.output.find('#') != std::string::npos;
+    if (!isInRange(options.framesPerSecond, kLeastRate, kMostRate)) {
+        return model::Error{"--fps must be from 0.01 to 1000 frames per second."};
+    }
+    if (options.frames.empty()) {
+        if (hasPlace) {
+            return model::Error{"--output " + options.output +
+                                " has a place for frame numbers: say which with --frames A-B."};
+        }
+        return {};
+    }
+    const auto range = parsePair(options.frames, '-');
+    if (!range || range->x < 0 || range->y < range->x) {
+        return model::Error{"--frames " + options.frames +
+                            " is not a range of frames: give it as A-B, such as 0-99."};
+    }
+    if (!hasPlace && range->x != range->y) {
+        return model::Error{"--output " + options.output +
+                            " would be written over and over: put #### where the frame number "
+                            "goes, such as f_####.png."};
+    }
+    plan.firstFrame = range->x;
+    plan.lastFrame = range->y;
+    plan.framesPerSecond = options.framesPerSecond;
+    return {};
+}
+
+} // namespace
+
+double RenderPlan::secondsOf(int frame) const
+{
+    return startSeconds + static_cast<double>(frame) / framesPerSecond;
+}
+
+model::Result<RenderPlan> planOf(const RenderOptions& options)
+{
+    RenderPlan plan;
+    const auto size = parseSize(options.size);
+    if (!size) {
+        return model::Error{"--size " + options.size +
+                            " is not a size in pixels: give it as WIDTHxHEIGHT, such as 1280x720, "
+                            "at most 16384 a side."};
+    }
+    plan.size = *size;
+    const auto look = lookNamed(options.look);
+    if (!look) {
+        return model::Error{"--look " + options.look + " is unknown; there are: " + knownLooks() +
+                            "."};
+    }
+    plan.look = *look;
+    plan.startSeconds = options.time;
+    constexpr double kMost = behavior::kMostSceneSeconds;
+    if (!isInRange(options.time, -kMost, kMost)) {
+        return model::Error{"--time must be a number of seconds from -604800 to 604800, a week."};
+    }
+    if (auto frames = planFrames(options, plan); !frames) {
+        return frames.error();
+    }
+    if (!isInRange(plan.secondsOf(plan.lastFrame), -kMost, kMost)) {
+        return model::Error{"--frames " + options.frames +
+                            " goes on for more than a week of the scene's time: give a smaller "
+                            "last frame, a smaller --time or a larger --fps."};
+    }
+    return plan;
+}
+
+QString fileForFrame(const std::string& pattern, int frame)
+{
+    QString name = QString::fromStdString(pattern);
+    const auto first = name.indexOf(QLatin1Char('#'));
+    if (first < 0) {
+        return name;
+    }
+    auto end = first;
+    while (end < name.size() && name[end] == QLatin1Char('#')) {
+        ++end;
+    }
+    return name.replace(
+        first, end - first,
+        QStringLiteral("%1").arg(frame, static_cast<int>(end - first), 10, QLatin1Char('0')));
+}
+
+} // namespace crowd::app

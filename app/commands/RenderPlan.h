@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QString>
+
+#include <glm/vec2.hpp>
+
+#include "app/commands/RenderCommand.h"
+#include "model/base/Result.h"
+#include "render/RenderInput.h"
+
+namespace crowd::app {
+
+/// Options of crowdbrush render as understood.
+struct RenderPlan
+{
+    glm::ivec2 size{1280, 720};
+    render::Look look = render::Look::Lit;
+    int firstFrame = 0;
+    int lastFrame = 0;
+    double startSeconds = 0.0; ///< of frame 0
+    double framesPerSecond = 30.0;
+
+    [[nodiscard]] double secondsOf(int frame) const;
+};
+
+/// An error names the option and what it takes.
+[[nodiscard]] model::Result<RenderPlan> planOf(const RenderOptions& options);
+
+/// f_####.png → f_0007.png; a name without # stays.
+[[nodiscard]] QString fileForFrame(const std::string& pattern, int frame);
+
+} // namespace crowd::app
