@@ -121,8 +121,9 @@ bool WalkSurface::follow(Footing& footing, const glm::vec3& feet) const
         polygon = isThere ? visited[count - 1] : 0;
     }
     if (polygon == 0 &&
-        dtStatusFailed(query->findNearestPoly(&feet.x, kFootingReach, &filter, &polygon, point))) {
-        polygon = 0;
+        (dtStatusFailed(query->findNearestPoly(&feet.x, kFootingReach, &filter, &polygon, point)) ||
+         squaredAway(point, feet) > kFootingReach[0] * kFootingReach[0])) {
+        polygon = 0; // what it finds may be as far away as the polygon is large
     }
     footing.polygon = static_cast<std::uint32_t>(polygon);
     if (polygon == 0) {

@@ -17,6 +17,7 @@ constexpr float kSearchReach[3] = {3.0F, 4.0F, 3.0F};
 constexpr float kReachedMetres = 0.1F;
 constexpr float kReachedShare = 0.025F; ///< of the way
 constexpr float kOnLevelMetres = 1.0F;
+constexpr float kOffEdge = 0.1F;
 constexpr float kLeastTurn = 0.05F; ///< of unit vectors: less is no bend
 
 glm::vec2 flatUnit(const glm::vec3& from, const glm::vec3& to)
@@ -38,8 +39,11 @@ glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& before, const glm:
     const glm::vec2 outwards = bend / length;
     const float share = 0.5F * (1.0F + std::clamp(glm::dot(lane.side, outwards), -1.0F, 1.0F));
     const glm::vec2 aside = outwards * (share * lane.width);
+    // From a little off the edge: on it, the ray might begin in a polygon that ends there.
+    const glm::vec2 off = outwards * kOffEdge;
     const auto reached =
-        surface.straight(corner, {corner.x + aside.x, corner.y, corner.z + aside.y});
+        surface.straight({corner.x + off.x, corner.y, corner.z + off.y},
+                         {corner.x + aside.x + off.x, corner.y, corner.z + aside.y + off.y});
     // He gets there from the corner before, and on from there.
     const bool isWalkable = reached && surface.isStraight(before, *reached).value_or(false) &&
                             surface.isStraight(*reached, after).value_or(false);

@@ -168,8 +168,11 @@ void TestBrushGround::whoStandsWrongIsPutOnTheGround()
                                       {5.0F, 5.5F, 2.0F},
                                       {0.0F, 0.0F, 1.2F}});
     const HalfGround ground;
-    QCOMPARE(offGround(scene.document.scene(), ground, ids),
-             (std::vector<IndividualId>{ids[0], ids[2], ids[3]}));
+    const std::vector<IndividualId> off = offGround(scene.document.scene(), ground, ids);
+    QCOMPARE(off.size(), std::size_t{3});
+    QCOMPARE(off[0], ids[0]);
+    QCOMPARE(off[1], ids[2]);
+    QCOMPARE(off[2], ids[3]);
     const std::vector<glm::vec3> before(scene.people().column(columns::position).begin(),
                                         scene.people().column(columns::position).end());
     const auto edit = scene.document.beginEdit();
