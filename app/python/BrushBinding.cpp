@@ -160,7 +160,10 @@ void bindParts(py::module_& module)
         .def_readwrite("facing", &CreateSettings::heading)
         .def_readwrite("density", &CreateSettings::density, "Persons per m², rectangles.")
         .def_readwrite("seat_percent", &CreateSettings::seatPercent, "Per cent, rectangles.")
-        .def_readwrite("seats", &CreateSettings::seats);
+        .def_readwrite("seats", &CreateSettings::seats)
+        .def_readwrite("anywhere", &CreateSettings::anywhere,
+                       "Also on roofs, trees and wherever else nobody can walk to. False: only "
+                       "where people can walk, which takes seconds to find on large stages.");
 }
 
 void bindChanges(py::module_& module)

@@ -30,6 +30,20 @@ void remove(const ScenePtr& scene, const py::object& idsOrMask)
     valueOrRaise(scene->remove(idsFrom(*scene, idsOrMask, order)));
 }
 
+int putOnGround(const ScenePtr& scene, const py::object& idsOrMask)
+{
+    const auto now = scene->scene();
+    std::vector<std::size_t> order;
+    const auto everybody = now->population.ids();
+    const std::vector<IndividualId> ids =
+        idsOrMask.is_none() ? std::vector<IndividualId>(everybody.begin(), everybody.end())
+                            : idsFrom(*now, idsOrMask, order);
+    return valueOrRaise([&] {
+        const py::gil_scoped_release others;
+        return scene->putOnGround(ids);
+    }());
+}
+
 void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)
 {
     std::vector<std::size_t> order;
@@ -186,6 +200,10 @@ void bindPopulation(SceneClass& scene)
              "change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one "
              "each, in the order of ids. Raises Error, and changes nothing, for dead ids, wrong "
              "shapes and values that are not finite.")
+        .def("put_on_ground", &putOnGround, py::arg("ids") = py::none(),
+             "Those of them, or of all, who stand where nobody can walk (on roofs, in basins, in "
+             "the air) come to the nearest ground: one undo step. How many. Takes seconds where "
+             "the stages are large. Raises Error for dead ids.")
         .def("send", &send, py::arg("event"), py::arg("ids") = py::none(), py::kw_only(),
              py::arg("number") = 0.0F,
              "An event happens to those who play in the editor's window: to these, or to "

@@ -17,6 +17,7 @@
 #include "app/pictures/PictureMaker.h"
 #include "app/python/ScriptStroke.h"
 #include "behavior/session/SessionPose.h"
+#include "behavior/surface/GroundKeeper.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
@@ -154,6 +155,10 @@ public:
     [[nodiscard]] model::Result<int> keepPose(const model::Population& shown,
                                               const behavior::SessionPose& pose, Snapshot& after);
 
+    /// Those of them who stand where nobody can walk come to the nearest ground: one step. How
+    /// many. Ids ascending, all alive.
+    [[nodiscard]] model::Result<int> putOnGround(std::span<const model::IndividualId> ids);
+
     /// Of brush kind Script: `paint` gets the dabs, on the calling thread; what it throws takes the
     /// stroke back and goes on.
     using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;
@@ -187,6 +192,7 @@ private:
 
     std::unique_ptr<OwnParts> m_own; ///< null with a host
     ScriptHost m_host;
+    behavior::GroundKeeper m_ground;
     model::KeyframeStore m_pictureKeyframes; ///< pictures wait for all of it, whatever else goes on
     std::unique_ptr<PictureMaker> m_pictures; ///< made when first asked for
     std::unique_ptr<Motion> m_motion;         ///< of the pictures, where the scene has behaviour

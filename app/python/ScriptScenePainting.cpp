@@ -133,12 +133,16 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
     if (stroke.settings.kind == BrushKind::Script) {
         return scriptStroke(recording, paint);
     }
+    if (stroke.settings.kind == BrushKind::Create && !stroke.settings.create.anywhere) {
+        (void)m_ground.of(*now); // takes long: not while a host waits
+    }
     return onDocument([&]() -> Result<StrokeOutcome> {
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed.error();
         }
         m_host.stage->setStages(m_host.document->scene().stages);
-        return replay(*m_host.document, *m_host.keyframes, *m_host.stage, recording);
+        return replay(*m_host.document, *m_host.keyframes, *m_host.stage, recording,
+                      [this] { return m_ground.of(m_host.document->scene()); });
     });
 }
 

@@ -2,6 +2,7 @@
 #include "app/python/ColumnRules.h"
 #include "app/python/ScriptSceneParts.h"
 #include "behavior/session/PoseKeeping.h"
+#include "model/document/GroundEdits.h"
 
 namespace crowd::app {
 
@@ -65,6 +66,28 @@ Result<int> ScriptScene::keepPose(const Population& shown, const behavior::Sessi
         after = {std::make_shared<const Scene>(m_host.document->scene()),
                  m_host.document->revision()};
         return kept;
+    });
+    if (!done) {
+        return done.error();
+    }
+    return people;
+}
+
+Result<int> ScriptScene::putOnGround(std::span<const IndividualId> ids)
+{
+    (void)m_ground.of(*scene()); // takes long: not while a host waits
+    int people = 0;
+    const auto done = onDocument([&]() -> Result<void> {
+        const Scene& now = m_host.document->scene();
+        if (auto alive = checkAlive(now, ids); !alive) {
+            return alive;
+        }
+        const WalkableGroundPtr ground = m_ground.of(now);
+        if (!ground) {
+            return {}; // open ground
+        }
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Put people on the ground")),
+                    [&](SceneEdit& open) { people = model::putOnGround(open, *ground, ids); });
     });
     if (!done) {
         return done.error();

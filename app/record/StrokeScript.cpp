@@ -173,6 +173,7 @@ void addCreation(Differences& all, const CreateSettings& was, const CreateSettin
     all.add("create.seats.is_on", was.seats.isOn, now.seats.isOn);
     all.add("create.seats.ranks", was.seats.ranks, now.seats.ranks);
     all.add("create.seats.wedges", was.seats.wedges, now.seats.wedges);
+    all.add("create.anywhere", was.anywhere, now.anywhere);
 }
 
 void addReach(Differences& all, const BrushSettings& was, const BrushSettings& now)
@@ -239,6 +240,10 @@ std::string StrokeScript::brush(const BrushSettings& settings)
     if (known == m_said.end()) {
         text = std::string(name.variable) + " = crowdbrush.Brush(crowdbrush.BrushKind." +
                name.kind + ")\n";
+        // Said whatever it is: it is what brushes of scripts and of the window begin with
+        // differently.
+        was.create.anywhere =
+            settings.kind == BrushKind::Create ? !settings.create.anywhere : was.create.anywhere;
     } else {
         was = known->second;
     }

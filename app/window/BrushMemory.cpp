@@ -152,6 +152,7 @@ void describeCreation(Archive& archive, Create& create)
     archive.list("clips", create.clips);
     archive.number("density", create.density, 0.05F, 6.0F);
     archive.number("seatPercent", create.seatPercent, 1.0F, 100.0F);
+    archive.flag("anywhere", create.anywhere);
     describeHeading(archive, create.heading);
 }
 

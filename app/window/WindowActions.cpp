@@ -99,6 +99,10 @@ const WindowAction kEditActions[] = {
     {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected characters")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
+    {{"put-on-ground", QT_TRANSLATE_NOOP("Actions", "Put on the &Ground"), "locate", "",
+      QT_TRANSLATE_NOOP("Actions", "Put those of the selected people, or of all, who stand where "
+                                   "nobody can walk on the nearest ground")},
+     [](MainWindow& w, bool) { widgets::putSelectionOnGround(w.state()); }},
     {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Path That &Ends at the Last Place"),
       "brush-path", "Ctrl+Shift+P",
       QT_TRANSLATE_NOOP("Actions",
@@ -269,9 +273,9 @@ constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@
                                      "collect",      "",           "library", "import-template",
                                      "import-stage", "",           "quit"};
 constexpr const char* kEditMenu[] = {
-    "undo",     "redo",       "",           "delete",      "@path-of-places",
-    "path-end", "",           "select-all", "select-none", "select-invert",
-    "",         "preferences"};
+    "undo",       "redo", "",           "delete",      "put-on-ground", "@path-of-places",
+    "path-end",   "",     "select-all", "select-none", "select-invert", "",
+    "preferences"};
 constexpr const char* kBrushMenu[] = {"select",
                                       "navigate",
                                       "",

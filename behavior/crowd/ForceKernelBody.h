@@ -328,7 +328,7 @@ inline float keepOut(const ForceJob& job, std::size_t begin, std::size_t end)
         }
         const float x = job.x[row];
         const float z = job.z[row];
-        keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
+        keepOutOfWalls(job.walls, placeOf(job, row), job.seconds, job.x[row], job.z[row]);
         if (job.x[row] != x || job.z[row] != z) {
             const float away = flatLength(job.x[row] - x, job.z[row] - z);
             job.slack[row] -= away;
@@ -420,7 +420,7 @@ Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, floa
             const float part = length > kFarthestApart ? kFarthestApart / length : 1.0F;
             job.x[row] = job.agents.x[row] + wayX * part;
             job.z[row] = job.agents.z[row] + wayZ * part;
-            keepOutOfWalls(job.walls, placeOf(job, row), job.x[row], job.z[row]);
+            keepOutOfWalls(job.walls, placeOf(job, row), job.seconds, job.x[row], job.z[row]);
             const float away =
                 flatLength(job.x[row] - job.agents.x[row], job.z[row] - job.agents.z[row]);
             job.slack[row] -= away;

@@ -56,9 +56,26 @@ struct WallPull
     return pull;
 }
 
-/// Where a body may stand that wants to be at (x, z): out of the walls it touches.
-inline void keepOutOfWalls(const WallField& walls, const BodyPlace& self, float& x, float& z)
+/// Metres from where a body was, as far as it may come in a step: as far as it wanted, or at a walk
+/// where it got into a wall that was not there before.
+inline void leaveAtAWalk(const BodyPlace& self, float wanted, float seconds, float& x, float& z)
 {
+    constexpr float kLeavingSpeed = 1.3F; // m/s
+    const float wayX = x - self.x;
+    const float wayZ = z - self.z;
+    const float way = std::sqrt(wayX * wayX + wayZ * wayZ);
+    const float most = std::max(wanted, kLeavingSpeed * seconds);
+    if (way > most) {
+        x = self.x + wayX * (most / way);
+        z = self.z + wayZ * (most / way);
+    }
+}
+
+/// Where a body may stand that wants to be at (x, z): out of the walls it touches.
+inline void keepOutOfWalls(const WallField& walls, const BodyPlace& self, float seconds, float& x,
+                           float& z)
+{
+    const float wanted = std::sqrt((x - self.x) * (x - self.x) + (z - self.z) * (z - self.z));
     for (const std::uint32_t index : walls.near(x, z)) {
         const WallPiece& piece = walls.piece(index);
         float awayX = 0.0F;
@@ -74,6 +91,7 @@ inline void keepOutOfWalls(const WallField& walls, const BodyPlace& self, float&
             z += awayZ * further;
         }
     }
+    leaveAtAWalk(self, wanted, seconds, x, z);
     // Whoever was squeezed through a wall stays where he was.
     for (const std::uint32_t index : walls.near(self.x, self.z)) {
         const WallPiece& piece = walls.piece(index);

@@ -15,6 +15,8 @@ namespace crowd::behavior {
 
 namespace {
 
+constexpr std::uint32_t kFirstCheckSteps = 20;
+
 constexpr float kWidestPlace = 1e4F;
 /// Uniform in the unit disk.
 glm::vec2 shareOf(std::uint64_t seed)
@@ -178,6 +180,7 @@ bool PathFollower::follow(const Assignment& assignment)
         return false;
     }
     walk.next = nextStop(m_routes[walk.route], assignment.from);
+    walk.stepsToCheck = assignment.agent % kFirstCheckSteps; // not all in the same step
     return true;
 }
 

@@ -14,11 +14,10 @@
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/session/Problem.h"
 #include "behavior/session/StrideKernel.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/scene/Path.h"
 
 namespace crowd::behavior {
-
-class WalkSurface;
 
 /// Sends agents along paths: each to its own point within every place's radius, the same share of
 /// the radius to the same side everywhere, so that between two places a flow is as wide as their
@@ -136,9 +135,11 @@ private:
         float errandPace = 0.0F; ///< m/s at least
         model::PlaceId reached = 0;
         // Around what stands in the way: corners still to come, the last one the aim.
-        std::vector<glm::vec2> corners;
-        glm::vec2 cornersFor{1e30F}; ///< aim that they lead to
+        std::vector<glm::vec3> corners;
+        glm::vec2 cornersFor{1e30F};  ///< aim that they lead to
+        glm::vec2 cornerBefore{0.0F}; ///< the one passed last, or where he was when he asked
         std::uint32_t stepsAstray = 0;
+        std::uint32_t stepsToCheck = 0; ///< of the way, whether it is still his
     };
     static constexpr std::uint32_t kNoRoute = 0xFFFFFFFFU;
     static constexpr std::uint32_t kNoParty = 0xFFFFFFFFU;
@@ -171,6 +172,9 @@ private:
     void steerOne(std::uint32_t agent, Body& body, float& height);
     [[nodiscard]] glm::vec2 wayTo(const Body& body, float height, Walk& walk,
                                   const glm::vec3& to) const;
+    void passCorners(const glm::vec3& at, Walk& walk) const;
+    void checkWay(const glm::vec3& at, Walk& walk) const;
+    [[nodiscard]] Lane laneOf(const Walk& walk) const;
     [[nodiscard]] float slowness(float x, float z) const;
     void gatherParties(std::span<const Body> bodies);
     [[nodiscard]] const Party* partyOf(const Walk& walk) const;

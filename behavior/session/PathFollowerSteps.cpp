@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/gtx/norm.hpp>
 
 #include "behavior/crowd/Chunks.h"
@@ -26,6 +27,9 @@ constexpr float kPartyPull = 0.3F;      ///< m/s sideways, a metre
 constexpr float kPartyMostPull = 0.35F; ///< share of the speed
 /// Who does not get nearer to his corner for so long asks for the way again.
 constexpr std::uint32_t kAstraySteps = 60;
+constexpr std::uint32_t kCheckSteps = 20;
+constexpr float kPassedCorner = 4.0F; ///< metres: further away nobody has passed it
+constexpr float kWidestLane = 6.0F;
 
 } // namespace
 
@@ -133,26 +137,75 @@ std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
     return ReachedPlace;
 }
 
-/// Vector to walk along now: to the next corner of the way around what stands between.
-glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const glm::vec3& to) const
+/// As wide as the places that the flow comes from and goes to.
+Lane PathFollower::laneOf(const Walk& walk) const
 {
-    const glm::vec2 at(body.x, body.z);
-    const glm::vec2 aimed(to.x, to.z);
-    if (!m_surface) {
-        return aimed - at;
+    if (walk.hasErrand || walk.route == kNoRoute) {
+        return {};
     }
-    if (walk.cornersFor != aimed || walk.stepsAstray > kAstraySteps) {
-        walk.corners = m_surface->way({at.x, height, at.y}, to);
-        std::ranges::reverse(walk.corners); // the next one is the last
-        walk.cornersFor = aimed;
-        walk.stepsAstray = 0;
-    }
-    while (walk.corners.size() > 1 &&
-           glm::length2(walk.corners.back() - at) < kCornerMetres * kCornerMetres) {
+    const float radius = m_routes[walk.route].stops[walk.next].radius;
+    return {walk.share, std::min(2.0F * radius, kWidestLane)};
+}
+
+/// Corners that lie behind somebody: he has come to them, or past them further out in the bend.
+void PathFollower::passCorners(const glm::vec3& at, Walk& walk) const
+{
+    const auto flat = [](const glm::vec3& point) { return glm::vec2(point.x, point.z); };
+    const auto unit = [](const glm::vec2& way) {
+        const float squared = glm::length2(way);
+        return squared > 1e-8F ? way / std::sqrt(squared) : glm::vec2(0.0F);
+    };
+    while (walk.corners.size() > 1) {
+        const glm::vec2 corner = flat(walk.corners.back());
+        const glm::vec2 away = flat(at) - corner;
+        const glm::vec2 next = flat(walk.corners[walk.corners.size() - 2]);
+        const glm::vec2 through = unit(corner - walk.cornerBefore) + unit(next - corner);
+        const bool isPast =
+            glm::dot(away, through) > 0.0F && glm::length2(away) < kPassedCorner * kPassedCorner;
+        if (glm::length2(away) >= kCornerMetres * kCornerMetres && !isPast) {
+            return;
+        }
+        walk.cornerBefore = corner;
         walk.corners.pop_back();
         walk.stepsAstray = 0;
     }
-    const glm::vec2 way = (walk.corners.empty() ? aimed : walk.corners.back()) - at;
+}
+
+/// Now and then: others may have pushed him off his way, so far that something is between, or to
+/// where the next corner is on another level.
+void PathFollower::checkWay(const glm::vec3& at, Walk& walk) const
+{
+    if (walk.stepsToCheck > 0) {
+        --walk.stepsToCheck;
+        return;
+    }
+    walk.stepsToCheck = kCheckSteps;
+    if (!walk.corners.empty() && !m_surface->isStraight(at, walk.corners.back()).value_or(true)) {
+        walk.cornersFor = glm::vec2(1e30F); // looked for anew
+    }
+}
+
+/// Vector to walk along now: to the next corner of the way around what stands between.
+glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const glm::vec3& to) const
+{
+    const glm::vec3 at(body.x, height, body.z);
+    const glm::vec2 aimed(to.x, to.z);
+    if (!m_surface) {
+        return aimed - glm::vec2(at.x, at.z);
+    }
+    passCorners(at, walk);
+    checkWay(at, walk);
+    if (walk.cornersFor != aimed || walk.stepsAstray > kAstraySteps) {
+        walk.corners = m_surface->way(at, to, laneOf(walk));
+        std::ranges::reverse(walk.corners); // the next one is the last
+        walk.cornersFor = aimed;
+        walk.cornerBefore = {at.x, at.z};
+        walk.stepsAstray = 0;
+        passCorners(at, walk);
+    }
+    const glm::vec2 next =
+        walk.corners.empty() ? aimed : glm::vec2(walk.corners.back().x, walk.corners.back().z);
+    const glm::vec2 way = next - glm::vec2(at.x, at.z);
     const float towards = way.x * body.velocityX + way.y * body.velocityZ;
     walk.stepsAstray = towards > 0.0F ? 0 : walk.stepsAstray + 1;
     return way;
@@ -218,9 +271,11 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
     const float near = std::max(isPast ? kPassedMetres : kArrivalMetres, brakingMetres(walk, body));
     // A way that ends where nothing leads on ends there.
-    const bool isStuck = m_surface && walk.corners.size() == 1 &&
-                         walk.corners.front() != walk.cornersFor &&
-                         glm::length2(walk.corners.front() - at) < kArrivalMetres * kArrivalMetres;
+    const glm::vec2 end = walk.corners.size() == 1
+                              ? glm::vec2(walk.corners.front().x, walk.corners.front().z)
+                              : walk.cornersFor;
+    const bool isStuck = m_surface && end != walk.cornersFor &&
+                         glm::length2(end - at) < kArrivalMetres * kArrivalMetres;
     const bool isOnLevel =
         walk.hasErrand || !walk.point->isOnSurface || std::fabs(target.y - height) < kLevelMetres;
     if ((glm::length2(left) < near * near && isOnLevel) || isStuck) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "model/population/Columns.h"
 #include "model/scene/Path.h"
 #include "model/scene/Rule.h"
 
@@ -15,6 +17,7 @@ struct Problem
     model::RuleId rule = 0; ///< 0: no rule; so for the others
     model::PlaceId place = 0;
     model::PathId path = 0;
+    std::vector<model::IndividualId> people{}; ///< ascending
     friend bool operator==(const Problem&, const Problem&) = default;
 };
 

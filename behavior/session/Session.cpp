@@ -219,6 +219,7 @@ void Session::addBodies()
     }
     m_crowd.setLevels(hasLevels);
     m_crowd.setAgents(bodies);
+    m_standing.assign(bodies.size(), {});
 }
 
 void Session::setWalls(const std::vector<model::Place>& places)
@@ -247,6 +248,7 @@ void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
     m_surface = std::move(surface);
     m_follower.setSurface(m_surface);
+    m_standing.assign(m_shown.size(), {});
     m_crowd.setLevels(m_surface != nullptr);
     setWalls(m_places);
     warnOfWays();

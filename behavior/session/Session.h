@@ -16,13 +16,12 @@
 #include "behavior/session/SessionPose.h"
 #include "behavior/session/SessionTally.h"
 #include "behavior/session/StrideKernel.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Path.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
-
-class WalkSurface;
 
 /// What a session needs to know beside the scene.
 struct SessionPlan
@@ -126,6 +125,12 @@ private:
         std::optional<float> rate;
         std::optional<double> phase; ///< at time 0
     };
+    /// What somebody stands on; one per row of the population.
+    struct Standing
+    {
+        Footing footing;
+        bool isSettled = true; ///< at the ground's height, or where the scene has put him
+    };
     /// The clip that somebody shows.
     struct Showing
     {
@@ -212,6 +217,7 @@ private:
     void warnOfWay(const Problem& problem);
     void warnOfPlaces();
     void warnOfPaths();
+    void warnOfPeople();
     void warnOfLeg(const model::Path& path, const model::Place& from, const model::Place& to);
     void warnOfCrowding();
     void warn(Problem problem);
@@ -229,6 +235,8 @@ private:
     [[nodiscard]] bool isLive(std::uint32_t agent) const;
     void showAll();
     void follow(std::size_t begin, std::size_t end);
+    void stand(std::uint32_t agent);
+    [[nodiscard]] float groundAhead(const Body& body, float height, float surfaceHeight) const;
     void look(std::uint32_t agent);
     bool placeBody(std::uint32_t agent);
     void turn(std::uint32_t agent, float speed);
@@ -255,6 +263,7 @@ private:
     std::vector<GaitTable> m_gaits;              ///< one per template
     std::vector<std::vector<ClipFacts>> m_clips; ///< per template, as the clip column counts
     std::vector<Shown> m_shown;
+    std::vector<Standing> m_standing;
     Bearings m_bearings;
     CrowdSimulation m_crowd;
     PathFollower m_follower;

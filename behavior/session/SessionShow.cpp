@@ -18,6 +18,8 @@ constexpr float kTurnsAbove = 0.15F; ///< m/s: below, nobody turns to where he i
 constexpr float kMovesAbove = 0.02F;
 constexpr float kRunsAbove = 2.0F;      ///< m/s
 constexpr float kFastestStride = 12.0F; ///< m/s: faster is no walk but a jump
+constexpr float kLiftSeconds = 0.15F;   ///< so long before a step up feet are lifted
+constexpr float kSameHeight = 0.001F;   ///< metres
 
 } // namespace
 
@@ -93,17 +95,59 @@ void Session::showAll()
     });
 }
 
+/// The height of the ground where somebody's feet will be as he has come up to it: before a step
+/// up he lifts them, down a step he goes once he is over it.
+float Session::groundAhead(const Body& body, float height, float surfaceHeight) const
+{
+    const float ahead = m_surface->underfoot(body.x + body.velocityX * kLiftSeconds,
+                                             body.z + body.velocityZ * kLiftSeconds, surfaceHeight);
+    return std::fabs(ahead - height) < kSameHeight
+               ? ahead
+               : std::max(ahead, m_surface->underfoot(body.x, body.z, surfaceHeight));
+}
+
+/// Keeps somebody who walks on the surface that he walks on, at the height of what is underfoot;
+/// who has come to rest until he is there.
+void Session::stand(std::uint32_t agent)
+{
+    const Shown& shown = m_shown[agent];
+    Standing& standing = m_standing[agent];
+    Body& body = m_crowd.bodies()[agent];
+    if (shown.isGone || shown.isPut || shown.sitting == Sitting::Settles ||
+        shown.sitting == Sitting::Sits) {
+        standing = {};
+        return;
+    }
+    const bool isWalking = body.preferredSpeed != 0.0F;
+    if (!isWalking && standing.isSettled) {
+        return;
+    }
+    standing.isSettled = !isWalking;
+    float& height = m_crowd.heights()[agent];
+    if (!m_surface->follow(standing.footing, {body.x, height, body.z})) {
+        return;
+    }
+    const glm::vec3& point = standing.footing.point;
+    const glm::vec2 off(body.x - point.x, body.z - point.z);
+    const float away = std::sqrt(off.x * off.x + off.y * off.y);
+    if (away > m_surface->margin()) {
+        // The crowd has pushed him over an edge.
+        body.x = point.x + off.x * (m_surface->margin() / away);
+        body.z = point.z + off.y * (m_surface->margin() / away);
+    }
+    const float ground = groundAhead(body, height, point.y);
+    const float left = ground - height;
+    standing.isSettled = !isWalking && std::fabs(left) < kSameHeight;
+    height = standing.isSettled ? ground : height + left * m_rampShare;
+}
+
 void Session::follow(std::size_t begin, std::size_t end)
 {
+    for (std::size_t agent = begin; agent < end && m_surface; ++agent) {
+        stand(static_cast<std::uint32_t>(agent));
+    }
     const std::span<const Body> bodies = m_crowd.bodies();
     const std::span<float> heights = m_crowd.heights();
-    for (std::size_t agent = begin; agent < end && m_surface; ++agent) {
-        if (bodies[agent].preferredSpeed != 0.0F) {
-            const float ground =
-                m_surface->height(bodies[agent].x, bodies[agent].z, heights[agent]);
-            heights[agent] += (ground - heights[agent]) * m_rampShare;
-        }
-    }
     const StrideParameters parameters{
         m_stepSeconds, m_smoothing, kTurnRadiansPerSecond * m_stepSeconds,
         kTurnsAbove,   kMovesAbove, kFastestStride};

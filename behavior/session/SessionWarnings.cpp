@@ -54,6 +54,7 @@ void Session::warnOfWays()
     m_saidOfWays.clear();
     warnOfPlaces();
     warnOfPaths();
+    warnOfPeople();
 }
 
 void Session::warnOfWay(const Problem& problem)
@@ -97,6 +98,27 @@ void Session::warnOfPaths()
             }
         }
     }
+}
+
+/// People who are to walk and stand where no way leads to or from.
+void Session::warnOfPeople()
+{
+    Problem problem;
+    for (std::uint32_t agent = 0; agent < m_shown.size() && m_surface; ++agent) {
+        const bool isOff = m_follower.isWalking(agent) && !m_shown[agent].isGone &&
+                           !isSeated(agent) && !m_surface->isWalkable(m_bearings.position(agent));
+        if (isOff) {
+            problem.people.push_back(m_population.ids()[agent]);
+        }
+    }
+    if (problem.people.empty()) {
+        return;
+    }
+    problem.text = std::to_string(problem.people.size()) +
+                   (problem.people.size() == 1 ? " person" : " people") +
+                   " who should walk stand where no way leads to or from: on roofs or trees, in "
+                   "a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).";
+    warnOfWay(problem);
 }
 
 void Session::warnOfLeg(const model::Path& path, const model::Place& from, const model::Place& to)

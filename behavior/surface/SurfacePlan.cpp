@@ -24,6 +24,11 @@ SurfacePlan SurfacePlan::of(const model::Scene& scene)
     return plan;
 }
 
+SurfacePlan SurfacePlan::ofStages(const model::Scene& scene)
+{
+    return {scene.stages, {}, scene.surface, {}};
+}
+
 bool SurfacePlan::isWorthwhile() const
 {
     return !areas.empty() ||
@@ -37,6 +42,14 @@ bool SurfacePlan::hasSameWays(const SurfacePlan& other) const
                return a.role == b.role && a.position == b.position && a.radius == b.radius &&
                       a.speedShare == b.speedShare;
            });
+}
+
+bool SurfacePlan::hasSameStages(const SurfacePlan& other) const
+{
+    return std::ranges::equal(stages, other.stages, [](const auto& a, const auto& b) {
+        return a.asset == b.asset && a.position == b.position &&
+               a.headingRadians == b.headingRadians && a.scale == b.scale;
+    });
 }
 
 } // namespace crowd::behavior

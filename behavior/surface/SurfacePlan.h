@@ -20,10 +20,14 @@ struct SurfacePlan
     std::vector<model::Place> areas; ///< those that change ways, and obstacles
 
     [[nodiscard]] static SurfacePlan of(const model::Scene& scene);
+    /// What there is to walk on whoever and whatever is there: the same for the same stages.
+    [[nodiscard]] static SurfacePlan ofStages(const model::Scene& scene);
     /// Whether it is anything but open ground.
     [[nodiscard]] bool isWorthwhile() const;
     /// Whether ways lead the same where the stages are the same.
     [[nodiscard]] bool hasSameWays(const SurfacePlan& other) const;
+    /// Whether they are the same files, where they stand.
+    [[nodiscard]] bool hasSameStages(const SurfacePlan& other) const;
 };
 
 } // namespace crowd::behavior

@@ -11,7 +11,7 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kAround = 15.0F;     ///< open ground about the stages, metres
+constexpr float kAround = 15.0F;     ///< open ground about the stages and all others, metres
 constexpr float kFarthest = 2000.0F; ///< of places to reach, from the middle of the world
 
 void addStage(const model::StageEntry& entry, TriangleSoup& soup)
@@ -22,12 +22,24 @@ void addStage(const model::StageEntry& entry, TriangleSoup& soup)
         for (const glm::vec3& position : mesh.positions) {
             const glm::vec3 point = glm::vec3(matrix * glm::vec4(position, 1.0F));
             soup.add(point);
-            soup.bounds.add(point);
+            soup.stages.add(point);
         }
         for (const std::uint32_t index : mesh.indices) {
             soup.triangles.push_back(first + static_cast<int>(index));
         }
     }
+}
+
+model::Bounds widened(const model::Bounds& bounds)
+{
+    return {bounds.low - glm::vec3(kAround, 0.5F, kAround),
+            bounds.high + glm::vec3(kAround, 2.5F, kAround)};
+}
+
+bool isInside(const model::Bounds& bounds, const glm::vec3& point)
+{
+    return point.x >= bounds.low.x && point.x <= bounds.high.x && point.y >= bounds.low.y &&
+           point.y <= bounds.high.y && point.z >= bounds.low.z && point.z <= bounds.high.z;
 }
 
 /// The plane y = 0, in squares so that no triangle is far larger than the rest.
@@ -55,14 +67,22 @@ TriangleSoup soupOf(const SurfacePlan& plan)
             addStage(entry, soup);
         }
     }
+    if (!soup.stages.isEmpty()) {
+        soup.bounds = widened(soup.stages);
+    }
+    // Whoever is on the ground about the stages leaves the surface as it is.
+    const model::Bounds covered = soup.bounds;
     for (const glm::vec3& point : plan.points) {
-        if (std::fabs(point.x) < kFarthest && std::fabs(point.z) < kFarthest) {
-            soup.bounds.addPlace({point.x, std::clamp(point.y, -100.0F, 100.0F), point.z});
+        if (std::fabs(point.x) < kFarthest && std::fabs(point.z) < kFarthest &&
+            !isInside(covered, point)) {
+            model::Bounds added;
+            added.addPlace({point.x, std::clamp(point.y, -100.0F, 100.0F), point.z});
+            if (!added.isEmpty()) {
+                soup.bounds.add(widened(added));
+            }
         }
     }
     if (!soup.bounds.isEmpty()) {
-        soup.bounds.low -= glm::vec3(kAround, 0.5F, kAround);
-        soup.bounds.high += glm::vec3(kAround, 2.5F, kAround);
         soup.bounds.low.y = std::min(soup.bounds.low.y, -0.5F);
         soup.bounds.high.y = std::max(soup.bounds.high.y, 2.5F);
         addGround(soup);

@@ -16,7 +16,8 @@ struct TriangleSoup
 {
     std::vector<float> vertices;
     std::vector<int> triangles;
-    model::Bounds bounds;
+    model::Bounds stages; ///< what the stages alone fill
+    model::Bounds bounds; ///< with the open ground about them
 
     void add(const glm::vec3& point)
     {

@@ -8,19 +8,16 @@
 
 #include "behavior/surface/NavMeshBuilder.h"
 #include "behavior/surface/SurfaceAreas.h"
+#include "behavior/surface/SurfaceData.h"
+#include "behavior/surface/SurfaceGround.h"
 #include "behavior/surface/SurfaceWalls.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr int kMaxCorners = 128;
-constexpr int kMaxPolygons = 1024; ///< of a way
-constexpr float kFindMetres[3] = {3.0F, 4.0F, 3.0F};
-constexpr int kMaxNodes = 8192;     ///< of a search
+constexpr int kMaxPolygons = 1024;  ///< of a way
 constexpr float kPreference = 2.0F; ///< a metre elsewhere counts like so many on liked ground
-
-using Query = std::unique_ptr<dtNavMeshQuery, Freed<dtNavMeshQuery, dtFreeNavMeshQuery>>;
 
 void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)
 {
@@ -38,29 +35,6 @@ void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)
 }
 
 } // namespace
-
-struct WalkSurface::Private
-{
-    NavMesh mesh;
-    std::vector<Wall> walls;
-    std::size_t polygons = 0;
-    float cellHeight = 0.0F;
-    dtQueryFilter filter;     ///< for ways
-    dtQueryFilter everything; ///< also where nobody is to walk
-
-    /// One for each thread that asks.
-    [[nodiscard]] dtNavMeshQuery* query() const
-    {
-        thread_local Query cached;
-        thread_local const dtNavMesh* cachedFor = nullptr;
-        if (cachedFor != mesh.get() || !cached) {
-            cached.reset(dtAllocNavMeshQuery());
-            cachedFor = cached && dtStatusSucceed(cached->init(mesh.get(), kMaxNodes)) ? mesh.get()
-                                                                                       : nullptr;
-        }
-        return cachedFor == nullptr ? nullptr : cached.get();
-    }
-};
 
 WalkSurface::WalkSurface(std::unique_ptr<Private> data) : m_private(std::move(data)) {}
 WalkSurface::~WalkSurface() = default;
@@ -84,6 +58,11 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     data->walls = wallsOf(builder.mesh(), plan.settings);
     data->polygons = static_cast<std::size_t>(builder.mesh().npolys);
     data->cellHeight = builder.mesh().ch;
+    data->radius = plan.settings.radius;
+    data->climb = plan.settings.climb;
+    data->covered = soup.bounds;
+    data->isGround = groundOf(builder.mesh(), soup.stages);
+    data->rays.setStages(plan.stages);
     data->mesh = builder.take();
     data->filter.setIncludeFlags(kOpen);
     data->everything.setIncludeFlags(kOpen | kForbidden);
@@ -94,44 +73,11 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
 
 std::vector<glm::vec2> WalkSurface::way(const glm::vec3& from, const glm::vec3& to) const
 {
-    const dtNavMeshQuery* query = m_private->query();
-    if (query == nullptr) {
-        return {};
+    std::vector<glm::vec2> flat;
+    for (const glm::vec3& corner : way(from, to, Lane())) {
+        flat.emplace_back(corner.x, corner.z);
     }
-    const dtQueryFilter& filter = m_private->filter;
-    dtPolyRef start = 0;
-    dtPolyRef end = 0;
-    float startPoint[3];
-    float endPoint[3];
-    query->findNearestPoly(&from.x, kFindMetres, &filter, &start, startPoint);
-    query->findNearestPoly(&to.x, kFindMetres, &filter, &end, endPoint);
-    if (start == 0 || end == 0) {
-        return {};
-    }
-    dtPolyRef polygons[kMaxPolygons];
-    int count = 0;
-    query->findPath(start, end, startPoint, endPoint, &filter, polygons, &count, kMaxPolygons);
-    if (count == 0) {
-        return {};
-    }
-    const bool isWhole = polygons[count - 1] == end;
-    if (!isWhole) {
-        query->closestPointOnPoly(polygons[count - 1], endPoint, endPoint, nullptr);
-    }
-    float corners[kMaxCorners * 3];
-    int cornerCount = 0;
-    query->findStraightPath(startPoint, endPoint, polygons, count, corners, nullptr, nullptr,
-                            &cornerCount, kMaxCorners);
-    std::vector<glm::vec2> way;
-    for (int i = 1; i < cornerCount; ++i) {
-        way.emplace_back(corners[i * 3], corners[i * 3 + 2]);
-    }
-    // What lies on the surface is reached exactly.
-    const glm::vec2 aimed(to.x, to.z);
-    if (isWhole && !way.empty() && glm::distance(way.back(), aimed) < 0.05F) {
-        way.back() = aimed;
-    }
-    return way;
+    return flat;
 }
 
 std::optional<glm::vec3> WalkSurface::straight(const glm::vec3& from, const glm::vec3& to) const
@@ -160,26 +106,8 @@ std::optional<glm::vec3> WalkSurface::straight(const glm::vec3& from, const glm:
     if (count > 0) {
         (void)query->getPolyHeight(polygons[count - 1], point, &found);
     }
-    return glm::vec3(point[0], found - m_private->cellHeight, point[2]);
-}
-
-float WalkSurface::height(float x, float z, float near) const
-{
-    const dtNavMeshQuery* query = m_private->query();
-    if (query == nullptr) {
-        return near;
-    }
-    const float point[3] = {x, near, z};
-    const float reach[3] = {0.3F, 2.0F, 0.3F};
-    dtPolyRef polygon = 0;
-    float nearest[3];
-    query->findNearestPoly(point, reach, &m_private->everything, &polygon, nearest);
-    float found = near;
-    if (polygon != 0 && dtStatusFailed(query->getPolyHeight(polygon, nearest, &found))) {
-        found = nearest[1];
-    }
-    // Recast lays its surface a cell's height above what it was made from.
-    return polygon != 0 ? found - m_private->cellHeight : near;
+    return glm::vec3(point[0], underfoot(point[0], point[2], found - m_private->cellHeight),
+                     point[2]);
 }
 
 bool WalkSurface::reaches(const glm::vec3& point, float metres) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,12 +14,27 @@
 #include "behavior/crowd/WallField.h"
 #include "behavior/surface/SurfacePlan.h"
 #include "model/base/Result.h"
+#include "model/pick/WalkableGround.h"
 
 namespace crowd::behavior {
 
+/// Where on a surface somebody walks.
+struct Footing
+{
+    std::uint32_t polygon = 0; ///< 0: nowhere
+    glm::vec3 point{0.0F};     ///< of the polygon, nearest to him; world frame, metres
+};
+
+/// Where in the width of a flow somebody walks. Metres.
+struct Lane
+{
+    glm::vec2 side{0.0F}; ///< from its middle, in the unit disk
+    float width = 0.0F;   ///< of the flow
+};
+
 /// What can be walked on: made by Recast from the stages and the ground (the plane y = 0), asked
 /// through Detour. Immutable once built; all queries are thread-safe. World frame, metres.
-class WalkSurface
+class WalkSurface : public model::WalkableGround
 {
 public:
     struct Progress
@@ -36,24 +52,43 @@ public:
     /// Takes some seconds for a city; made to be called on a thread of its own.
     [[nodiscard]] static model::Result<std::shared_ptr<const WalkSurface>>
     build(const SurfacePlan& plan, Progress& progress);
-    ~WalkSurface();
+    ~WalkSurface() override;
     WalkSurface(const WalkSurface&) = delete;
     WalkSurface& operator=(const WalkSurface&) = delete;
 
     /// Corners of a way from one point to another, the last one `to` or the nearest point to it
     /// that can be reached. Empty: `from` is nowhere on the surface.
     [[nodiscard]] std::vector<glm::vec2> way(const glm::vec3& from, const glm::vec3& to) const;
+    /// The same with heights, for one of many who share the way: where it bends he keeps as far
+    /// from what it leads around as his lane says.
+    [[nodiscard]] std::vector<glm::vec3> way(const glm::vec3& from, const glm::vec3& to,
+                                             const Lane& lane) const;
+    /// Whether one gets from a point to another one, on its level, straight on. Nothing where the
+    /// first is not on the surface.
+    [[nodiscard]] std::optional<bool> isStraight(const glm::vec3& from, const glm::vec3& to) const;
     /// `to`, or how far one gets towards it straight on from `from`, on the surface. Nothing
     /// where `from` is not on it.
     [[nodiscard]] std::optional<glm::vec3> straight(const glm::vec3& from,
                                                     const glm::vec3& to) const;
-    /// Height of the surface at (x, z), nearest to `near`; `near` where there is none.
+    /// Height of what is underfoot at (x, z), on the level nearest to `near`; `near` where there
+    /// is none.
     [[nodiscard]] float height(float x, float z, float near) const;
+    /// Somebody who walks has come to a point: his footing follows over what is linked only, so
+    /// that nobody gets to another level without a way there. Who had none, or jumped, is found
+    /// anew. False: nowhere near the surface.
+    bool follow(Footing& footing, const glm::vec3& feet) const;
+    /// Height of what is underfoot at (x, z), within a step of the surface's height there.
+    [[nodiscard]] float underfoot(float x, float z, float surfaceHeight) const;
+    /// So far from his footing somebody stands at most.
+    [[nodiscard]] float margin() const;
     /// Whether there is something to walk on within so many metres of a point.
     [[nodiscard]] bool reaches(const glm::vec3& point, float metres) const;
     /// Borders of the surface but for the open ground's, which nobody crosses.
     [[nodiscard]] std::span<const Wall> walls() const;
     [[nodiscard]] std::size_t polygons() const;
+
+    [[nodiscard]] bool isWalkable(const glm::vec3& point) const override;
+    [[nodiscard]] std::optional<glm::vec3> nearest(const glm::vec3& point) const override;
 
 private:
     struct Private;

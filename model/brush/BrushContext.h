@@ -7,6 +7,7 @@
 #include "model/bake/KeyframeStore.h"
 #include "model/brush/BrushSettings.h"
 #include "model/pick/StageRays.h"
+#include "model/pick/WalkableGround.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/view/View.h"
 
@@ -25,6 +26,8 @@ struct BrushContext
     std::function<void(CrowdFrame&)> pose{};
     /// Tells a running session; empty: there is none. Ids ascend.
     std::function<void(const EventSettings&, std::span<const IndividualId>)> sendEvent{};
+    /// Where people can walk; asked only by brushes that create there alone. Empty: anywhere.
+    WalkableGroundSource ground{};
     ScriptChange* script = nullptr; ///< what brushes of kind Script do; for those alone
 };
 

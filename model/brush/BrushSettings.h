@@ -117,6 +117,9 @@ struct CreateSettings
     float density = 1.0F;       ///< persons per m², filling areas without seat grid
     float seatPercent = 100.0F; ///< share of the free seats, filling areas with seat grid
     SeatGridSettings seats;
+    /// Also on roofs, crowns of trees and wherever else nobody can walk to. Strokes of before there
+    /// was a choice say nothing of it.
+    bool anywhere = true;
     friend bool operator==(const CreateSettings&, const CreateSettings&) = default;
 };
 
@@ -194,6 +197,7 @@ struct PlaceSettings
     float radiusMetres = 1.5F;
     PathKind kind = PathKind::Simple;     ///< of new paths
     PlaceRole role = PlaceRole::Obstacle; ///< of the environment brush
+    bool anywhere = true;                 ///< also where nobody can walk to
     friend bool operator==(const PlaceSettings&, const PlaceSettings&) = default;
 };
 

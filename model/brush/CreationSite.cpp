@@ -23,11 +23,6 @@ constexpr int kAttempts = 4; ///< places tried in a cell
 constexpr std::size_t kCellsPerChunk = 128;
 constexpr float kAboveSurface = 0.05F;
 
-bool isSteep(const SurfaceHit& surface)
-{
-    return surface.normal.y < kSteepestCosine;
-}
-
 } // namespace
 
 CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
@@ -35,6 +30,8 @@ CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
     : m_context(context), m_settings(settings), m_seed(seed),
       m_seats(scene, context.view, context.stage, settings.create.seats, settings.through),
       m_usesSeats(settings.create.seats.isOn && m_seats.hasSeats()),
+      m_ground(m_usesSeats || settings.create.anywhere || !context.ground ? nullptr
+                                                                          : context.ground()),
       // Seats keep people apart by themselves.
       m_neighbours(m_usesSeats ? std::span<const glm::vec3>()
                                : scene.population.column(columns::position),
@@ -92,13 +89,23 @@ std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<S
     return Spot{seat->seat.position, seat->id, seat->seat.headingRadians, 0};
 }
 
+StrokeReason CreationSite::reasonAgainst(const SurfaceHit& surface) const
+{
+    if (surface.normal.y < kSteepestCosine) {
+        return StrokeReason::TooSteep;
+    }
+    return m_ground && !m_ground->isWalkable(surface.point) ? StrokeReason::NotWalkable
+                                                            : StrokeReason::None;
+}
+
 std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)
 {
     const auto surface = m_context.stage.hit(m_context.view.rayThrough(glm::vec2(pixel)));
     if (!surface) {
         m_reason = StrokeReason::NothingUnderBrush;
-    } else if (isSteep(*surface)) {
-        m_reason = StrokeReason::TooSteep;
+    } else if (const StrokeReason against = reasonAgainst(*surface);
+               against != StrokeReason::None) {
+        m_reason = against;
     } else if (!m_neighbours.isFree(surface->point)) {
         m_reason = StrokeReason::TooNearToOthers;
     } else {
@@ -195,7 +202,7 @@ std::vector<CreationSite::Cell> CreationSite::cellsUnder(const ScreenArea& area)
 }
 
 std::optional<glm::vec3> CreationSite::candidate(const ScreenArea& area, Cell cell, int attempt,
-                                                 bool& wasSteep) const
+                                                 StrokeReason& against) const
 {
     const float step = 1.0F / std::sqrt(std::max(m_settings.create.density, 0.001F));
     const std::uint64_t key = keyOf(cell);
@@ -216,10 +223,11 @@ std::optional<glm::vec3> CreationSite::candidate(const ScreenArea& area, Cell ce
         if (!m_settings.through && m_context.stage.isBlocked(ray.origin, above)) {
             continue;
         }
-        if (!isSteep(surface)) {
+        const StrokeReason reason = reasonAgainst(surface);
+        if (reason == StrokeReason::None) {
             return surface.point;
         }
-        wasSteep = true;
+        against = reason;
     }
     return std::nullopt;
 }
@@ -229,21 +237,19 @@ std::vector<Spot> CreationSite::fillSurface(const ScreenArea& area)
     m_reason = StrokeReason::None;
     std::vector<Cell> open = cellsUnder(area);
     std::vector<Spot> spots;
-    bool hasSteep = false;
+    StrokeReason against = StrokeReason::TooFewInArea;
     bool hasCrowded = false;
     for (int attempt = 0; attempt < kAttempts && !open.empty(); ++attempt) {
         std::vector<std::optional<glm::vec3>> places(open.size());
-        std::vector<char> steep(open.size(), 0);
+        std::vector<StrokeReason> reasons(open.size(), StrokeReason::None);
         parallelFor(open.size(), kCellsPerChunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                bool wasSteep = false;
-                places[i] = candidate(area, open[i], attempt, wasSteep);
-                steep[i] = wasSteep ? 1 : 0;
+                places[i] = candidate(area, open[i], attempt, reasons[i]);
             }
         });
         std::vector<Cell> crowded;
         for (std::size_t i = 0; i < open.size(); ++i) {
-            hasSteep = hasSteep || steep[i] != 0;
+            against = reasons[i] != StrokeReason::None ? reasons[i] : against;
             if (places[i] && m_neighbours.isFree(*places[i])) {
                 spots.push_back({*places[i], kNoSeat, 0.0F, keyOf(open[i])});
                 m_tried.insert(keyOf(open[i]));
@@ -257,8 +263,7 @@ std::vector<Spot> CreationSite::fillSurface(const ScreenArea& area)
         open = std::move(crowded);
     }
     if (spots.empty() && m_reason == StrokeReason::None) {
-        m_reason = hasCrowded ? StrokeReason::TooNearToOthers
-                              : (hasSteep ? StrokeReason::TooSteep : StrokeReason::TooFewInArea);
+        m_reason = hasCrowded ? StrokeReason::TooNearToOthers : against;
     }
     return spots;
 }

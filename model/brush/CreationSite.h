@@ -26,8 +26,9 @@ struct Spot
 };
 
 /// Where a creation brush can put people during one stroke: free seats with the seat grid on,
-/// else stage surfaces under 50° and the ground, with the minimal distance to everybody. People
-/// under the cursor are looked through. Spots that were given out are taken.
+/// else stage surfaces under 50° and the ground, where people can walk unless they are created
+/// anywhere, with the minimal distance to everybody. People under the cursor are looked through.
+/// Spots that were given out are taken.
 class CreationSite
 {
 public:
@@ -57,8 +58,10 @@ private:
     [[nodiscard]] std::vector<Spot> fillSeats(const ScreenArea& area, bool isWhole);
     [[nodiscard]] std::vector<Spot> fillSurface(const ScreenArea& area);
     [[nodiscard]] std::vector<Cell> cellsUnder(const ScreenArea& area);
+    /// Why somebody cannot stand on a surface; None: he can.
+    [[nodiscard]] StrokeReason reasonAgainst(const SurfaceHit& surface) const;
     [[nodiscard]] std::optional<glm::vec3> candidate(const ScreenArea& area, Cell cell, int attempt,
-                                                     bool& isSteep) const;
+                                                     StrokeReason& against) const;
     [[nodiscard]] std::uint64_t keyOf(Cell cell) const;
     void take(const Spot& spot);
 
@@ -67,6 +70,7 @@ private:
     std::uint64_t m_seed;
     SeatMap m_seats;
     bool m_usesSeats;
+    WalkableGroundPtr m_ground; ///< null: anywhere
     NeighbourGrid m_neighbours;
     std::size_t m_present; ///< people that were there before
     std::uint64_t m_given = 0;

@@ -257,12 +257,14 @@ const RecordedStroke& Stroke::recording() const
 }
 
 StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const StageRays& stage,
-                     const RecordedStroke& recording, ScriptChange* script)
+                     const RecordedStroke& recording, WalkableGroundSource ground,
+                     ScriptChange* script)
 {
     if (recording.inputs.empty()) {
         return {};
     }
     BrushContext context{View(recording.camera, recording.viewSize), keyframes, stage};
+    context.ground = std::move(ground);
     context.script = script;
     const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
                                       recording.inputs.front());

@@ -25,6 +25,7 @@ enum class StrokeReason : std::uint8_t {
     NoTemplateChosen,
     TemplateNotLoaded,
     TooSteep,
+    NotWalkable,       ///< and the brush creates where people can walk alone
     NothingUnderBrush, ///< the sky
     TooNearToOthers,
     AreaTooFar,
@@ -110,9 +111,11 @@ private:
     std::unique_ptr<Private> m_private;
 };
 
-/// Paints a recorded stroke again. `script`: what a brush of kind Script does.
+/// Paints a recorded stroke again. `ground`: for brushes that create where people can walk alone;
+/// `script`: what a brush of kind Script does.
 [[nodiscard]] StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes,
                                    const StageRays& stage, const RecordedStroke& recording,
+                                   WalkableGroundSource ground = {},
                                    ScriptChange* script = nullptr);
 
 /// What a press at this place would create, with the same seed and so the same looks: the ghosts

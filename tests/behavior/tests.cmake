@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
     tst_FootSlide
+    tst_Ground
     tst_PlaceRooms
     tst_Problems
     tst_RuleActions

@@ -50,6 +50,44 @@ class Strokes(unittest.TestCase):
         self.assertEqual(painted(3), painted(3))
         self.assertNotEqual(painted(3), painted(4))
 
+    def test_creates_where_people_can_walk_or_anywhere(self):
+        def painted(anywhere):
+            scene = crowdbrush.Scene()
+            scene.add_stage("builtin:stages/city.glb")
+            brush = Brush(BrushKind.CREATE)
+            brush.create.mix = {scene.add_template("builtin:templates/man.glb"): 1.0}
+            brush.create.density = 0.3
+            brush.selection = Selection.RECTANGLE
+            if anywhere is not None:
+                brush.create.anywhere = anywhere
+            above = crowdbrush.Camera((0, 90, 0.1), (0, 0, 0))
+            outcome = scene.stroke(brush, [(100, 40), (540, 320)], camera=above, size=SIZE)
+            self.assertTrue(outcome.committed)
+            return scene
+
+        def heights(scene):
+            return scene.column("position")[:, 1]
+
+        walkable = painted(False)
+        self.assertLess(heights(walkable).max(), 1.5)
+        anywhere = painted(True)
+        self.assertGreater(heights(anywhere).max(), 2.5)
+        np.testing.assert_array_equal(heights(painted(None)), heights(anywhere))
+        np.testing.assert_array_equal(heights(painted(False)), heights(walkable))
+
+        people = len(anywhere)
+        moved = anywhere.put_on_ground()
+        self.assertGreater(moved, 3)
+        self.assertLess(heights(anywhere).max(), 1.5)
+        self.assertEqual(len(anywhere), people)
+        self.assertEqual(anywhere.put_on_ground(), 0)
+        self.assertTrue(anywhere.undo())
+        self.assertGreater(heights(anywhere).max(), 2.5)
+        high = anywhere.ids[heights(anywhere) > 2.5]
+        self.assertEqual(anywhere.put_on_ground(high[:1]), 1)
+        with self.assertRaises(crowdbrush.Error):
+            anywhere.put_on_ground([4000000])
+
     def test_recolours_whom_it_passes(self):
         scene = theatre()
         before = scene.column("tint")

@@ -128,6 +128,9 @@ void addPlaces(BrushForm& form, BrushKind kind)
 {
     addFloat(form, BrushForm::tr("Radius"), {0.1, 50.0, 0.25, 2, BrushForm::tr(" m"), true}, 1.0,
              [](BrushSettings& s) -> float& { return s.place.radiusMetres; });
+    addFlag(form, BrushForm::tr("Anywhere"),
+            BrushForm::tr("Also on roofs, trees and wherever else nobody can walk to"),
+            [](BrushSettings& s) -> bool& { return s.place.anywhere; });
     if (kind == BrushKind::Environment) {
         form.addChoice(
             BrushForm::tr("What"), placeRoleNames(),

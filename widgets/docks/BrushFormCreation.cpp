@@ -117,6 +117,10 @@ void addCreation(BrushForm& form, EditorState& state)
         [](BrushSettings& s) -> bool& { return s.create.seats.isOn; },
         [hasSeats](const BrushSettings&) { return hasSeats; });
     addSeats(form, onSeats);
+    addFlag(
+        form, BrushForm::tr("Anywhere"),
+        BrushForm::tr("Also on roofs, trees and wherever else nobody can walk to"),
+        [](BrushSettings& s) -> bool& { return s.create.anywhere; }, onGround);
     addFloat(
         form, BrushForm::tr("Density"), {0.05, 6.0, 0.1, 2, BrushForm::tr(" /m²"), true}, 1.0,
         [](BrushSettings& s) -> float& { return s.create.density; },

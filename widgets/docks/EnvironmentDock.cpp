@@ -53,6 +53,7 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_problem->setWordWrap(true);
     m_problem->setStyleSheet(QStringLiteral("color: %1").arg(kTroubleColor.name()));
     m_problem->hide();
+    connect(m_problem, &QLabel::linkActivated, this, &EnvironmentDock::selectTroubled);
     layout->addWidget(m_problem);
     m_form = new QFormLayout;
     m_form->setContentsMargins(4, 0, 4, 0);

@@ -73,6 +73,8 @@ private:
     void refreshForm();
     [[nodiscard]] QString problemOf(const QTreeWidgetItem& item) const;
     void showProblems();
+    /// The people whom a problem names.
+    void selectTroubled();
     void rename(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
     void fillPathMenu(QMenu& menu, model::PathId path);

@@ -259,8 +259,26 @@ void EnvironmentDock::showProblems()
         chosen = chosen.isEmpty() && (*it)->isSelected() ? problem : chosen;
     }
     m_isFilling = false;
+    // Of people; a click selects them.
+    const std::vector<behavior::Problem>& problems = m_state.session().problems();
+    const auto ofPeople = std::ranges::find_if(
+        problems, [](const behavior::Problem& problem) { return !problem.people.empty(); });
+    if (chosen.isEmpty() && ofPeople != problems.end()) {
+        chosen = tr("%1 <a href=\"people\">Select them</a>")
+                     .arg(QString::fromStdString(ofPeople->text).toHtmlEscaped());
+    }
     m_problem->setText(chosen);
     m_problem->setVisible(!chosen.isEmpty());
+}
+
+void EnvironmentDock::selectTroubled()
+{
+    for (const behavior::Problem& problem : m_state.session().problems()) {
+        if (!problem.people.empty()) {
+            m_state.selection().set(problem.people);
+            return;
+        }
+    }
 }
 
 } // namespace crowd::widgets

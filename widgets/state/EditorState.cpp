@@ -49,7 +49,7 @@ void keepValues(const std::vector<model::ScriptValue>& known,
 
 EditorState::EditorState(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_selection(document), m_paths(document),
-      m_session(document, m_transport)
+      m_session(document, m_transport), m_ground(document)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
         m_brushes[kind] = initialBrush(static_cast<BrushKind>(kind));
@@ -60,6 +60,9 @@ EditorState::EditorState(model::SceneDocument& document, QObject* parent)
             Qt::QueuedConnection);
     });
     connect(&document, &model::SceneDocument::changed, this, &EditorState::followScene);
+    connect(&m_ground, &GroundFinder::waiting, this, [this](bool isWaiting) {
+        showStatus(isWaiting ? tr("Finding out where people can walk…") : QString());
+    });
 }
 
 EditorState::~EditorState()

@@ -16,6 +16,7 @@
 #include "model/view/View.h"
 #include "render/RenderInput.h"
 #include "widgets/state/CameraMotion.h"
+#include "widgets/state/GroundFinder.h"
 #include "widgets/state/PathFocus.h"
 #include "widgets/state/ScriptBrush.h"
 #include "widgets/state/Selection.h"
@@ -89,6 +90,8 @@ public:
     [[nodiscard]] const Transport& transport() const { return m_transport; }
     [[nodiscard]] PathFocus& paths() { return m_paths; }
     [[nodiscard]] const PathFocus& paths() const { return m_paths; }
+    /// Where people can walk.
+    [[nodiscard]] GroundFinder& ground() { return m_ground; }
     [[nodiscard]] SessionControl& session() { return m_session; }
     [[nodiscard]] const SessionControl& session() const { return m_session; }
     /// What is shown now: the scene at the transport's time, people where a session has them.
@@ -183,6 +186,7 @@ private:
     Transport m_transport;
     PathFocus m_paths;
     SessionControl m_session;
+    GroundFinder m_ground;
     std::array<model::BrushSettings, kBrushCount> m_brushes;
     std::vector<ScriptBrush> m_scriptBrushes;
     ScriptPainter* m_scriptPainter = nullptr; ///< somebody else's

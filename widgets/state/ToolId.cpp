@@ -69,6 +69,7 @@ model::BrushSettings initialBrush(BrushKind kind)
     switch (kind) {
     case BrushKind::Create:
         settings.create.variesFaces = true;
+        settings.create.anywhere = false;
         // Clothes of an ordinary evening: nobody like his neighbour, nobody glaring.
         settings.create.palette = {{42, 52, 86},   {112, 40, 48},   {58, 84, 66},   {196, 186, 168},
                                    {70, 70, 76},   {150, 112, 70},  {92, 120, 156}, {206, 160, 72},
@@ -99,6 +100,7 @@ model::BrushSettings initialBrush(BrushKind kind)
         break;
     case BrushKind::Path:
     case BrushKind::Environment:
+        settings.place.anywhere = false;
         settings.selection = model::BrushSelection::Point;
         break;
     }

@@ -60,7 +60,7 @@ std::vector<render::Ghost> ghostsAt(const ToolContext& context, const BrushSetti
                                     std::uint64_t seed, const ToolInput& at)
 {
     const IndividualRows rows = previewGhosts(
-        context.state.document(), context.queries.brushContext(), settings, seed, at.pointer);
+        context.state.document(), context.queries.hoverContext(), settings, seed, at.pointer);
     std::vector<render::Ghost> ghosts;
     for (std::size_t row = 0; row < rows.ids.size(); ++row) {
         ghosts.push_back(ghostOf(context, rows, row, at.pointer.shownSeconds));

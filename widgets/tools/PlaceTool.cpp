@@ -55,6 +55,13 @@ bool closesAt(const model::Path& path, model::PlaceId place)
     return path.places.size() > 2 && path.places.front() == place;
 }
 
+/// Whether places of a brush may come there. `ground`: null where all of it can be walked on.
+bool isAllowed(const model::PlaceSettings& settings, const model::WalkableGroundPtr& ground,
+               const glm::vec3& point)
+{
+    return settings.anywhere || !ground || ground->isWalkable(point);
+}
+
 /// Adds places while the button is held, each at once.
 class PaintPlaces : public DragSession
 {
@@ -99,6 +106,13 @@ private:
         if (!ground) {
             m_context.state.showStatus(
                 PlaceToolText::tr("Nothing to walk on there: that is a wall, or the sky."));
+            return;
+        }
+        if (!isAllowed(settings(), settings().anywhere ? nullptr : m_context.state.ground().wait(),
+                       *ground)) {
+            m_context.state.showStatus(PlaceToolText::tr(
+                "Nobody can walk there: choose “Anywhere” in the brush settings to put a place "
+                "there all the same."));
             return;
         }
         m_last = ground;
@@ -222,10 +236,10 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
     picture.symbol = toolOf(m_kind);
     picture.symbolAt = input.position();
     const auto ground = groundUnder(m_context, input);
-    if (!ground) {
+    const model::PlaceSettings& settings = m_context.state.brush(m_kind).place;
+    if (!ground || !isAllowed(settings, m_context.state.ground().soon(), *ground)) {
         return;
     }
-    const model::PlaceSettings& settings = m_context.state.brush(m_kind).place;
     const model::View view = m_context.queries.view();
     picture.outlines = {placeOutline(view, *ground, settings.radiusMetres)};
     picture.label = PlaceToolText::tr("%1 m").arg(

@@ -51,6 +51,7 @@ const model::ScenePicker& SceneQueries::picker(double shownSeconds)
 model::BrushContext SceneQueries::brushContext()
 {
     model::BrushContext context{view(), m_state.keyframes(), stage()};
+    context.ground = [&state = m_state] { return state.ground().wait(); };
     SessionControl& session = m_state.session();
     if (session.isRunning()) {
         context.pose = [&session](model::CrowdFrame& frame) { session.pose(frame); };
@@ -59,6 +60,13 @@ model::BrushContext SceneQueries::brushContext()
             session.send(event, ids);
         };
     }
+    return context;
+}
+
+model::BrushContext SceneQueries::hoverContext()
+{
+    model::BrushContext context = brushContext();
+    context.ground = [&state = m_state] { return state.ground().soon(); };
     return context;
 }
 

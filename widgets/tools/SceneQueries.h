@@ -28,6 +28,8 @@ public:
     /// People as they were shown at a moment of the transport, in the present view.
     [[nodiscard]] const model::ScenePicker& picker(double shownSeconds);
     [[nodiscard]] model::BrushContext brushContext();
+    /// The same for what is only shown: it does not wait for where people can walk.
+    [[nodiscard]] model::BrushContext hoverContext();
 
     /// What is under a pixel, nearest first: a person, the stage, the ground; else the depth of the
     /// camera's pivot. World frame, metres.

@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "model/document/GroundEdits.h"
 #include "model/document/SceneEdit.h"
 
 namespace crowd::widgets {
@@ -46,6 +47,30 @@ void deleteSelection(EditorState& state)
     edit->removeIndividuals(ids);
     edit->commit(
         SelectionCommandsText::tr("Delete %n character(s)", nullptr, static_cast<int>(ids.size())));
+}
+
+void putSelectionOnGround(EditorState& state)
+{
+    if (state.document().isEditOpen()) {
+        return;
+    }
+    const auto chosen = state.selection().ids();
+    const auto everybody = state.scene().population.ids();
+    std::vector<model::IndividualId> ids(chosen.begin(), chosen.end());
+    if (ids.empty()) {
+        ids.assign(everybody.begin(), everybody.end());
+    }
+    const model::WalkableGroundPtr ground = state.ground().wait();
+    int moved = 0;
+    if (ground) {
+        auto edit = state.document().beginEdit();
+        moved = model::putOnGround(*edit, *ground, ids);
+        edit->commit(
+            SelectionCommandsText::tr("Put %n character(s) on the ground", nullptr, moved));
+    }
+    state.showStatus(moved > 0
+                         ? SelectionCommandsText::tr("%n characters put on the ground", nullptr, moved)
+                         : SelectionCommandsText::tr("All of them stand where people can walk."));
 }
 
 } // namespace crowd::widgets

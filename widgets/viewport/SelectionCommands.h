@@ -10,4 +10,8 @@ namespace crowd::widgets {
 /// remark saying so).
 void deleteSelection(EditorState& state);
 
+/// Puts those of the selected people, or of all when nobody is selected, who stand where nobody can
+/// walk on the nearest ground: one undo step, none when nobody does.
+void putSelectionOnGround(EditorState& state);
+
 } // namespace crowd::widgets

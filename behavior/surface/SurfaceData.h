@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <recastnavigation/DetourNavMeshQuery.h>
+
+#include "behavior/surface/NavMeshBuilder.h"
+#include "behavior/surface/WalkSurface.h"
+#include "model/base/Bounds.h"
+#include "model/pick/StageRays.h"
+
+namespace crowd::behavior {
+
+/// What a surface holds: for the files that it is made of.
+struct WalkSurface::Private
+{
+    NavMesh mesh;
+    std::vector<Wall> walls;
+    std::size_t polygons = 0;
+    std::vector<char> isGround; ///< by polygon, in the order in which the mesh was made
+    model::StageRays rays;      ///< the stages as they stood
+    model::Bounds covered;      ///< beyond is open ground
+    float cellHeight = 0.0F;
+    float radius = 0.35F; ///< of bodies
+    float climb = 0.45F;
+    dtQueryFilter filter;     ///< for ways
+    dtQueryFilter everything; ///< also where nobody is to walk
+
+    /// One for each thread that asks.
+    [[nodiscard]] dtNavMeshQuery* query() const
+    {
+        constexpr int kMaxNodes = 8192; // of a search
+        using Query = std::unique_ptr<dtNavMeshQuery, Freed<dtNavMeshQuery, dtFreeNavMeshQuery>>;
+        thread_local Query cached;
+        thread_local const dtNavMesh* cachedFor = nullptr;
+        if (cachedFor != mesh.get() || !cached) {
+            cached.reset(dtAllocNavMeshQuery());
+            cachedFor = cached && dtStatusSucceed(cached->init(mesh.get(), kMaxNodes)) ? mesh.get()
+                                                                                       : nullptr;
+        }
+        return cachedFor == nullptr ? nullptr : cached.get();
+    }
+};
+
+} // namespace crowd::behavior

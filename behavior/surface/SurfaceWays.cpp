@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "behavior/surface/SurfaceData.h"
+
+/// Ways over a surface, spread over the width of a flow.
+namespace crowd::behavior {
+
+namespace {
+
+constexpr int kMostCorners = 128;
+constexpr int kMostOnWay = 1024; ///< polygons
+constexpr float kSearchReach[3] = {3.0F, 4.0F, 3.0F};
+constexpr float kReachedMetres = 0.1F;
+constexpr float kReachedShare = 0.025F; ///< of the way
+constexpr float kOnLevelMetres = 1.0F;
+constexpr float kOffEdge = 0.1F;
+constexpr float kLeastTurn = 0.05F; ///< of unit vectors: less is no bend
+
+glm::vec2 flatUnit(const glm::vec3& from, const glm::vec3& to)
+{
+    const glm::vec2 way(to.x - from.x, to.z - from.z);
+    const float length = glm::length(way);
+    return length > 1e-4F ? way / length : glm::vec2(0.0F);
+}
+
+/// The corner of somebody's own lane: further out in the bend, where there is room for that.
+glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& before, const glm::vec3& corner,
+                 const glm::vec3& after, const Lane& lane)
+{
+    const glm::vec2 bend = flatUnit(before, corner) - flatUnit(corner, after);
+    const float length = glm::length(bend);
+    if (length < kLeastTurn) {
+        return corner;
+    }
+    const glm::vec2 outwards = bend / length;
+    const float share = 0.5F * (1.0F + std::clamp(glm::dot(lane.side, outwards), -1.0F, 1.0F));
+    const glm::vec2 aside = outwards * (share * lane.width);
+    // From a little off the edge: on it, the ray might begin in a polygon that ends there.
+    const glm::vec2 off = outwards * kOffEdge;
+    const auto reached =
+        surface.straight({corner.x + off.x, corner.y, corner.z + off.y},
+                         {corner.x + aside.x + off.x, corner.y, corner.z + aside.y + off.y});
+    // He gets there from the corner before, and on from there.
+    const bool isWalkable = reached && surface.isStraight(before, *reached).value_or(false) &&
+                            surface.isStraight(*reached, after).value_or(false);
+    return isWalkable ? *reached : corner;
+}
+
+} // namespace
+
+std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& to,
+                                        const Lane& lane) const
+{
+    const dtNavMeshQuery* query = m_private->query();
+    if (query == nullptr) {
+        return {};
+    }
+    const dtQueryFilter& filter = m_private->filter;
+    dtPolyRef start = 0;
+    dtPolyRef end = 0;
+    float startPoint[3];
+    float endPoint[3];
+    query->findNearestPoly(&from.x, kSearchReach, &filter, &start, startPoint);
+    query->findNearestPoly(&to.x, kSearchReach, &filter, &end, endPoint);
+    if (start == 0 || end == 0) {
+        return {};
+    }
+    dtPolyRef polygons[kMostOnWay];
+    int count = 0;
+    query->findPath(start, end, startPoint, endPoint, &filter, polygons, &count, kMostOnWay);
+    if (count == 0) {
+        return {};
+    }
+    const bool isWhole = polygons[count - 1] == end;
+    if (!isWhole) {
+        query->closestPointOnPoly(polygons[count - 1], endPoint, endPoint, nullptr);
+    }
+    float corners[kMostCorners * 3];
+    int cornerCount = 0;
+    query->findStraightPath(startPoint, endPoint, polygons, count, corners, nullptr, nullptr,
+                            &cornerCount, kMostCorners);
+    std::vector<glm::vec3> way;
+    const auto cornerAt = [&corners](int i) {
+        return glm::vec3(corners[i * 3], corners[i * 3 + 1], corners[i * 3 + 2]);
+    };
+    glm::vec3 before = cornerAt(0);
+    for (int i = 1; i < cornerCount; ++i) {
+        const bool isBend = lane.width > 0.0F && i + 1 < cornerCount;
+        way.push_back(isBend ? inLane(*this, before, cornerAt(i), cornerAt(i + 1), lane)
+                             : cornerAt(i));
+        before = way.back();
+    }
+    // What lies on the surface is reached exactly.
+    if (isWhole && !way.empty() &&
+        glm::distance(glm::vec2(way.back().x, way.back().z), glm::vec2(to.x, to.z)) < 0.05F) {
+        way.back() = {to.x, way.back().y, to.z};
+    }
+    return way;
+}
+
+std::optional<bool> WalkSurface::isStraight(const glm::vec3& from, const glm::vec3& to) const
+{
+    const auto reached = straight(from, to);
+    if (!reached) {
+        return std::nullopt;
+    }
+    // Corners lie on the very edge, which is met a little before them.
+    const float left = glm::distance(glm::vec2(reached->x, reached->z), glm::vec2(to.x, to.z));
+    const float length = glm::distance(glm::vec2(from.x, from.z), glm::vec2(to.x, to.z));
+    return left < kReachedMetres + kReachedShare * length &&
+           std::fabs(reached->y - to.y) < kOnLevelMetres;
+}
+
+} // namespace crowd::behavior

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include "tests/behavior/BoxStage.h"
+#include "tests/program/Test.h"
+#include "tests/widgets/Hand.h"
+#include "widgets/viewport/SelectionCommands.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using testing::Hand;
+using testing::kCenter;
+
+namespace {
+
+/// From above on a block 4 m square and 3 m high at the origin, with a hand that holds a brush.
+struct Plaza : Hand
+{
+    Plaza()
+    {
+        model::Scene scene = testing::smallTheatre();
+        model::StageMesh mesh;
+        testing::addBox(mesh, {-2.0F, 0.0F, -2.0F}, {2.0F, 3.0F, 2.0F});
+        testing::addBox(mesh, {-20.0F, 0.0F, -20.0F}, {-19.0F, 3.0F, -19.0F});
+        scene.stages = {testing::stageOf(mesh)};
+        document.replaceScene(std::move(scene), {});
+        state.setCamera(model::Camera::lookingAt({0.0F, 30.0F, 0.1F}, {0.0F, 0.0F, 0.0F}));
+        model::BrushSettings create = state.brush(model::BrushKind::Create);
+        create.selection = model::BrushSelection::Point;
+        create.create.mix = {{document.scene().templates.front().id, 1.0F}};
+        state.setBrush(create);
+        statuses = std::make_unique<QSignalSpy>(&state, &EditorState::statusMessage);
+    }
+    void setAnywhere(bool isAnywhere)
+    {
+        for (const model::BrushKind kind : {model::BrushKind::Create, model::BrushKind::Path}) {
+            model::BrushSettings settings = state.brush(kind);
+            settings.create.anywhere = isAnywhere;
+            settings.place.anywhere = isAnywhere;
+            state.setBrush(settings);
+        }
+    }
+    [[nodiscard]] std::size_t people() const { return document.scene().population.size(); }
+    void click(const glm::vec3& point)
+    {
+        press(pixelOf(point));
+        release(pixelOf(point));
+    }
+    [[nodiscard]] QString said() const
+    {
+        return statuses->isEmpty() ? QString() : statuses->last().front().toString();
+    }
+
+    std::unique_ptr<QSignalSpy> statuses;
+};
+
+const glm::vec3 kRoof(0.0F, 3.0F, 0.0F);
+const glm::vec3 kStreet(5.0F, 0.0F, 0.0F);
+
+} // namespace
+
+class TestGroundTools : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nobodyIsCreatedWhereNobodyCanWalk();
+    void noPlaceComesWhereNobodyCanWalk();
+    void whoIsOnARoofComesDown();
+    void anotherStageHasAnotherGround();
+};
+
+void TestGroundTools::nobodyIsCreatedWhereNobodyCanWalk()
+{
+    Plaza plaza;
+    plaza.state.setTool(ToolId::BrushCreate);
+    const std::size_t before = plaza.people();
+    plaza.click(kRoof);
+    QCOMPARE(plaza.people(), before);
+    QVERIFY2(plaza.said().contains(QStringLiteral("Anywhere")), qPrintable(plaza.said()));
+    plaza.click(kStreet);
+    QCOMPARE(plaza.people(), before + 1);
+    plaza.setAnywhere(true);
+    plaza.click(kRoof);
+    QCOMPARE(plaza.people(), before + 2);
+}
+
+void TestGroundTools::noPlaceComesWhereNobodyCanWalk()
+{
+    Plaza plaza;
+    plaza.state.setTool(ToolId::BrushPath);
+    plaza.click(kRoof);
+    QVERIFY(plaza.document.scene().places.empty());
+    QVERIFY2(plaza.said().contains(QStringLiteral("Anywhere")), qPrintable(plaza.said()));
+    plaza.click(kStreet);
+    QCOMPARE(plaza.document.scene().places.size(), std::size_t{1});
+    plaza.setAnywhere(true);
+    plaza.click(kRoof);
+    QCOMPARE(plaza.document.scene().places.size(), std::size_t{2});
+    QVERIFY(plaza.document.scene().places.back().position.y > 2.9F);
+}
+
+void TestGroundTools::whoIsOnARoofComesDown()
+{
+    Plaza plaza;
+    plaza.state.setTool(ToolId::BrushCreate);
+    plaza.setAnywhere(true);
+    plaza.click(kRoof);
+    const auto height = [&plaza] {
+        return plaza.document.scene().population.column(model::columns::position).back().y;
+    };
+    QVERIFY(height() > 2.9F);
+    putSelectionOnGround(plaza.state);
+    QCOMPARE(height(), 0.0F);
+    const int steps = plaza.document.undoStack().count();
+    putSelectionOnGround(plaza.state); // nobody is left
+    QCOMPARE(plaza.document.undoStack().count(), steps);
+    plaza.document.undoStack().undo();
+    QVERIFY(height() > 2.9F);
+}
+
+void TestGroundTools::anotherStageHasAnotherGround()
+{
+    Plaza plaza;
+    plaza.state.setTool(ToolId::BrushCreate);
+    plaza.click(kStreet);
+    const std::size_t before = plaza.people();
+    model::Scene scene = plaza.document.scene();
+    scene.stages.front().position = {5.0F, 0.0F, 0.0F}; // the block goes to where the street was
+    plaza.document.replaceScene(std::move(scene), {});
+    plaza.click({5.0F, 3.0F, 0.0F});
+    QCOMPARE(plaza.people(), before);
+    plaza.click({0.0F, 0.0F, 0.0F});
+    QCOMPARE(plaza.people(), before + 1);
+}
+
+CROWD_TEST(TestGroundTools)
+#include "tst_GroundTools.moc"
