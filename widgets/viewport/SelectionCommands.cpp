@@ -68,9 +68,9 @@ void putSelectionOnGround(EditorState& state)
         edit->commit(
             SelectionCommandsText::tr("Put %n character(s) on the ground", nullptr, moved));
     }
-    state.showStatus(moved > 0
-                         ? SelectionCommandsText::tr("%n characters put on the ground", nullptr, moved)
-                         : SelectionCommandsText::tr("All of them stand where people can walk."));
+    state.showStatus(
+        moved > 0 ? SelectionCommandsText::tr("%n characters put on the ground", nullptr, moved)
+                  : SelectionCommandsText::tr("All of them stand where people can walk."));
 }
 
 } // namespace crowd::widgets
