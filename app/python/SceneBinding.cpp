@@ -5,6 +5,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
+#include "app/python/OutsidePython.h"
 #include "model/project/LocateAssets.h"
 
 namespace crowd::app {
@@ -37,11 +38,8 @@ int putOnGround(const ScenePtr& scene, const py::object& idsOrMask)
     const auto everybody = now->population.ids();
     const std::vector<IndividualId> ids =
         idsOrMask.is_none() ? std::vector<IndividualId>(everybody.begin(), everybody.end())
-                            : idsFrom(*now, idsOrMask, order);
-    return valueOrRaise([&] {
-        const py::gil_scoped_release others;
-        return scene->putOnGround(ids);
-    }());
+                            : idsFrom(*scene, idsOrMask, order);
+    return valueOrRaise(outsidePython([&] { return scene->putOnGround(ids); }));
 }
 
 void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)

@@ -10,7 +10,7 @@
 
 using namespace crowd;
 using namespace crowd::model;
-using namespace crowd::testing;
+using namespace crowd::test;
 
 namespace {
 
