@@ -196,6 +196,9 @@ model::Result<void> Renderer::Private::drawPasses(const PassContext& context) co
     if (auto drawn = passes->stage.drawBlended(context); !drawn) {
         return drawn;
     }
+    if (auto drawn = passes->crowd.drawSeeThrough(context); !drawn) {
+        return drawn;
+    }
     passes->overlay.draw(context);
     return passes->crowd.drawGhosts(context);
 }

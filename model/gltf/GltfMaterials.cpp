@@ -22,14 +22,25 @@ const tinygltf::Material& materialAt(const tinygltf::Model& model, int material)
     return material == kNoMaterial ? plain : model.materials[static_cast<std::size_t>(material)];
 }
 
-/// Where the base colour comes from, in whichever of the two workflows.
-struct BaseColor
+/// A picture as a material refers to it.
+struct TextureUse
 {
-    glm::vec4 factor{1.0F};
     int texture = -1;
     int texCoord = 0;
     const tinygltf::Value* transform = nullptr; ///< KHR_texture_transform
 };
+
+/// Where the base colour comes from, in whichever of the two workflows.
+struct BaseColor
+{
+    glm::vec4 factor{1.0F};
+    TextureUse use;
+};
+
+TextureUse useOf(int texture, int texCoord, const tinygltf::Value* transform)
+{
+    return {texture, transform ? wholeIn(*transform, "texCoord", texCoord) : texCoord, transform};
+}
 
 glm::vec4 colorOf(const std::vector<double>& values)
 {
@@ -50,22 +61,31 @@ BaseColor baseColorOf(const tinygltf::Material& material)
     if (glossiness != nullptr) {
         numbersIn(*glossiness, "diffuseFactor", 4, &base.factor.x);
         if (const tinygltf::Value* texture = find(*glossiness, "diffuseTexture")) {
-            base.texture = wholeIn(*texture, "index", -1);
-            base.texCoord = wholeIn(*texture, "texCoord", 0);
             const tinygltf::Value* extensions = find(*texture, "extensions");
-            base.transform = extensions ? find(*extensions, "KHR_texture_transform") : nullptr;
+            base.use = useOf(wholeIn(*texture, "index", -1), wholeIn(*texture, "texCoord", 0),
+                             extensions ? find(*extensions, "KHR_texture_transform") : nullptr);
         }
     } else {
         const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
         base.factor = colorOf(pbr.baseColorFactor);
-        base.texture = pbr.baseColorTexture.index;
-        base.texCoord = pbr.baseColorTexture.texCoord;
-        base.transform = find(pbr.baseColorTexture.extensions, "KHR_texture_transform");
-    }
-    if (base.transform != nullptr) {
-        base.texCoord = wholeIn(*base.transform, "texCoord", base.texCoord);
+        base.use = useOf(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
+                         find(pbr.baseColorTexture.extensions, "KHR_texture_transform"));
     }
     return base;
+}
+
+TextureUse emissiveUseOf(const tinygltf::Material& material)
+{
+    const tinygltf::TextureInfo& from = material.emissiveTexture;
+    return useOf(from.index, from.texCoord, find(from.extensions, "KHR_texture_transform"));
+}
+
+/// The set of texture coordinates that a material's pictures lie by: a vertex has one set.
+int texCoordOf(const tinygltf::Material& material)
+{
+    const TextureUse base = baseColorOf(material).use;
+    const TextureUse emissive = emissiveUseOf(material);
+    return base.texture < 0 && emissive.texture >= 0 ? emissive.texCoord : base.texCoord;
 }
 
 /// KHR_texture_transform: translation * rotation * scale, rotation counter-clockwise as seen in the
@@ -123,7 +143,11 @@ glm::vec3 emissiveOf(const tinygltf::Material& material)
 bool looksLike(const MaterialChoice& a, const MaterialChoice& b)
 {
     return a.image == b.image && a.tintMask == b.tintMask && a.unlit == b.unlit &&
-           a.alphaMode == b.alphaMode && a.doubleSided == b.doubleSided &&
+           a.alphaMode == b.alphaMode && a.alphaCutoff == b.alphaCutoff &&
+           a.doubleSided == b.doubleSided && a.uvTransform == b.uvTransform &&
+           a.emissiveImage == b.emissiveImage && a.emissiveUvTransform == b.emissiveUvTransform &&
+           a.wrapU == b.wrapU && a.wrapV == b.wrapV && a.nearest == b.nearest &&
+           glm::all(glm::lessThan(glm::abs(a.emissive - b.emissive), glm::vec3(1e-3F))) &&
            glm::all(glm::lessThan(glm::abs(a.baseColor - b.baseColor), glm::vec4(1e-3F)));
 }
 
@@ -207,7 +231,7 @@ int SlotTable::slotOf(const tinygltf::Primitive& primitive) const
 int SlotTable::texCoordOf(const tinygltf::Primitive& primitive) const
 {
     const int material = primitive.material < 0 ? kNoMaterial : primitive.material;
-    return baseColorOf(materialAt(*m_file.model, material)).texCoord;
+    return gltf::texCoordOf(materialAt(*m_file.model, material));
 }
 
 Slot SlotTable::makeSlot(const Key& key)
@@ -225,8 +249,8 @@ Slot SlotTable::makeSlot(const Key& key)
     for (std::size_t i = 1; i + 1 < key.size(); i += 2) {
         slot.choices.push_back(makeChoice(key[i + 1]));
         slot.choices.back().name = variantName(key[i]);
-        const int texCoord = baseColorOf(materialAt(*m_file.model, key[i + 1])).texCoord;
-        if (slot.choices.back().image >= 0 && texCoord != baseColorOf(material).texCoord) {
+        const int texCoord = gltf::texCoordOf(materialAt(*m_file.model, key[i + 1]));
+        if (slot.choices.back().image >= 0 && texCoord != gltf::texCoordOf(material)) {
             m_warnings.push_back("Slot \"" + slot.name + "\", variant \"" +
                                  slot.choices.back().name +
                                  "\": its picture lies by another set of coordinates than the "
@@ -244,12 +268,12 @@ MaterialChoice SlotTable::makeChoice(int index)
     MaterialChoice choice;
     choice.name = material.name;
     choice.baseColor = base.factor;
-    choice.image = m_images.fromTexture(base.texture);
-    if (base.texture >= 0) {
-        applySampler(model, base.texture, choice);
+    choice.image = m_images.fromTexture(base.use.texture);
+    if (base.use.texture >= 0) {
+        applySampler(model, base.use.texture, choice);
     }
-    if (base.transform != nullptr) {
-        choice.uvTransform = uvTransform(*base.transform);
+    if (base.use.transform != nullptr) {
+        choice.uvTransform = uvTransform(*base.use.transform);
     }
     const int mask = wholeIn(material.extras, "tintMask", -1);
     if (mask >= 0 && static_cast<std::size_t>(mask) < model.textures.size()) {
@@ -265,7 +289,34 @@ MaterialChoice SlotTable::makeChoice(int index)
     choice.doubleSided = material.doubleSided;
     choice.unlit = find(material.extensions, "KHR_materials_unlit") != nullptr;
     choice.emissive = emissiveOf(material);
+    addGlow(material, choice);
     return choice;
+}
+
+/// The factor alone would make the whole slot shine: a picture that cannot be shown puts it out.
+void SlotTable::addGlow(const tinygltf::Material& material, MaterialChoice& choice)
+{
+    const TextureUse use = emissiveUseOf(material);
+    if (use.texture < 0 || choice.emissive == glm::vec3(0.0F)) {
+        return;
+    }
+    const bool fits = use.texCoord == gltf::texCoordOf(material);
+    choice.emissiveImage = fits ? m_images.fromTexture(use.texture) : -1;
+    if (!fits) {
+        m_warnings.push_back("Material \"" + material.name +
+                             "\": its emissive picture lies by another set of coordinates than "
+                             "its base colour, and is left out.");
+    }
+    if (choice.emissiveImage < 0) {
+        choice.emissive = glm::vec3(0.0F);
+        return;
+    }
+    if (choice.image < 0) {
+        applySampler(*m_file.model, use.texture, choice);
+    }
+    if (use.transform != nullptr) {
+        choice.emissiveUvTransform = uvTransform(*use.transform);
+    }
 }
 
 std::string SlotTable::variantName(int variant) const

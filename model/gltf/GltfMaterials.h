@@ -11,6 +11,7 @@
 
 namespace tinygltf {
 class Model;
+struct Material;
 struct Primitive;
 } // namespace tinygltf
 
@@ -53,7 +54,7 @@ public:
     /// Makes the slots, in the order of the file's materials.
     void finish();
     [[nodiscard]] int slotOf(const tinygltf::Primitive& primitive) const;
-    /// The set of texture coordinates that the base colour of a primitive's material wants.
+    /// The set of texture coordinates that the pictures of a primitive's material want.
     [[nodiscard]] int texCoordOf(const tinygltf::Primitive& primitive) const;
     [[nodiscard]] std::vector<Slot> takeSlots() { return std::move(m_slots); }
     [[nodiscard]] std::vector<Image> takeImages() { return m_images.take(); }
@@ -64,6 +65,7 @@ private:
     [[nodiscard]] static Key keyOf(const tinygltf::Primitive& primitive);
     [[nodiscard]] Slot makeSlot(const Key& key);
     [[nodiscard]] MaterialChoice makeChoice(int material);
+    void addGlow(const tinygltf::Material& material, MaterialChoice& choice);
     [[nodiscard]] std::string variantName(int variant) const;
     void mergeIntoEarlier(const Key& key, Slot slot);
 

@@ -50,14 +50,17 @@ struct MaterialChoice
     int tintMask = -1;         ///< index into Template::images (red channel), -1: all
     Wrap wrapU = Wrap::Repeat;
     Wrap wrapV = Wrap::Repeat;
-    bool nearest = false; ///< magnification filter NEAREST
+    bool nearest = false; ///< magnification filter NEAREST; these three of the emissive picture
+                          ///< where it is the only one
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
     bool unlit = false;
     /// KHR_texture_transform of the base colour: uv' = uvTransform * (u, v, 1), rows of a 2×3.
     std::array<float, 6> uvTransform{1, 0, 0, 0, 1, 0};
-    glm::vec3 emissive{0.0F}; ///< linear
+    glm::vec3 emissive{0.0F}; ///< linear; times the picture, where there is one
+    int emissiveImage = -1;   ///< index into Template::images, -1 none; lies by the same uv
+    std::array<float, 6> emissiveUvTransform{1, 0, 0, 0, 1, 0};
 };
 
 /// A named material of the template that each individual may tint and re-texture on its own.

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "render/crowd/TemplateImages.h"
+
 namespace crowd::render {
 
 namespace {
@@ -32,8 +34,8 @@ public:
 
     void add(const Submesh& submesh, GroupedMesh& out)
     {
-        const auto slot = static_cast<std::uint8_t>(std::min(submesh.slot, 255));
-        const auto part = static_cast<std::uint8_t>(submesh.part < 0 ? 255 : submesh.part);
+        const auto slot = static_cast<std::uint16_t>(std::min(submesh.slot, 65535));
+        const auto part = static_cast<std::uint16_t>(submesh.part < 0 ? 255 : submesh.part);
         for (std::uint32_t i = 0; i < submesh.indexCount; ++i) {
             const std::uint32_t source = m_level.indices[submesh.firstIndex + i];
             out.indices.push_back(vertexFor(source, slot, part, out));
@@ -41,7 +43,7 @@ public:
     }
 
 private:
-    std::uint32_t vertexFor(std::uint32_t source, std::uint8_t slot, std::uint8_t part,
+    std::uint32_t vertexFor(std::uint32_t source, std::uint16_t slot, std::uint16_t part,
                             GroupedMesh& out)
     {
         const auto next = static_cast<std::uint32_t>(out.vertices.size());
@@ -64,12 +66,12 @@ private:
 
     const Mesh& m_mesh;
     const DrawLevel& m_level;
-    std::map<std::tuple<std::uint32_t, std::uint8_t, std::uint8_t>, std::uint32_t> m_made;
+    std::map<std::tuple<std::uint32_t, std::uint16_t, std::uint16_t>, std::uint32_t> m_made;
 };
 
 } // namespace
 
-GroupState groupStateOf(const Slot& slot)
+GroupState groupStateOf(const Slot& slot, int pictures)
 {
     GroupState state;
     for (const MaterialChoice& choice : slot.choices) {
@@ -78,12 +80,14 @@ GroupState groupStateOf(const Slot& slot)
         state.isMasked = state.isMasked || isMasked;
         state.isDoubleSided = state.isDoubleSided || choice.doubleSided;
         state.isSpecial = state.isSpecial || isSpecial(choice);
+        state.isGlowing = state.isGlowing || choice.emissiveImage >= 0;
         state.alphaMode = std::max(state.alphaMode, choice.alphaMode);
     }
+    state.pictures = state.isTextured || state.isGlowing ? pictures : 0;
     return state;
 }
 
-std::string definesOf(const GroupState& state)
+std::string definesOf(const GroupState& state, Surface surface)
 {
     std::string defines;
     const auto define = [&defines](bool isOn, const char* word) {
@@ -97,17 +101,19 @@ std::string definesOf(const GroupState& state)
     define(state.isMasked, "TINT_IN_TEXTURE");
     define(state.isTextured && hasAlpha, "SEPARATE_MASK");
     define(state.isSpecial, "SPECIAL");
+    define(state.isGlowing, "GLOWING");
     define(hasAlpha, "CUTOUT");
-    define(state.alphaMode == AlphaMode::Blend, "BLENDED");
+    define(surface == Surface::SeeThrough, "BLENDED");
     return defines;
 }
 
 GroupedMesh groupMesh(const Template& asset, const DrawLevel& level)
 {
     std::vector<std::pair<GroupState, Submesh>> ordered;
+    const std::vector<int> arrays = arraysOfSlots(asset);
     for (const Submesh& submesh : level.submeshes) {
-        ordered.emplace_back(groupStateOf(asset.slots[static_cast<std::size_t>(submesh.slot)]),
-                             submesh);
+        const auto slot = static_cast<std::size_t>(submesh.slot);
+        ordered.emplace_back(groupStateOf(asset.slots[slot], arrays[slot]), submesh);
     }
     std::ranges::stable_sort(
         ordered, [](const auto& a, const auto& b) { return drawsBefore(a.first, b.first); });

@@ -22,13 +22,20 @@ struct GroupState
     bool isMasked = false; ///< some tint mask
     bool isDoubleSided = false;
     bool isSpecial = false; ///< unlit or emissive
+    bool isGlowing = false; ///< emissive by a picture
+    int pictures = 0;       ///< index into TemplateImages::arrays
     model::AlphaMode alphaMode = model::AlphaMode::Opaque;
     friend auto operator<=>(const GroupState&, const GroupState&) = default;
 };
 
-[[nodiscard]] GroupState groupStateOf(const model::Slot& slot);
+[[nodiscard]] GroupState groupStateOf(const model::Slot& slot, int pictures = 0);
+
+/// Which of a group's fragments are drawn. Those of blended materials that are solid hide what is
+/// behind them as others do; the rest is blended over it when all that is solid has been drawn.
+enum class Surface : std::uint8_t { Solid, SeeThrough };
+
 /// Words for ShaderProgram::build.
-[[nodiscard]] std::string definesOf(const GroupState& state);
+[[nodiscard]] std::string definesOf(const GroupState& state, Surface surface);
 
 struct MeshGroup
 {
@@ -43,9 +50,8 @@ struct StaticVertex
     glm::vec2 uv{0.0F};
     glm::u8vec4 color{255};
     std::uint32_t source = 0; ///< vertex within a keyframe
-    std::uint8_t slot = 0;
-    std::uint8_t part = 255; ///< 255: always shown
-    std::uint16_t unused = 0;
+    std::uint16_t slot = 0;
+    std::uint16_t part = 255; ///< 255: always shown
 };
 static_assert(sizeof(StaticVertex) == 20);
 

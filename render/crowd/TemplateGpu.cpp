@@ -29,6 +29,9 @@ TemplateGpu::Level makeLevel(const Template& asset, const DrawLevel& source)
     const GroupedMesh mesh = groupMesh(asset, source);
     TemplateGpu::Level level;
     level.groups = mesh.groups;
+    level.isBlended = std::ranges::any_of(mesh.groups, [](const MeshGroup& group) {
+        return group.state.alphaMode == AlphaMode::Blend;
+    });
     level.vertexLevel = source.vertexLevel;
     level.verticesPerKeyframe = static_cast<std::uint32_t>(
         asset.levels[static_cast<std::size_t>(source.vertexLevel)].positions.size());
@@ -41,7 +44,7 @@ TemplateGpu::Level makeLevel(const Template& asset, const DrawLevel& source)
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
                           offset(offsetof(StaticVertex, color)));
     glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(StaticVertex, source)));
-    glVertexAttribIPointer(3, 2, GL_UNSIGNED_BYTE, kStride, offset(offsetof(StaticVertex, slot)));
+    glVertexAttribIPointer(3, 2, GL_UNSIGNED_SHORT, kStride, offset(offsetof(StaticVertex, slot)));
     for (GLuint attribute = 0; attribute < 6; ++attribute) {
         glEnableVertexAttribArray(attribute);
     }
@@ -87,8 +90,9 @@ void TemplateGpu::makeMaterials()
     const std::span<const std::byte> records = std::as_bytes(std::span(images.materials));
     m_materials.reserve(records.size());
     m_materials.write(0, records);
-    m_images = uploadLayers(images.width, images.height, images.layers,
-                            {images.wrapU, images.wrapV, images.isNearest, false});
+    for (const PictureArray& array : images.arrays) {
+        m_pictures.push_back(uploadLayers(array.width, array.height, array.layers, array.sampling));
+    }
 }
 
 void TemplateGpu::useClip(KeyframeStore& store, int clipIndex)
@@ -138,13 +142,17 @@ void TemplateGpu::append(int clipIndex, const KeyframeStore::Entry& entry)
     ++m_boxCount;
 }
 
-void TemplateGpu::bindTextures(int levelIndex, int first) const
+void TemplateGpu::bindTables(int levelIndex, int first) const
 {
     m_keyframes[static_cast<std::size_t>(level(levelIndex).vertexLevel)].bind(first);
     m_boxes.bind(first + 1);
     m_materials.bind(first + 2);
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(first) + 3);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, m_images.name());
+}
+
+void TemplateGpu::bindPictures(int array, int unit) const
+{
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, m_pictures[static_cast<std::size_t>(array)].name());
 }
 
 } // namespace crowd::render

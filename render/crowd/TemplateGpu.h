@@ -13,7 +13,7 @@
 namespace crowd::render {
 
 /// A template on the graphics card: triangles and static vertex data per level, the keyframes that
-/// were asked for so far, its textures in one array, its materials in a table.
+/// were asked for so far, its pictures in arrays, its materials in a table.
 class TemplateGpu
 {
 public:
@@ -37,14 +37,16 @@ public:
         GlBuffer indices;
         int vertexLevel = 0;
         std::uint32_t verticesPerKeyframe = 0;
+        bool isBlended = false; ///< some group is
     };
     [[nodiscard]] const Level& level(int index) const
     {
         return m_levels[static_cast<std::size_t>(index)];
     }
-    /// Binds keyframes (of a level), clip boxes, materials and images to texture units from
-    /// `first`.
-    void bindTextures(int levelIndex, int first) const;
+    /// Binds keyframes (of a level), clip boxes and materials to texture units from `first`.
+    void bindTables(int levelIndex, int first) const;
+    /// Binds an array of TemplateImages::arrays.
+    void bindPictures(int array, int unit) const;
     [[nodiscard]] int choicesPerSlot() const { return m_choicesPerSlot; }
     [[nodiscard]] std::uint32_t tintableSlots() const { return m_tintableSlots; }
 
@@ -60,7 +62,7 @@ private:
     std::vector<TexelBuffer> m_keyframes; ///< per level of the asset
     TexelBuffer m_boxes;
     TexelBuffer m_materials;
-    GlTexture m_images;
+    std::vector<GlTexture> m_pictures; ///< one per array
     std::uint32_t m_keyframeCount = 0; ///< uploaded so far
     std::uint16_t m_boxCount = 0;
     int m_choicesPerSlot = 1;

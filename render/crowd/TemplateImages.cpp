@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "model/base/Color.h"
@@ -15,7 +16,8 @@ namespace {
 
 using namespace model;
 
-constexpr float kBlendCutoff = 1.0F / 255.0F; ///< what is clear is not drawn at all
+constexpr float kSolid = 254.0F / 255.0F; ///< alpha from which blending makes no difference
+constexpr std::size_t kMaxArrayBytes = std::size_t{1} << 29U; ///< without mipmaps
 
 const std::array<float, 256>& linearTable()
 {
@@ -60,7 +62,7 @@ int fittingSize(int largest)
 class Layers
 {
 public:
-    Layers(const Template& asset, TemplateImages& out) : m_asset(asset), m_out(out)
+    Layers(const Template& asset, PictureArray& out) : m_asset(asset), m_out(out)
     {
         const auto texels =
             static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
@@ -102,6 +104,9 @@ private:
     int layer(int image, int mask, bool isCombined, const Edit& edit)
     {
         const auto next = static_cast<int>(m_out.layers.size());
+        if (m_out.layers.size() >= kMaxLayers && !m_made.contains({image, mask, isCombined})) {
+            return 0;
+        }
         const auto [found, isNew] = m_made.try_emplace({image, mask, isCombined}, next);
         if (isNew) {
             std::vector<std::uint8_t> texels = image >= 0 ? pixels(image) : m_out.layers.front();
@@ -112,7 +117,7 @@ private:
     }
 
     const Template& m_asset;
-    TemplateImages& m_out;
+    PictureArray& m_out;
     std::map<std::tuple<int, int, bool>, int> m_made;
 };
 
@@ -127,12 +132,16 @@ MaterialRecord recordOf(const MaterialChoice& choice, bool isTintable, bool isOp
     record.maskLayer = !isOpaqueSlot && mask >= 0 ? static_cast<float>(layers.mask(mask)) : -1.0F;
     record.alphaCutoff = choice.alphaMode == AlphaMode::Opaque ? -1.0F
                          : choice.alphaMode == AlphaMode::Mask ? choice.alphaCutoff
-                                                               : kBlendCutoff;
+                                                               : kSolid;
     record.unlit = choice.unlit ? 1.0F : 0.0F;
     const std::array<float, 6>& uv = choice.uvTransform;
-    record.uvRowU = {uv[0], uv[1], uv[2], 0.0F};
-    record.uvRowV = {uv[3], uv[4], uv[5], 0.0F};
-    record.emissive = glm::vec4(choice.emissive, 0.0F);
+    record.uvRowU = {uv[0], uv[1], uv[2], 1.0F};
+    record.uvRowV = {uv[3], uv[4], uv[5], choice.alphaMode == AlphaMode::Blend ? 1.0F : 0.0F};
+    record.emissive =
+        glm::vec4(choice.emissive, static_cast<float>(layers.plain(choice.emissiveImage)));
+    const std::array<float, 6>& glow = choice.emissiveUvTransform;
+    record.glowRowU = {glow[0], glow[1], glow[2], 0.0F};
+    record.glowRowV = {glow[3], glow[4], glow[5], 0.0F};
     return record;
 }
 
@@ -141,7 +150,7 @@ float luminance(const glm::vec3& linear)
     return glm::dot(linear, glm::vec3(0.2126F, 0.7152F, 0.0722F));
 }
 
-const std::uint8_t* texelAt(const TemplateImages& images, int layer, const glm::vec2& uv)
+const std::uint8_t* texelAt(const PictureArray& images, int layer, const glm::vec2& uv)
 {
     const glm::vec2 place = glm::fract(uv) * glm::vec2(images.width, images.height);
     const int x = std::clamp(static_cast<int>(place.x), 0, images.width - 1);
@@ -153,7 +162,7 @@ const std::uint8_t* texelAt(const TemplateImages& images, int layer, const glm::
 
 /// Mean luminance of a slot's material where a tint colours it, over its triangles.
 float tintedLuminance(const Template& asset, int slot, const MaterialRecord& record,
-                      bool isOpaqueSlot, const TemplateImages& images)
+                      bool isOpaqueSlot, const PictureArray& images)
 {
     const glm::vec3 base(record.baseColor);
     const auto layer = static_cast<int>(record.layer);
@@ -184,24 +193,97 @@ float tintedLuminance(const Template& asset, int slot, const MaterialRecord& rec
     return weight > 0.0F ? sum / weight : luminance(base);
 }
 
-void chooseSampling(const Template& asset, TemplateImages& out)
+bool hasPicture(const MaterialChoice& choice)
 {
-    bool isFirst = true;
+    return choice.image >= 0 || choice.emissiveImage >= 0 || choice.tintMask >= 0;
+}
+
+/// The pictures that choices may need layers for: of base colours, masks and emissions.
+using Pictures = std::set<std::tuple<int, int, int>>;
+
+void addPictures(const Slot& slot, Pictures& pictures)
+{
+    for (const MaterialChoice& choice : slot.choices) {
+        pictures.insert({choice.image, choice.tintMask, -1});
+        pictures.insert({-1, choice.tintMask, -1});
+        pictures.insert({-1, -1, choice.emissiveImage});
+    }
+}
+
+Sampling samplingOf(const Slot& slot)
+{
+    const auto first = std::ranges::find_if(slot.choices, hasPicture);
+    return {first->wrapU, first->wrapV, first->nearest, false};
+}
+
+/// An array while slots are handed out to them.
+struct Planned
+{
+    Sampling sampling;
+    Pictures pictures;
+};
+
+bool hasRoom(const Planned& planned, const Slot& slot)
+{
+    Pictures together = planned.pictures;
+    addPictures(slot, together);
+    return together.size() < kMaxLayers;
+}
+
+struct ArrayPlan
+{
+    std::vector<Planned> arrays;
+    std::vector<int> ofSlot;
+};
+
+ArrayPlan planArrays(const Template& asset)
+{
+    ArrayPlan plan;
     for (const Slot& slot : asset.slots) {
-        for (const MaterialChoice& choice : slot.choices) {
-            if (choice.image < 0) {
-                continue;
-            }
-            const Image& image = asset.images[static_cast<std::size_t>(choice.image)];
+        plan.ofSlot.push_back(0);
+        if (std::ranges::none_of(slot.choices, hasPicture)) {
+            continue;
+        }
+        const Sampling sampling = samplingOf(slot);
+        auto at = std::ranges::find_if(plan.arrays, [&](const Planned& planned) {
+            return planned.sampling == sampling && hasRoom(planned, slot);
+        });
+        if (at == plan.arrays.end()) {
+            at = plan.arrays.insert(at, {sampling, {}});
+        }
+        addPictures(slot, at->pictures);
+        plan.ofSlot.back() = static_cast<int>(at - plan.arrays.begin());
+    }
+    if (plan.arrays.empty()) {
+        plan.arrays.push_back({{}, {}});
+    }
+    return plan;
+}
+
+/// Large enough for every picture that is coloured, and for masks and emissions where nothing is.
+void chooseSize(const Template& asset, const Planned& planned, PictureArray& out)
+{
+    const auto fit = [&](int index) {
+        if (index >= 0) {
+            const Image& image = asset.images[static_cast<std::size_t>(index)];
             out.width = std::max(out.width, fittingSize(image.width));
             out.height = std::max(out.height, fittingSize(image.height));
-            out.isNearest = choice.nearest && (isFirst || out.isNearest);
-            if (isFirst) {
-                out.wrapU = choice.wrapU;
-                out.wrapV = choice.wrapV;
-            }
-            isFirst = false;
         }
+    };
+    for (const auto& [image, mask, glow] : planned.pictures) {
+        fit(image);
+        fit(glow);
+    }
+    if (out.width == 1 && out.height == 1) {
+        for (const auto& picture : planned.pictures) {
+            fit(std::get<1>(picture));
+        }
+    }
+    const std::size_t layers = planned.pictures.size() + 1;
+    while (static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4 * layers >
+           kMaxArrayBytes) {
+        out.width = std::max(out.width / 2, 1);
+        out.height = std::max(out.height / 2, 1);
     }
 }
 
@@ -251,24 +333,36 @@ std::vector<std::uint8_t> resized(const Image& image, int width, int height)
     return out;
 }
 
+std::vector<int> arraysOfSlots(const Template& asset)
+{
+    return planArrays(asset).ofSlot;
+}
+
 TemplateImages templateImages(const Template& asset)
 {
     TemplateImages out;
-    chooseSampling(asset, out);
+    const ArrayPlan plan = planArrays(asset);
+    out.arrays.resize(plan.arrays.size());
+    std::vector<Layers> layers;
+    for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+        out.arrays[i].sampling = plan.arrays[i].sampling;
+        chooseSize(asset, plan.arrays[i], out.arrays[i]);
+        layers.emplace_back(asset, out.arrays[i]);
+    }
     for (const Slot& slot : asset.slots) {
         out.choicesPerSlot = std::max(out.choicesPerSlot, static_cast<int>(slot.choices.size()));
     }
-    Layers layers(asset, out);
-    for (std::size_t index = 0; index < asset.slots.size(); ++index) {
-        const Slot& slot = asset.slots[index];
+    for (std::size_t s = 0; s < asset.slots.size(); ++s) {
+        const Slot& slot = asset.slots[s];
         const bool isOpaque = std::ranges::all_of(slot.choices, [](const MaterialChoice& choice) {
             return choice.alphaMode == AlphaMode::Opaque;
         });
         for (std::size_t i = 0; i < static_cast<std::size_t>(out.choicesPerSlot); ++i) {
             const MaterialChoice& choice = slot.choices[i < slot.choices.size() ? i : 0];
-            MaterialRecord record = recordOf(choice, slot.tintable, isOpaque, layers);
-            record.uvRowU.w = slot.tintable ? tintedLuminance(asset, static_cast<int>(index),
-                                                              record, isOpaque, out)
+            const auto array = static_cast<std::size_t>(plan.ofSlot[s]);
+            MaterialRecord record = recordOf(choice, slot.tintable, isOpaque, layers[array]);
+            record.uvRowU.w = slot.tintable ? tintedLuminance(asset, static_cast<int>(s), record,
+                                                              isOpaque, out.arrays[array])
                                             : 1.0F;
             out.materials.push_back(record);
         }

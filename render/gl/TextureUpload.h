@@ -6,16 +6,9 @@
 
 #include "model/template/Template.h"
 #include "render/gl/GlObjects.h"
+#include "render/gl/Sampling.h"
 
 namespace crowd::render {
-
-struct Sampling
-{
-    model::Wrap wrapU = model::Wrap::Repeat;
-    model::Wrap wrapV = model::Wrap::Repeat;
-    bool isNearest = false;
-    bool isBetweenMips = true; ///< blends two mipmaps
-};
 
 /// A texture array with mipmaps from RGBA8 layers of equal size. Values come as they are, encoded:
 /// the shader decodes what it sampled, which costs a software rasteriser an eighth of decoding each

@@ -22,7 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kPlacementUnit = 0;
 constexpr int kAppearanceUnit = 1;
-constexpr int kTemplateUnit = 2; ///< and the three after it
+constexpr int kTemplateUnit = 2; ///< and the two after it
+constexpr int kPicturesUnit = kTemplateUnit + 3;
 constexpr int kFramesBeforeDropping = 600;
 /// A software rasteriser works on what was flushed while the next piece is prepared.
 constexpr std::size_t kSoftwarePiece = 100;
@@ -83,6 +84,7 @@ Result<void> CrowdPass::initialize()
         rows->placement.reserve(sizeof(PlacementRecord));
         rows->appearance.reserve(sizeof(AppearanceRecord));
     }
+    m_seeThroughInstances = GlBuffer::create();
     return {};
 }
 
@@ -284,6 +286,7 @@ Result<void> CrowdPass::prepare(const PassContext& context)
     context.statistics.planMs = millisecondsSince(start);
     uploadRecords(context);
     uploadInstances(m_rows.instances, m_plan.instances());
+    collectSeeThrough(context);
     context.statistics.individuals = static_cast<int>(input.frame->population.size());
     context.statistics.visible = static_cast<int>(m_plan.instances().size());
     context.statistics.byLevel = m_plan.byLevel();
@@ -308,7 +311,7 @@ Result<ShaderProgram*> CrowdPass::program(const std::string& defines)
     program.set("keyframes", kTemplateUnit);
     program.set("clipBoxes", kTemplateUnit + 1);
     program.set("materials", kTemplateUnit + 2);
-    program.set("images", kTemplateUnit + 3);
+    program.set("images", kPicturesUnit);
     return &program;
 }
 
@@ -351,20 +354,24 @@ Result<void> CrowdPass::drawRun(const PassContext& context, const Drawing& drawi
     const TemplateGpu::Level& level = gpu.level(run.level);
     drawing.rows.placement.bind(kPlacementUnit);
     drawing.rows.appearance.bind(kAppearanceUnit);
-    gpu.bindTextures(run.level, kTemplateUnit);
+    gpu.bindTables(run.level, kTemplateUnit);
     glBindVertexArray(level.array.name());
     glBindBuffer(GL_ARRAY_BUFFER, drawing.instances.name());
     for (const MeshGroup& group : level.groups) {
-        auto shader = program(drawing.defines + definesOf(group.state));
+        const bool isSeeThrough = drawing.surface == Surface::SeeThrough;
+        if (isSeeThrough && group.state.alphaMode != AlphaMode::Blend) {
+            continue;
+        }
+        auto shader = program(drawing.defines + definesOf(group.state, drawing.surface));
         if (!shader) {
             return shader.error();
         }
         shader.value()->use();
         setUniforms(context, drawing, gpu, level.verticesPerKeyframe, *shader.value());
+        gpu.bindPictures(group.state.pictures, kPicturesUnit);
         const bool isCulled = !group.state.isDoubleSided;
         (isCulled ? glEnable : glDisable)(GL_CULL_FACE);
-        const bool isBlended = group.state.alphaMode == AlphaMode::Blend || drawing.opacity < 1.0F;
-        (isBlended ? glEnable : glDisable)(GL_BLEND);
+        (isSeeThrough || drawing.opacity < 1.0F ? glEnable : glDisable)(GL_BLEND);
         drawGroup(context, group, run);
     }
     return {};
@@ -386,6 +393,73 @@ Result<void> CrowdPass::drawPeople(const PassContext& context)
     }
     glDisable(GL_BLEND);
     return {};
+}
+
+/// Individuals with something to see through, across templates: they are blended one over the
+/// other, so that order counts. Neighbours of one template and level stay one run.
+void CrowdPass::collectSeeThrough(const PassContext& context)
+{
+    struct Seen
+    {
+        float depth;
+        std::uint32_t row;
+        const InstanceRun* run;
+        const Instance* instance;
+    };
+    std::vector<Seen> seen;
+    const Camera& camera = context.input.view.camera();
+    for (const InstanceRun& run : m_plan.runs()) {
+        if (!gpuOf((*m_entries)[static_cast<std::size_t>(run.entry)].asset)
+                 .level(run.level)
+                 .isBlended) {
+            continue;
+        }
+        for (const Instance& instance : m_plan.instances().subspan(run.first, run.count)) {
+            const std::uint32_t row = instance.rowAndFlags & Instance::kRowMask;
+            const glm::vec3 away = m_records.placements()[row].position - camera.position;
+            seen.push_back({glm::dot(away, camera.forward()), row, &run, &instance});
+        }
+    }
+    std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
+        return a.depth != b.depth ? a.depth > b.depth : a.row < b.row;
+    });
+    m_seeThrough.clear();
+    m_seeThroughRuns.clear();
+    const InstanceRun* last = nullptr;
+    for (const Seen& one : seen) {
+        if (one.run != last) {
+            last = one.run;
+            m_seeThroughRuns.push_back({last->entry, last->level, m_seeThrough.size(), 0});
+        }
+        m_seeThrough.push_back(*one.instance);
+        ++m_seeThroughRuns.back().count;
+    }
+    if (!m_seeThrough.empty()) {
+        uploadInstances(m_seeThroughInstances, m_seeThrough);
+    }
+}
+
+/// They hide nothing of each other, so nothing of them is lost where they overlap.
+Result<void> CrowdPass::drawSeeThrough(const PassContext& context)
+{
+    if (!context.input.frame || m_seeThrough.empty()) {
+        return {};
+    }
+    Drawing drawing{m_rows, m_seeThroughInstances, definesOf(context.input.look)};
+    drawing.defines += m_records.replacesColours() ? "REPLACED " : "";
+    drawing.surface = Surface::SeeThrough;
+    glDepthMask(GL_FALSE);
+    Result<void> drawn;
+    for (const InstanceRun& run : m_seeThroughRuns) {
+        const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
+        drawn = drawRun(context, drawing, gpuOf(entry.asset), run);
+        if (!drawn) {
+            break;
+        }
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    return drawn;
 }
 
 /// Under everybody but those at the coarsest level, whose shadows would be a pixel or two.
@@ -504,7 +578,14 @@ Result<void> CrowdPass::drawGhost(const PassContext& context, const Ghost& ghost
         drawing.defines += "OPACITY ";
         drawing.opacity = ghost.alpha;
     }
-    return drawRun(context, drawing, gpu, run);
+    if (auto drawn = drawRun(context, drawing, gpu, run); !drawn) {
+        return drawn;
+    }
+    drawing.surface = Surface::SeeThrough;
+    glDepthMask(GL_FALSE);
+    auto drawn = drawRun(context, drawing, gpu, run);
+    glDepthMask(GL_TRUE);
+    return drawn;
 }
 
 } // namespace crowd::render

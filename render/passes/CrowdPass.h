@@ -19,7 +19,8 @@ namespace crowd::render {
 
 /// Draws all individuals of a frame, the shadows that go with them, and ghosts. Who is highlighted
 /// is left in the alpha of the picture, for OutlinePass.
-/// Order of calls per picture: prepare, drawPeople, then (after the stage) drawShadows, drawGhosts.
+/// Order of calls per picture: prepare, drawPeople, then (after the stage) drawShadows,
+/// drawSeeThrough, drawGhosts.
 class CrowdPass
 {
 public:
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] model::Result<void> prepare(const PassContext& context);
     [[nodiscard]] model::Result<void> drawPeople(const PassContext& context);
     void drawShadows(const PassContext& context);
+    /// What of people is blended over what is behind them: farthest first.
+    [[nodiscard]] model::Result<void> drawSeeThrough(const PassContext& context);
     [[nodiscard]] model::Result<void> drawGhosts(const PassContext& context);
     /// Whether somebody in the picture is selected or hovered.
     [[nodiscard]] bool hasHighlighted() const { return !m_plan.highlighted().empty(); }
@@ -53,6 +56,7 @@ private:
         const GlBuffer& instances;
         std::string defines; ///< added to those of the group
         float opacity = 1.0F;
+        Surface surface = Surface::Solid;
     };
 
     [[nodiscard]] TemplateGpu& gpuOf(const model::TemplatePtr& asset);
@@ -72,6 +76,7 @@ private:
                      std::uint32_t verticesPerKeyframe, ShaderProgram& shader) const;
     void drawGroup(const PassContext& context, const MeshGroup& group,
                    const InstanceRun& run) const;
+    void collectSeeThrough(const PassContext& context);
 
     std::map<const model::Template*, std::unique_ptr<TemplateGpu>> m_gpu;
     std::map<const model::Template*, int> m_unusedFrames;
@@ -97,6 +102,9 @@ private:
     CrowdPlan m_plan;
     RowBuffers m_rows;
     RowBuffers m_ghostRows;
+    std::vector<Instance> m_seeThrough; ///< farthest first
+    std::vector<InstanceRun> m_seeThroughRuns;
+    GlBuffer m_seeThroughInstances;
 };
 
 } // namespace crowd::render

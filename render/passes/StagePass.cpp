@@ -9,6 +9,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/crowd/TemplateImages.h"
 #include "render/gl/TextureUpload.h"
 
 namespace crowd::render {
@@ -83,10 +84,42 @@ void pointAttributes()
 std::string definesOf(const MaterialChoice& material, Look look)
 {
     std::string defines = crowd::render::definesOf(look);
-    defines += material.image >= 0 ? "TEXTURED " : "";
+    defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
+    defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";
     defines += material.alphaMode == AlphaMode::Blend ? "BLENDED " : "";
     return defines;
+}
+
+/// As large as the card takes it.
+Image fitting(const Image& image)
+{
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (image.width <= most && image.height <= most) {
+        return image;
+    }
+    const int width = std::min(image.width, most);
+    const int height = std::min(image.height, most);
+    return {image.name, width, height, resized(image, width, height)};
+}
+
+/// White where the material has no such picture, but another.
+GlTexture pictureOf(const StageAsset& asset, const MaterialChoice& material, int image)
+{
+    static const Image white{"white", 1, 1, {255, 255, 255, 255}};
+    if (material.image < 0 && material.emissiveImage < 0) {
+        return {};
+    }
+    return uploadImage(image < 0 ? white : fitting(asset.images[static_cast<std::size_t>(image)]),
+                       {material.wrapU, material.wrapV, material.nearest});
+}
+
+void bindPicture(ShaderProgram& shader, const char* name, int unit, const GlTexture& picture)
+{
+    shader.set(name, unit);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, picture.name());
 }
 
 } // namespace
@@ -116,13 +149,9 @@ StagePass::Gpu& StagePass::gpuOf(const StagePtr& asset)
     pointAttributes();
     gpu->indices = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
     glBindVertexArray(0);
-    gpu->textures.resize(asset->materials.size());
-    for (std::size_t i = 0; i < asset->materials.size(); ++i) {
-        const MaterialChoice& material = asset->materials[i];
-        if (material.image >= 0) {
-            gpu->textures[i] = uploadImage(asset->images[static_cast<std::size_t>(material.image)],
-                                           {material.wrapU, material.wrapV, material.nearest});
-        }
+    for (const MaterialChoice& material : asset->materials) {
+        gpu->textures.push_back(pictureOf(*asset, material, material.image));
+        gpu->glows.push_back(pictureOf(*asset, material, material.emissiveImage));
     }
     return *gpu;
 }
@@ -160,10 +189,14 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
     const std::array<float, 6>& uv = material.uvTransform;
     shader.set("uvRowU", glm::vec3(uv[0], uv[1], uv[2]));
     shader.set("uvRowV", glm::vec3(uv[3], uv[4], uv[5]));
-    if (gpu.textures[index]) {
-        shader.set("image", 0);
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, gpu.textures[index].name());
+    if (material.emissiveImage >= 0) {
+        const std::array<float, 6>& glow = material.emissiveUvTransform;
+        shader.set("glowRowU", glm::vec3(glow[0], glow[1], glow[2]));
+        shader.set("glowRowV", glm::vec3(glow[3], glow[4], glow[5]));
+        bindPicture(shader, "glowImage", 1, gpu.glows[index]);
+    }
+    if (material.image >= 0 || material.emissiveImage >= 0) {
+        bindPicture(shader, "image", 0, gpu.textures[index]);
     }
     (material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,

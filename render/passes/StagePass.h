@@ -38,7 +38,8 @@ private:
         GlBuffer vertices;
         GlBuffer indices;
         std::vector<Batch> batches;
-        std::vector<GlTexture> textures; ///< per material; empty where it has none
+        std::vector<GlTexture> textures; ///< per material; empty where it has no picture at all
+        std::vector<GlTexture> glows;    ///< likewise, emissive
         int unusedFrames = 0;
     };
 

@@ -1,7 +1,12 @@
 in vec4 color;
+#if defined(TEXTURED) || defined(GLOWING)
+uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
+#endif
 #ifdef TEXTURED
 in vec3 textureUv;
-uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
+#endif
+#ifdef GLOWING
+in vec3 glowUv;
 #endif
 #ifdef TINT_IN_TEXTURE
 in vec3 maskedTint;
@@ -25,7 +30,11 @@ const float kDarkest = 0.01; // as in crowd.vert
 
 out vec4 fragment;
 
-#ifdef TEXTURED
+#ifdef BLENDED
+const float kClear = 1.0 / 255.0;
+#endif
+
+#if defined(TEXTURED) || defined(GLOWING)
 vec3 srgbToLinear(vec3 c)
 {
     // Within 0.003 of the exact curve.
@@ -53,16 +62,20 @@ void main()
     result.rgb = mix(result.rgb, replacement.rgb * (brightness + kDarkest), replacement.w * mask);
 #endif
 #endif
-#ifdef SPECIAL
+#ifdef GLOWING
+    result.rgb += emissive * srgbToLinear(texture(images, glowUv).rgb);
+#elif defined(SPECIAL)
     result.rgb += emissive;
 #endif
-#ifdef CUTOUT
+#ifdef BLENDED
+    if (result.a >= cutoffAndHighlight.x || result.a < kClear) { // the solid rest was drawn before
+        discard;
+    }
+#elif defined(CUTOUT)
     if (result.a < cutoffAndHighlight.x) {
         discard;
     }
-#ifndef BLENDED
     result.a = cutoffAndHighlight.y;
-#endif
 #endif
 #ifdef OPACITY
     result.a *= opacity;

@@ -42,6 +42,9 @@ out vec3 emissive;
 out vec4 replacement; // times the luminance drawn so far; strength in w
 const float kDarkest = 0.01; // black takes a colour too
 #endif
+#ifdef GLOWING
+out vec3 glowUv; // and the layer
+#endif
 
 vec3 octahedral(uint code)
 {
@@ -119,7 +122,13 @@ void main()
     gl_Position = viewProjection * vec4(world, 1.0);
 
     int choice = slot < 8u ? int(choices[slot >> 2] >> ((slot & 3u) * 8u) & 255u) : 0;
-    int material = (int(slot) * choicesPerSlot + min(choice, choicesPerSlot - 1)) * 5;
+    int material = (int(slot) * choicesPerSlot + min(choice, choicesPerSlot - 1)) * 7;
+#ifdef BLENDED
+    if (texelFetch(materials, material + 3).w == 0.0) { // another choice of the slot is
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        return;
+    }
+#endif
     vec4 base = texelFetch(materials, material) * vertexColor;
     vec3 light = lightAt(n);
 #if defined(TEXTURED) || defined(SPECIAL) || defined(CUTOUT)
@@ -127,7 +136,12 @@ void main()
 #endif
 #ifdef SPECIAL
     light = mix(light, vec3(1.0), properties.w);
-    emissive = texelFetch(materials, material + 4).rgb;
+    vec4 emission = texelFetch(materials, material + 4); // layer in w
+    emissive = emission.rgb;
+#endif
+#ifdef GLOWING
+    glowUv = vec3(dot(texelFetch(materials, material + 5).xyz, vec3(uv, 1.0)),
+                  dot(texelFetch(materials, material + 6).xyz, vec3(uv, 1.0)), emission.w);
 #endif
     vec4 slotTint = tintOf(row * 3, slot);
     vec3 tint = mix(vec3(1.0), slotTint.rgb, slotTint.w);

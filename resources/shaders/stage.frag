@@ -4,6 +4,10 @@ in vec2 textureUv;
 in vec3 glow;
 uniform sampler2D image;
 #endif
+#ifdef GLOWING
+in vec2 glowUv;
+uniform sampler2D glowImage;
+#endif
 uniform float alphaCutoff;
 out vec4 fragment;
 
@@ -12,7 +16,11 @@ void main()
     vec4 result = color;
 #ifdef TEXTURED
     result *= texture(image, textureUv);
+#ifdef GLOWING
+    result.rgb += glow * texture(glowImage, glowUv).rgb;
+#else
     result.rgb += glow;
+#endif
 #endif
 #ifdef CUTOUT
     if (result.a < alphaCutoff) {

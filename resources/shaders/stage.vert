@@ -17,6 +17,11 @@ out vec4 color;
 out vec2 textureUv;
 out vec3 glow;
 #endif
+#ifdef GLOWING
+uniform vec3 glowRowU;
+uniform vec3 glowRowV;
+out vec2 glowUv;
+#endif
 
 void main()
 {
@@ -29,5 +34,8 @@ void main()
     glow = emissive;
 #else
     color.rgb += emissive;
+#endif
+#ifdef GLOWING
+    glowUv = vec2(dot(glowRowU, vec3(uv, 1.0)), dot(glowRowV, vec3(uv, 1.0)));
 #endif
 }

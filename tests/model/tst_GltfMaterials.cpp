@@ -22,6 +22,7 @@ private Q_SLOTS:
     void makesSlotsOfMaterials();
     void offersVariantsAsChoices();
     void readsTexturesWithTheirTransform();
+    void shinesByItsPictureAlone();
 
 private:
     GltfFolder m_folder;
@@ -126,6 +127,48 @@ void tst_GltfMaterials::readsTexturesWithTheirTransform()
         QVERIFY(std::abs(choice.uvTransform[i] - expected[i]) < 1e-6F);
     }
     QCOMPARE(asset->levels.front().uv[1], glm::vec2(1, 0));
+}
+
+void tst_GltfMaterials::shinesByItsPictureAlone()
+{
+    QImage picture(1, 1, QImage::Format_RGBA8888);
+    picture.fill(QColor(255, 0, 0));
+    QByteArray png;
+    QBuffer buffer(&png);
+    QVERIFY(picture.save(&buffer, "PNG"));
+    GltfBuilder builder = GltfBuilder::triangle();
+    const int view = builder.view(std::vector<std::uint8_t>(png.begin(), png.end()));
+    builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    builder.add("images", {{"uri", "gone.png"}});
+    builder.add("samplers", {{"wrapS", 33071}});
+    builder.add("textures", {{"source", 0}, {"sampler", 0}});
+    builder.add("textures", {{"source", 1}});
+    const Json transform = {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}};
+    builder.add("materials", {{"emissiveTexture", {{"index", 0}, {"extensions", transform}}},
+                              {"emissiveFactor", {1, 1, 0.5}}});
+    primitive(builder)["material"] = 0;
+    TemplatePtr asset = m_folder.load(builder);
+    const MaterialChoice glowing = asset->slots[0].choices[0];
+    QCOMPARE(glowing.emissiveImage, 0);
+    QCOMPARE(glowing.emissive, glm::vec3(1, 1, 0.5F));
+    QCOMPARE(glowing.emissiveUvTransform[2], 0.5F);
+    QCOMPARE(glowing.wrapU, Wrap::Clamp);
+    QVERIFY(asset->warnings.empty());
+    // Without the picture it must not shine as a whole.
+    builder.root["materials"][0]["emissiveTexture"] = {{"index", 1}};
+    asset = m_folder.load(builder);
+    QCOMPARE(asset->slots[0].choices[0].emissive, glm::vec3(0));
+    QCOMPARE(asset->warnings.size(), std::size_t{1});
+    // Nor where the picture lies by coordinates that the vertices do not keep.
+    Json& material = builder.root["materials"][0];
+    material["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
+    material["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}};
+    asset = m_folder.load(builder);
+    QCOMPARE(asset->slots[0].choices[0].emissive, glm::vec3(0));
+    QCOMPARE(asset->warnings.size(), std::size_t{1});
+    // A picture that a black factor puts out is not even read.
+    material["emissiveFactor"] = {0, 0, 0};
+    QVERIFY(m_folder.load(builder)->warnings.empty());
 }
 
 CROWD_TEST(tst_GltfMaterials)

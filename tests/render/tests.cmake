@@ -1,5 +1,7 @@
-crowd_add_tests(ROOM render LINK crowd_render TESTS
+crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_CrowdPlan
     tst_DrawnFiles
+    tst_DrawnMaterials
+    tst_OddFiles
     tst_Renderer
 )
