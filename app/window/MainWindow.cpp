@@ -485,7 +485,6 @@ void MainWindow::closeEvent(QCloseEvent* event)
 /// may have the keyboard without being the active one: keys that nobody took are looked up here.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-               << QGuiApplication::focusWindow() << QApplication::focusWidget();
     QAction* action = event->isAutoRepeat()
                           ? nullptr
                           : m_actions.actionWithShortcut(QKeySequence(event->keyCombination()));

@@ -166,6 +166,7 @@ std::vector<ValidationRow> sequence()
         made.kind = kind;
         made.seconds = seconds;
         made.tag = tag;
+        made.event = kind == model::ActionKind::WaitForEvent ? "never" : "";
         return made;
     };
     model::Rule rule;

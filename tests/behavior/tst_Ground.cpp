@@ -44,6 +44,7 @@ void addPeople(model::Scene& scene, const std::vector<glm::vec3>& points,
         rows.column(model::columns::position)[i] = points[i];
         rows.column(model::columns::path)[i] = i < paths.size() ? paths[i] : 1;
         rows.column(model::columns::walkSpeed)[i] = 1.3F;
+        rows.column(model::columns::seed)[i] = 100U + static_cast<std::uint32_t>(i);
     }
     scene.population.add(rows);
 }
