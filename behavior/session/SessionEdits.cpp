@@ -15,7 +15,7 @@ bool isSameList(const std::vector<model::TemplateEntry>& a,
 {
     return std::ranges::equal(a, b, [](const auto& left, const auto& right) {
         return left.id == right.id && left.asset == right.asset &&
-               left.clipNames == right.clipNames &&
+               left.clipNames == right.clipNames && left.clipRoles == right.clipRoles &&
                std::ranges::equal(left.clipSpeeds, right.clipSpeeds, [](float x, float y) {
                    return x == y || (std::isnan(x) && std::isnan(y));
                });
@@ -43,7 +43,8 @@ void forEdited(const model::Population& before, const model::Population& now,
 
 void Session::adopt(const model::Scene& scene, bool arePosesKept)
 {
-    if (!isSameList(*m_templates, scene.templates)) {
+    const bool areTemplatesNew = !isSameList(*m_templates, scene.templates);
+    if (areTemplatesNew) {
         readTemplates(scene);
     }
     adoptPaths(scene);
@@ -51,7 +52,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     if (!std::ranges::equal(m_population.ids(), scene.population.ids())) {
         adoptRows(scene);
     }
-    adoptValues(scene, arePosesKept);
+    adoptValues(scene, arePosesKept, areTemplatesNew);
     m_population = scene.population;
     m_follower.setGroups(m_population.column(model::columns::group));
     m_stages = scene.stages;
@@ -122,7 +123,7 @@ void Session::adoptRows(const model::Scene& scene)
     (void)m_population.remove(gone);
     m_population.add(people.rows(come));
     leaveOutWhoIsNowhere();
-    addBodies();
+    addBodies(people);
 }
 
 /// What rules have set, where an edit has set it anew.
@@ -160,19 +161,24 @@ void Session::adoptLooks(const model::Population& now)
 }
 
 /// Values that an edit changed since the last look at the scene.
-void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+void Session::adoptValues(const model::Scene& scene, bool arePosesKept, bool areTemplatesNew)
 {
     namespace keys = model::columns;
     const model::Population& now = scene.population;
-    bool hasMoved = false;
+    bool areBodiesNew = areTemplatesNew;
     const auto each = [&](const auto& key, const auto& act) {
         forEdited(m_population, now, key, act);
     };
+    for (std::size_t row = 0; row < now.size() && areTemplatesNew; ++row) {
+        m_shown[row].table = tableOf(now, row);
+        m_shown[row].style = styleOf(now, row, m_shown[row].table);
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+    }
     if (!arePosesKept) {
         each(keys::position, [&](std::size_t row) {
             m_bearings.put(row, now.column(keys::position)[row]);
             m_bearings.speed[row] = 0.0F;
-            hasMoved = true;
+            areBodiesNew = true;
         });
         each(keys::heading,
              [&](std::size_t row) { m_bearings.heading[row] = now.column(keys::heading)[row]; });
@@ -194,7 +200,10 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         m_shown[row].gait = 0;
         m_shown[row].order = -1;
         m_shown[row].base = -1;
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+        areBodiesNew = true;
     });
+    each(keys::girth, [&](std::size_t) { areBodiesNew = true; });
     each(keys::walkStyle,
          [&](std::size_t row) { m_shown[row].style = styleOf(now, row, m_shown[row].table); });
     each(keys::seat, [&](std::size_t row) {
@@ -204,9 +213,9 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         }
         m_shown[row].seat = now.column(keys::seat)[row];
     });
-    if (hasMoved) {
+    if (areBodiesNew) {
         leaveOutWhoIsNowhere();
-        addBodies();
+        addBodies(now);
     }
 }
 

@@ -1,6 +1,8 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
     tst_FootSlide
+    tst_Gaits
+    tst_LongBodies
     tst_PlaceRooms
     tst_Problems
     tst_RuleActions

@@ -28,6 +28,7 @@ public:
 Q_SIGNALS:
     void importRequested();
     void locateRequested(crowd::model::TemplateId id);
+    void clipsRequested(crowd::model::TemplateId id);
     void removeRequested(crowd::model::TemplateId id);
 
 protected:
