@@ -37,7 +37,8 @@ Json clipsOf(const model::Template& asset)
                        {"seconds", sixDecimals(clip.seconds)},
                        {"keyframes", clip.keyframeCount()},
                        {"speed_m_s", sixDecimals(clip.speed)},
-                       {"loop", clip.loop}};
+                       {"loop", clip.loop},
+                       {"role", model::keyOf(clip.role)}};
             if (clip.seatHeight) {
                 entry["seat_height_m"] = sixDecimals(*clip.seatHeight);
             }
@@ -76,6 +77,9 @@ Json describe(const model::Template& asset)
                 {"slots", namesOf(asset.slots)},
                 {"clips", clipsOf(asset)},
                 {"height_m", sixDecimals(asset.height)},
+                {"body_m", Json{{"radius", sixDecimals(asset.footprint.radius)},
+                                {"front", sixDecimals(asset.footprint.front)},
+                                {"back", sixDecimals(asset.footprint.back)}}},
                 {"levels", std::move(levels)},
                 {"parts", namesOf(asset.parts)},
                 {"default_clip", asset.clips[static_cast<std::size_t>(asset.defaultClip)].name},

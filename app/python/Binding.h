@@ -80,6 +80,7 @@ struct ClipInfo
     double speed;
     bool loop;
     std::optional<float> seatHeight;
+    std::string role;
 };
 
 /// What a script gave, for messages: its repr, cut.

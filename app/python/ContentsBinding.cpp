@@ -14,6 +14,7 @@ namespace {
 template<class T>
 using Maybe = std::optional<T>;
 using Speeds = std::vector<Maybe<float>>;
+using Roles = std::vector<Maybe<std::string>>;
 using Rotation = std::array<float, 4>;
 
 std::vector<TemplateHandle> templates(const ScenePtr& scene)
@@ -63,6 +64,20 @@ glm::vec3 placeFrom(const Point3& point)
     return toVector(point, "position");
 }
 
+ClipRole roleNamed(const std::string& key)
+{
+    const std::optional<ClipRole> role = clipRoleOf(key);
+    if (!role) {
+        std::string known;
+        for (const ClipRoleInfo& info : clipRoles()) {
+            known += (known.empty() ? "\"" : ", \"") + std::string(info.key) + "\"";
+        }
+        throw ScriptError("clip_roles: there is no role \"" + key + "\". Choose one of " + known +
+                          ", or None for the proposed one.");
+    }
+    return *role;
+}
+
 /// What the import dialog asks for, each left as it is where nothing is given.
 struct ImportArguments
 {
@@ -71,6 +86,7 @@ struct ImportArguments
     Maybe<float> groundOffset;
     Maybe<bool> removeRootMotion;
     Maybe<Speeds> clipSpeeds;
+    Maybe<Roles> clipRoles;
 
     void applyTo(TemplateEntry& entry) const;
 };
@@ -102,30 +118,40 @@ void ImportArguments::applyTo(TemplateEntry& entry) const
                                             : std::numeric_limits<float>::quiet_NaN());
         }
     }
+    if (clipRoles) {
+        entry.clipRoles.clear();
+        for (const Maybe<std::string>& each : *clipRoles) {
+            entry.clipRoles.push_back(each ? Maybe<ClipRole>(roleNamed(*each)) : std::nullopt);
+        }
+    }
 }
 
 TemplateHandle addTemplate(const ScenePtr& scene, const FilePath& path, const std::string& name,
                            TemplateId id, const Maybe<float>& scale,
                            const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
-                           const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds)
+                           const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds,
+                           const Maybe<Roles>& clipRoles)
 {
     TemplateEntry entry;
     entry.id = id;
     entry.path = path.string();
     entry.name = name;
-    ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds}.applyTo(entry);
+    ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds, clipRoles}.applyTo(
+        entry);
     return {scene, valueOrRaise(scene->addTemplate(entry))};
 }
 
 void changeTemplate(const ScenePtr& scene, const py::object& which, const Maybe<FilePath>& path,
                     const Maybe<std::string>& name, const Maybe<float>& scale,
                     const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
-                    const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds)
+                    const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds,
+                    const Maybe<Roles>& clipRoles)
 {
     TemplateEntry entry = TemplateHandle{scene, templateIdOf(scene, which)}.entry();
     entry.path = path ? path->string() : entry.path;
     entry.name = name.value_or(entry.name);
-    ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds}.applyTo(entry);
+    ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds, clipRoles}.applyTo(
+        entry);
     valueOrRaise(scene->changeTemplate(entry));
 }
 
@@ -336,15 +362,17 @@ void bindTemplateCalls(SceneClass& scene)
         .def("add_template", &addTemplate, py::arg("path"), py::arg("name") = "", py::kw_only(),
              py::arg("id") = 0, py::arg("scale") = py::none(), py::arg("rotation") = py::none(),
              py::arg("ground_offset") = py::none(), py::arg("remove_root_motion") = py::none(),
-             py::arg("clip_speeds") = py::none(),
+             py::arg("clip_speeds") = py::none(), py::arg("clip_roles") = py::none(),
              "A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb. The rest "
              "is what the import dialog asks for: a scale, a rotation (w, x, y, z), metres added "
-             "to Y, and ground speeds in m/s, clip by clip (None: the file's).")
+             "to Y, and clip by clip ground speeds in m/s (None: the file's) and roles, which say "
+             "what people stand, walk and sit with: \"idle\", \"walk\", \"run\", \"fly\", "
+             "\"sit\" or \"other\" (None: the proposed one).")
         .def("change_template", &changeTemplate, py::arg("template"), py::kw_only(),
              py::arg("path") = py::none(), py::arg("name") = py::none(),
              py::arg("scale") = py::none(), py::arg("rotation") = py::none(),
              py::arg("ground_offset") = py::none(), py::arg("remove_root_motion") = py::none(),
-             py::arg("clip_speeds") = py::none(),
+             py::arg("clip_speeds") = py::none(), py::arg("clip_roles") = py::none(),
              "By handle or id; what is not given stays. See add_template.")
         .def(
             "remove_template",

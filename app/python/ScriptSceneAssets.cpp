@@ -150,7 +150,8 @@ Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
         return noTemplate(entry.id);
     }
     const bool isSameFile = was->path == entry.path && was->import == entry.import &&
-                            sameNumbers(was->clipSpeeds, entry.clipSpeeds);
+                            sameNumbers(was->clipSpeeds, entry.clipSpeeds) &&
+                            was->clipRoles == entry.clipRoles;
     if (!isSameFile) {
         auto asset = loadTemplateAsset(entry);
         if (!asset) {

@@ -5,6 +5,7 @@
 #include "app/python/Binding.h"
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
+#include "model/brush/ClipChoice.h"
 
 namespace crowd::app {
 
@@ -70,10 +71,13 @@ namespace {
 std::vector<ClipInfo> clipsOf(const TemplateHandle& handle)
 {
     std::vector<ClipInfo> clips;
+    const TemplateEntry known = handle.entry();
     const TemplatePtr asset = handle.asset();
-    for (const Clip& clip : asset->clips) {
+    for (std::size_t i = 0; i < asset->clips.size(); ++i) {
+        const Clip& clip = asset->clips[i];
         clips.push_back({clip.name, static_cast<double>(clip.seconds), clip.keyframeCount(),
-                         static_cast<double>(clip.speed), clip.loop, clip.seatHeight});
+                         static_cast<double>(clip.speed), clip.loop, clip.seatHeight,
+                         keyOf(clipRole(known, i, i))});
     }
     return clips;
 }
@@ -171,6 +175,9 @@ void bindClip(py::module_& module)
         .def_readonly("speed", &ClipInfo::speed, "Ground speed at playback speed 1, m/s.")
         .def_readonly("loop", &ClipInfo::loop)
         .def_readonly("seat_height", &ClipInfo::seatHeight, "Metres; None: it does not sit.")
+        .def_readonly("role", &ClipInfo::role,
+                      "What it is for: \"idle\", \"walk\", \"run\", \"fly\", \"sit\" or "
+                      "\"other\".")
         .def("__repr__", [](const ClipInfo& clip) { return "<Clip " + clip.name + ">"; });
 }
 

@@ -205,6 +205,15 @@ void addSpeeds(Call& call, const std::vector<float>& speeds)
     call.add("clip_speeds", pythonList(items, 2 * kIndent));
 }
 
+void addRoles(Call& call, const std::vector<std::optional<ClipRole>>& roles)
+{
+    std::vector<std::string> items;
+    for (const std::optional<ClipRole>& each : roles) {
+        items.push_back(each ? pythonText(std::string(keyOf(*each))) : std::string("None"));
+    }
+    call.add("clip_roles", pythonList(items, 2 * kIndent));
+}
+
 /// NaN, the file's own speed, equals itself.
 bool sameBits(float a, float b)
 {
@@ -241,6 +250,9 @@ std::string templateCall(const EntryDelta<TemplateEntry>& delta)
     addImport(call, now.import, was.import);
     if (!std::ranges::equal(now.clipSpeeds, was.clipSpeeds, sameBits)) {
         addSpeeds(call, now.clipSpeeds);
+    }
+    if (now.clipRoles != was.clipRoles) {
+        addRoles(call, now.clipRoles);
     }
     return call.line();
 }

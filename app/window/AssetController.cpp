@@ -12,6 +12,7 @@
 #include "model/gltf/GltfImport.h"
 #include "model/gltf/ImportProposal.h"
 #include "model/project/SceneAssets.h"
+#include "widgets/dialogs/ClipsDialog.h"
 #include "widgets/dialogs/ImportDialog.h"
 #include "widgets/dialogs/LibraryDialog.h"
 #include "widgets/dialogs/MissingAssetsDialog.h"
@@ -226,14 +227,15 @@ void AssetController::proposeTemplate(const QString& path)
             auto* dialog =
                 new widgets::ImportDialog(path, asset.value(), m_state.keyframes(), m_window);
             connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-                addTemplate(path, dialog->settings(), dialog->clipSpeeds());
+                addTemplate(path, dialog->settings(), dialog->clipSpeeds(), dialog->clipRoles());
             });
             show(dialog);
         });
 }
 
 void AssetController::addTemplate(const QString& path, const model::ImportSettings& settings,
-                                  const std::vector<float>& clipSpeeds)
+                                  const std::vector<float>& clipSpeeds,
+                                  const std::vector<std::optional<model::ClipRole>>& clipRoles)
 {
     if (m_task.isRunning()) {
         return;
@@ -243,6 +245,7 @@ void AssetController::addTemplate(const QString& path, const model::ImportSettin
     entry.path = QFileInfo(path).absoluteFilePath().toStdString();
     entry.import = settings;
     entry.clipSpeeds = clipSpeeds;
+    entry.clipRoles = clipRoles;
     m_task.start(
         tr("Importing %1…").arg(fileName(path)),
         [path, settings](const BackgroundTask::Progress& report) {
@@ -313,6 +316,65 @@ void AssetController::removeTemplate(model::TemplateId id)
     const auto edit = m_state.document().beginEdit();
     edit->removeTemplate(id);
     edit->commit(tr("Remove template"));
+}
+
+void AssetController::editClips(model::TemplateId id)
+{
+    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+    if (entry == nullptr || m_task.isRunning()) {
+        return;
+    }
+    // As the file has it: what the artist has changed can be taken back.
+    const QString name = QString::fromStdString(entry->name);
+    m_task.start(
+        tr("Reading %1…").arg(name),
+        [entry = *entry](const BackgroundTask::Progress& report) -> Result<model::TemplatePtr> {
+            auto asset = model::loadTemplateAsset(entry, loadProgress(report));
+            if (!asset) {
+                return asset.error();
+            }
+            model::TemplateEntry plain = entry;
+            plain.clipSpeeds.clear();
+            plain.clipRoles.clear();
+            model::attachAsset(plain, asset.value());
+            return plain.asset;
+        },
+        [this, id](const Result<model::TemplatePtr>& asset) {
+            if (!asset) {
+                fail(tr("The file could not be read"), asset.error().message);
+                return;
+            }
+            showClips(id, asset.value());
+        });
+}
+
+void AssetController::showClips(model::TemplateId id, const model::TemplatePtr& asset)
+{
+    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+    if (entry == nullptr) {
+        return; // it was removed meanwhile
+    }
+    auto* dialog = new widgets::ClipsDialog(*entry, asset, m_state.keyframes(), m_window);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, id, asset] { setClips(id, asset, *dialog); });
+    show(dialog);
+}
+
+void AssetController::setClips(model::TemplateId id, const model::TemplatePtr& asset,
+                               const widgets::ClipsDialog& dialog)
+{
+    const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+    if (entry == nullptr) {
+        return;
+    }
+    model::TemplateEntry changed = *entry;
+    changed.clipSpeeds = dialog.clipSpeeds();
+    changed.clipRoles = dialog.clipRoles();
+    model::attachAsset(changed, asset);
+    m_state.document().interruptEdit();
+    const auto edit = m_state.document().beginEdit();
+    edit->changeTemplate(changed);
+    edit->commit(tr("Change clips"));
 }
 
 void AssetController::locateTemplate(model::TemplateId id)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <QtCore/QObject>
 #include <QtCore/QPointer>
 #include <QtCore/QStringList>
@@ -12,6 +14,10 @@
 #include "widgets/state/EditorState.h"
 
 class QDialog;
+
+namespace crowd::widgets {
+class ClipsDialog;
+}
 
 namespace crowd::app {
 
@@ -33,6 +39,7 @@ public:
     /// to be a template or the stage when `asks`, otherwise takes what it looks like.
     void bring(const QString& path, bool asks);
     void removeTemplate(model::TemplateId id); ///< refuses, saying so, while people use it
+    void editClips(model::TemplateId id);      ///< asks for roles and speeds of its clips
     void locateTemplate(model::TemplateId id); ///< asks where a missing file is now
     void locateStage(std::uint8_t id);
     /// Names what is missing in the open scene, with ways to find it; nothing when all is there.
@@ -40,7 +47,8 @@ public:
 
     /// Without dialogs, for tests and the command line; the result comes when loading has ended.
     void addTemplate(const QString& path, const model::ImportSettings& settings,
-                     const std::vector<float>& clipSpeeds = {});
+                     const std::vector<float>& clipSpeeds = {},
+                     const std::vector<std::optional<model::ClipRole>>& clipRoles = {});
     void addStage(const QString& path);
     /// Reads a missing asset from `path`, and others that are missing from near it: one undo step.
     void locateAt(const model::MissingAsset& asset, const QString& path);
@@ -61,6 +69,9 @@ private:
     void proposeTemplate(const QString& path);
     void goOn(); ///< with what waits, once nothing runs
     void addEntries(std::vector<model::TemplateEntry> entries);
+    void showClips(model::TemplateId id, const model::TemplatePtr& asset);
+    void setClips(model::TemplateId id, const model::TemplatePtr& asset,
+                  const widgets::ClipsDialog& dialog);
     void put(model::TemplateEntry entry, const model::TemplatePtr& asset, const QString& undoText);
     void locate(const model::MissingAsset& asset); ///< asks for the file
     void take(const FoundAssets& found);

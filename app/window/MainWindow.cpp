@@ -135,6 +135,8 @@ void MainWindow::addDocks()
             &AssetController::addFromLibrary);
     connect(templates, &widgets::TemplatesDock::locateRequested, &m_assets,
             &AssetController::locateTemplate);
+    connect(templates, &widgets::TemplatesDock::clipsRequested, &m_assets,
+            &AssetController::editClips);
     connect(templates, &widgets::TemplatesDock::removeRequested, &m_assets,
             &AssetController::removeTemplate);
     connect(scene, &widgets::SceneDock::importStageRequested, &m_assets,

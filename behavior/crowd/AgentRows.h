@@ -33,11 +33,16 @@ struct AgentRows
     std::vector<float> y; ///< height of the ground underfoot
     std::vector<float> desiredSpeed;
     std::vector<Seen> seen;
+    /// Agent that a row belongs to; below 0, -1 - agent, for the discs of a long body. Only kept
+    /// where there are such bodies: see LongBody.
+    std::vector<std::int32_t> owner;
 
+    [[nodiscard]] bool isLong(std::size_t row) const { return !owner.empty() && owner[row] < 0; }
     [[nodiscard]] std::size_t size() const { return m_size; }
-    void resize(std::size_t rows)
+    void resize(std::size_t rows, bool hasLongBodies)
     {
         m_size = rows;
+        owner.resize(hasLongBodies ? rows + kLanes : 0);
         for (std::vector<float> AgentRows::*column : kFloats) {
             (this->*column).resize(rows + kLanes);
         }
@@ -45,7 +50,8 @@ struct AgentRows
     }
     [[nodiscard]] std::size_t bytes() const
     {
-        return std::size(kFloats) * x.size() * sizeof(float) + seen.size() * sizeof(Seen);
+        return std::size(kFloats) * x.size() * sizeof(float) + seen.size() * sizeof(Seen) +
+               owner.size() * sizeof(std::int32_t);
     }
 
     static constexpr std::vector<float> AgentRows::*kFloats[] = {

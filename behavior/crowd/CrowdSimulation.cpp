@@ -17,6 +17,9 @@ constexpr float kFastest = 20.0F;
 constexpr float kWidest = 2.0F;
 constexpr float kLongestStep = 0.1F;
 constexpr float kWallReach = 1.5F;
+constexpr float kWallRoom = 0.75F; ///< so far from their surface wide bodies notice walls
+/// Bodies up to that radius are noticed in good time within the range of the parameters.
+constexpr float kUsualWidth = 0.5F;
 constexpr int kSeparations = 6;
 
 float tame(float value, float low, float high, float otherwise)
@@ -34,10 +37,13 @@ void raise(std::atomic<float>& most, float value)
 
 } // namespace
 
-void CrowdSimulation::setAgents(std::span<const AgentState> agents)
+void CrowdSimulation::setAgents(std::span<const AgentState> agents,
+                                std::span<const LongBody> longBodies)
 {
+    m_agents = agents.size();
     m_bodies.resize(agents.size());
     m_heights.resize(agents.size() + kLanes);
+    m_widest = 0.0F;
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const AgentState& state = agents[i];
         m_bodies[i] = {.x = tame(state.position.x, -kFarthest, kFarthest, 0.0F),
@@ -47,12 +53,25 @@ void CrowdSimulation::setAgents(std::span<const AgentState> agents)
                        .preferredSpeed = tame(state.preferredSpeed, 0.0F, kFastest, 0.0F),
                        .radius = tame(state.radius, 0.01F, kWidest, 0.25F)};
         m_heights[i] = tame(state.groundHeight, -kFarthest, kFarthest, 0.0F);
+        m_widest = std::max(m_widest, m_bodies[i].radius);
+    }
+    m_longBodies.add(longBodies, m_bodies);
+    m_heights.resize(m_bodies.size() + kLanes);
+    if (std::max(kWallReach, m_widest + kWallRoom) != m_wallReach) {
+        layOutWalls();
     }
 }
 
 void CrowdSimulation::setWalls(std::span<const Wall> walls)
 {
-    m_walls.setWalls(walls, kWallReach);
+    m_wallList.assign(walls.begin(), walls.end());
+    layOutWalls();
+}
+
+void CrowdSimulation::layOutWalls()
+{
+    m_wallReach = std::max(kWallReach, m_widest + kWallRoom);
+    m_walls.setWalls(m_wallList, m_wallReach);
 }
 
 void CrowdSimulation::step(float seconds)
@@ -61,13 +80,16 @@ void CrowdSimulation::step(float seconds)
         return;
     }
     seconds = std::min(seconds, kLongestStep);
-    m_lattice.sort(m_bodies, parameters.range);
+    m_longBodies.place(m_bodies, {m_heights.data(), m_bodies.size()});
+    const float reach = parameters.range + 2.0F * std::max(m_widest - kUsualWidth, 0.0F);
+    m_lattice.sort(m_bodies, reach);
     gather();
     const ForceJob job{.agents = m_rows,
                        .lattice = m_lattice,
                        .walls = m_walls,
                        .parameters = parameters,
                        .seconds = seconds,
+                       .reach = reach,
                        .hasLevels = m_hasLevels,
                        .x = m_nextX.data(),
                        .z = m_nextZ.data(),
@@ -82,12 +104,14 @@ void CrowdSimulation::step(float seconds)
     std::swap(m_rows.z, m_nextZ);
     separate(job, aside);
     scatter();
+    m_longBodies.gather(m_bodies, {m_heights.data(), m_bodies.size()}, m_walls, seconds);
 }
 
 void CrowdSimulation::gather()
 {
     const std::size_t rows = m_bodies.size();
-    m_rows.resize(rows);
+    const bool hasLongBodies = !m_longBodies.isEmpty();
+    m_rows.resize(rows, hasLongBodies);
     m_nextX.resize(rows + kLanes);
     m_nextZ.resize(rows + kLanes);
     m_velocityX.resize(rows + kLanes);
@@ -95,13 +119,16 @@ void CrowdSimulation::gather()
     m_slack.resize(rows + kLanes);
     m_moved.resize(rows);
     m_movedIn.resize(rows / kRowsAtOnce + 1);
-    const bool areHeightsNeeded = m_hasLevels || !m_walls.isEmpty();
+    const bool areHeightsNeeded = m_hasLevels || hasLongBodies || !m_walls.isEmpty();
     const std::span<const std::uint32_t> agents = m_lattice.agents();
     overRows(rows, [&](std::size_t begin, std::size_t end) {
         gatherRows(m_bodies.data(), agents.data(), m_rows, begin, end,
                    parameters.plainInstructions);
         for (std::size_t row = begin; row < end && areHeightsNeeded; ++row) {
             m_rows.y[row] = m_heights[agents[row]];
+        }
+        for (std::size_t row = begin; row < end && hasLongBodies; ++row) {
+            m_rows.owner[row] = m_longBodies.owner(agents[row]);
         }
     });
 }

@@ -12,6 +12,7 @@
 #include "behavior/crowd/BinLattice.h"
 #include "behavior/crowd/Body.h"
 #include "behavior/crowd/ForceParameters.h"
+#include "behavior/crowd/LongBodies.h"
 #include "behavior/crowd/WallField.h"
 
 namespace crowd::behavior {
@@ -36,15 +37,18 @@ class CrowdSimulation
 public:
     ForceParameters parameters;
 
-    /// Agent i is agents[i]. Values that are no numbers become harmless ones.
-    void setAgents(std::span<const AgentState> agents);
+    /// Agent i is agents[i]; some of them have long bodies. Values that are no numbers become
+    /// harmless ones.
+    void setAgents(std::span<const AgentState> agents, std::span<const LongBody> longBodies = {});
     void setWalls(std::span<const Wall> walls);
-    [[nodiscard]] std::size_t size() const { return m_bodies.size(); }
+    [[nodiscard]] std::size_t size() const { return m_agents; }
+    /// Write where they are turned between steps.
+    [[nodiscard]] std::span<LongBody> longBodies() { return m_longBodies.bodies(); }
 
     /// By agent. Between steps write what they desire; positions to let somebody jump; preferred
     /// speeds to let somebody stop.
-    [[nodiscard]] std::span<Body> bodies() { return m_bodies; }
-    [[nodiscard]] std::span<const Body> bodies() const { return m_bodies; }
+    [[nodiscard]] std::span<Body> bodies() { return {m_bodies.data(), m_agents}; }
+    [[nodiscard]] std::span<const Body> bodies() const { return {m_bodies.data(), m_agents}; }
     /// Of the ground underfoot, by agent, metres; write them where it is not flat.
     [[nodiscard]] std::span<float> heights() { return {m_heights.data(), size()}; }
     [[nodiscard]] std::span<const float> heights() const { return {m_heights.data(), size()}; }
@@ -57,12 +61,16 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    void layOutWalls();
     void gather();
     void separate(const ForceJob& before, float aside);
     void takeMoved();
     void scatter();
 
-    std::vector<Body> m_bodies;
+    std::size_t m_agents = 0;
+    std::vector<Body> m_bodies; ///< agents, then the discs of long bodies
+    LongBodies m_longBodies;
+    float m_widest = 0.0F;        ///< radius, metres
     std::vector<float> m_heights; ///< and spare ones for a whole block of lanes
     AgentRows m_rows;             ///< the same people while they step
     std::vector<float> m_nextX;   ///< of the rows
@@ -73,7 +81,9 @@ private:
     std::vector<std::uint32_t> m_moved; ///< rows that separate() moved, from where a chunk begins
     std::vector<std::size_t> m_movedIn; ///< how many of each chunk
     BinLattice m_lattice;
+    std::vector<Wall> m_wallList;
     WallField m_walls;
+    float m_wallReach = 0.0F;
     bool m_hasLevels = false;
 };
 

@@ -21,6 +21,8 @@ constexpr std::size_t kMostNeighbours = 256;
 constexpr float kFarthestApart = 0.06F;
 /// So many too close are enough to know which way is out: on one spot there can be thousands.
 constexpr std::size_t kMostClose = 24;
+/// Of two bodies of the size that the force is made for, metres.
+constexpr float kPersonRadii = 0.5F;
 constexpr float kAnyReach = 1e30F;  ///< slack of whom nobody comes too close
 constexpr std::size_t kBatch = 256; ///< rows whose sums lie in the fastest cache
 
@@ -64,18 +66,40 @@ struct Sums
     float hidden[kBatch] = {};
 };
 
+/// What the kernel has to look at beside places on a plane. Each also does what those before it do.
+enum class Crowd : std::uint8_t {
+    Flat,
+    Levels, ///< people above each other
+    Long    ///< bodies made of several rows, which do not press on each other
+};
+
+Crowd kindOf(const ForceJob& job)
+{
+    return !job.agents.owner.empty() ? Crowd::Long : job.hasLevels ? Crowd::Levels : Crowd::Flat;
+}
+
 float flatLength(float x, float z)
 {
     return std::sqrt(x * x + z * z);
 }
 
-/// Half the way out of somebody too close, all of it when the other does not move.
+/// Which part of the way out of somebody too close one goes: half of it, all of it when the other
+/// does not move. A long body is not turned out of its way by somebody who can make room.
+float shareOfWay(const AgentRows& agents, std::size_t row, std::size_t other)
+{
+    const bool canMakeRoom = agents.seen[other].preferredSpeed != 0.0F;
+    if (canMakeRoom && agents.isLong(row) != agents.isLong(other)) {
+        return agents.isLong(row) ? 0.0F : 1.0F;
+    }
+    return canMakeRoom ? 0.5F : 1.0F;
+}
+
 void leave(const AgentRows& agents, std::size_t row, std::size_t other, float least, float& wayX,
            float& wayZ)
 {
     const float x = agents.x[row] - agents.x[other];
     const float z = agents.z[row] - agents.z[other];
-    const float share = agents.seen[other].preferredSpeed != 0.0F ? 0.5F : 1.0F;
+    const float share = shareOfWay(agents, row, other);
     const float distance = std::sqrt(x * x + z * z);
     if (distance > 1e-4F) {
         wayX += share * x * (least - distance) / distance;
@@ -114,32 +138,40 @@ void gatherRows(const Body* bodyOfAgent, const std::uint32_t* agentOfRow, AgentR
 
 float advanceRows(const ForceJob& job, std::size_t begin, std::size_t end)
 {
-    const int kind = (job.hasLevels ? 1 : 0) + (job.parameters.slowing > 0.0F ? 2 : 0);
+    const std::size_t crowd = static_cast<std::size_t>(kindOf(job));
+    const std::size_t slows = job.parameters.slowing > 0.0F ? 1 : 0;
 #ifdef CROWD_HAS_AVX2
     if (hasAvx2() && !job.parameters.plainInstructions) {
-        constexpr Advance kKinds[] = {
-            with_avx2::advance<false, false>, with_avx2::advance<true, false>,
-            with_avx2::advance<false, true>, with_avx2::advance<true, true>};
-        return kKinds[kind](job, begin, end);
+        constexpr Advance kKinds[][2] = {
+            {with_avx2::advance<Crowd::Flat, false>, with_avx2::advance<Crowd::Flat, true>},
+            {with_avx2::advance<Crowd::Levels, false>, with_avx2::advance<Crowd::Levels, true>},
+            {with_avx2::advance<Crowd::Long, false>, with_avx2::advance<Crowd::Long, true>}};
+        return kKinds[crowd][slows](job, begin, end);
     }
 #endif
-    constexpr Advance kKinds[] = {
-        any_processor::advance<false, false>, any_processor::advance<true, false>,
-        any_processor::advance<false, true>, any_processor::advance<true, true>};
-    return kKinds[kind](job, begin, end);
+    constexpr Advance kKinds[][2] = {
+        {any_processor::advance<Crowd::Flat, false>, any_processor::advance<Crowd::Flat, true>},
+        {any_processor::advance<Crowd::Levels, false>, any_processor::advance<Crowd::Levels, true>},
+        {any_processor::advance<Crowd::Long, false>, any_processor::advance<Crowd::Long, true>}};
+    return kKinds[crowd][slows](job, begin, end);
 }
 
 Separated separateRows(const ForceJob& job, std::size_t begin, std::size_t end, float reach,
                        std::uint32_t* moved)
 {
-    Separate separate =
-        job.hasLevels ? any_processor::separate<true> : any_processor::separate<false>;
+    const std::size_t crowd = static_cast<std::size_t>(kindOf(job));
 #ifdef CROWD_HAS_AVX2
     if (hasAvx2() && !job.parameters.plainInstructions) {
-        separate = job.hasLevels ? with_avx2::separate<true> : with_avx2::separate<false>;
+        constexpr Separate kKinds[] = {with_avx2::separate<Crowd::Flat>,
+                                       with_avx2::separate<Crowd::Levels>,
+                                       with_avx2::separate<Crowd::Long>};
+        return kKinds[crowd](job, begin, end, reach, moved);
     }
 #endif
-    return separate(job, begin, end, reach, moved);
+    constexpr Separate kKinds[] = {any_processor::separate<Crowd::Flat>,
+                                   any_processor::separate<Crowd::Levels>,
+                                   any_processor::separate<Crowd::Long>};
+    return kKinds[crowd](job, begin, end, reach, moved);
 }
 
 } // namespace crowd::behavior

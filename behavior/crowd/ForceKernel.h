@@ -16,10 +16,11 @@ namespace crowd::behavior {
 struct ForceJob
 {
     const AgentRows& agents;
-    const BinLattice& lattice; ///< reaches at least as far as ForceParameters::range
+    const BinLattice& lattice; ///< reaches at least as far as `reach`
     const WallField& walls;
     const ForceParameters& parameters;
     float seconds = 0.0F;   ///< length of the step
+    float reach = 0.0F;     ///< metres: people further away are not noticed
     bool hasLevels = false; ///< whether people may stand above each other
     float* x = nullptr;     ///< outputs, by row
     float* z = nullptr;

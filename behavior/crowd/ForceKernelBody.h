@@ -19,9 +19,26 @@ CROWD_INLINE I8 lanesBelow(std::size_t count)
     return I8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<std::int32_t>(count);
 }
 
+/// Far away for those who are no neighbours of a row, wherever they are: on another level, or of
+/// the same body.
+template<Crowd kCrowd>
+CROWD_INLINE F8 farIfApart(const AgentRows& agents, std::size_t row, std::size_t first)
+{
+    F8 away{};
+    if constexpr (kCrowd != Crowd::Flat) {
+        const F8 above = load(agents.y.data() + first) - agents.y[row];
+        away += greater(above, -above) > kLevelMetres ? all(1e12F) : all(0.0F);
+    }
+    if constexpr (kCrowd == Crowd::Long) {
+        const I8 owners = *reinterpret_cast<const I8InMemory*>(agents.owner.data() + first);
+        away += owners == agents.owner[row] ? all(1e12F) : all(0.0F);
+    }
+    return away;
+}
+
 /// Rows of everybody within range of a row, ascending, from near.row[at] on; returns where the next
 /// row's begin.
-template<bool kHasLevels>
+template<Crowd kCrowd>
 CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
                                  const BinLattice::Span (&spans)[3], Neighbours& near,
                                  std::size_t at)
@@ -30,16 +47,15 @@ CROWD_INLINE std::size_t collect(const ForceJob& job, std::size_t row,
     const AgentRows& agents = job.agents;
     const F8 selfX = all(agents.x[row]);
     const F8 selfZ = all(agents.z[row]);
-    const F8 squaredRange = all(job.parameters.range * job.parameters.range);
+    const F8 squaredRange = all(job.reach * job.reach);
     std::size_t count = at;
     for (const BinLattice::Span& span : spans) {
         for (std::size_t first = span.begin; first < span.end; first += kLanes) {
             const F8 x = selfX - load(agents.x.data() + first);
             const F8 z = selfZ - load(agents.z.data() + first);
             F8 squared = squaredDistances(x, z);
-            if constexpr (kHasLevels) {
-                const F8 above = load(agents.y.data() + first) - agents.y[row];
-                squared += greater(above, -above) > kLevelMetres ? all(1e12F) : all(0.0F);
+            if constexpr (kCrowd != Crowd::Flat) {
+                squared += farIfApart<kCrowd>(agents, row, first);
             }
             const unsigned bits =
                 bitsWhereLess(squared, squaredRange) & bitsOfOthers(first, span.end, row);
@@ -132,10 +148,13 @@ CROWD_INLINE void press(const ForceJob& job, Neighbours& near, std::size_t end)
         const F8 unitZ = load(near.z + i) * perDistance;
         const F8 ahead = load(near.ahead + i) * perDistance;
         const F8 seen = p.fromBehind + blind * (1.0F + ahead);
-        const F8 nearness = greater(1.0F - distance * distance * perSquare, all(0.0F));
-        const F8 push = nearness * seen * ((distance + soon) * perAxis) * (0.5F * p.strength) *
-                        exponential(axis * perReach);
+        // Between wide bodies it is the same room that counts, not the same distance.
         const F8 radius = load(near.radius + i);
+        const F8 wider = radius - kPersonRadii;
+        const F8 room = greater(distance - wider, all(0.0F));
+        const F8 nearness = greater(1.0F - room * room * perSquare, all(0.0F));
+        const F8 push = nearness * seen * ((distance + soon) * perAxis) * (0.5F * p.strength) *
+                        exponential(greater(axis - 2.0F * wider, all(0.0F)) * perReach);
         const F8 touch = p.contact * greater(radius - distance, all(0.0F));
         F8 presence = nearness * nearness * (1.0F + ahead);
         if constexpr (kSlows) {
@@ -271,7 +290,7 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
     return isThere ? aside : all(0.0F);
 }
 
-template<bool kHasLevels, bool kSlows>
+template<Crowd kCrowd, bool kSlows>
 CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t count, Sums& sums)
 {
     Neighbours near;
@@ -288,7 +307,7 @@ CROWD_INLINE void addPeople(const ForceJob& job, std::size_t begin, std::size_t 
                 bin = job.lattice.binOfRow(row);
                 job.lattice.neighbourhood(bin, line, spans);
             }
-            near.start[i + 1] = collect<kHasLevels>(job, row, spans, near, near.start[i]);
+            near.start[i + 1] = collect<kCrowd>(job, row, spans, near, near.start[i]);
         }
         // The last block is filled up with anybody.
         std::fill_n(near.row + near.start[i], kLanes, static_cast<std::uint32_t>(begin));
@@ -338,7 +357,7 @@ inline float keepOut(const ForceJob& job, std::size_t begin, std::size_t end)
     return furthest;
 }
 
-template<bool kHasLevels, bool kSlows>
+template<Crowd kCrowd, bool kSlows>
 float advance(const ForceJob& job, std::size_t begin, std::size_t end)
 {
     Sums sums;
@@ -346,7 +365,7 @@ float advance(const ForceJob& job, std::size_t begin, std::size_t end)
     float outOfWalls = 0.0F;
     for (std::size_t first = begin; first < end; first += kBatch) {
         const std::size_t count = std::min(kBatch, end - first);
-        addPeople<kHasLevels, kSlows>(job, first, count, sums);
+        addPeople<kCrowd, kSlows>(job, first, count, sums);
         if (!job.walls.isEmpty()) {
             addWalls(job, first, count, sums);
         }
@@ -370,7 +389,7 @@ CROWD_INLINE F8 radii(const Seen* seen)
 }
 
 /// Way of one row out of those too close to it; false: none is.
-template<bool kHasLevels>
+template<Crowd kCrowd>
 CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, float& wayZ)
 {
     const AgentRows& agents = job.agents;
@@ -386,9 +405,8 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
             const F8 z = agents.z[row] - load(agents.z.data() + first);
             const F8 least = share * (agents.seen[row].radius + radii(&agents.seen[first]));
             F8 squared = squaredDistances(x, z);
-            if constexpr (kHasLevels) {
-                const F8 above = load(agents.y.data() + first) - agents.y[row];
-                squared += greater(above, -above) > kLevelMetres ? all(1e12F) : all(0.0F);
+            if constexpr (kCrowd != Crowd::Flat) {
+                squared += farIfApart<kCrowd>(agents, row, first);
             }
             unsigned bits =
                 bitsWhereLess(squared, least * least) & bitsOfOthers(first, span.end, row);
@@ -401,7 +419,7 @@ CROWD_INLINE bool wayOut(const ForceJob& job, std::size_t row, float& wayX, floa
     return close > 0;
 }
 
-template<bool kHasLevels>
+template<Crowd kCrowd>
 Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, float reach,
                    std::uint32_t* moved)
 {
@@ -413,7 +431,7 @@ Separated separate(const ForceJob& job, std::size_t begin, std::size_t end, floa
             const std::size_t row = first + static_cast<std::size_t>(std::countr_zero(bits));
             float wayX = 0.0F;
             float wayZ = 0.0F;
-            if (!wayOut<kHasLevels>(job, row, wayX, wayZ)) {
+            if (!wayOut<kCrowd>(job, row, wayX, wayZ)) {
                 continue;
             }
             const float length = flatLength(wayX, wayZ);

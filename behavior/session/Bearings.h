@@ -34,7 +34,7 @@ struct Bearings
     // Of the gait; without gaits it plays no part.
     std::vector<float> gaitPlace; ///< in its clip, 0..1
     std::vector<float> perMetre;  ///< playback speed for a speed of 1 m/s; 0: it is to stand with
-    std::vector<float> perSecond; ///< of the clip, at playback speed 1
+    std::vector<float> perSecond; ///< of the clip, at playback speed 1; 0: it stays where it is
     std::vector<float> slowest;   ///< beyond these speeds it may be another one
     std::vector<float> fastest;
     std::vector<std::int32_t> isGaitShown; ///< -1: the clip shown is the gait's; 0: another one

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "behavior/session/StrideKernel.h"
 #include "model/bake/Pose.h"
@@ -20,6 +22,7 @@ constexpr float kHardestBraking = 5.0F; ///< m/s²
 constexpr float kSole = 0.04F;          ///< of the height: vertices that low are soles
 constexpr double kPassingShare = 0.12;  ///< of a cycle
 constexpr int kMoments = 48;            ///< looked at in a clip
+constexpr float kNextGait = 1.15F;      ///< times as fast: less is the same gait in other words
 
 /// The vertices of the soles as a mesh of their own.
 model::Mesh solesOf(const model::Template& asset)
@@ -87,39 +90,77 @@ GaitTable::GaitTable(const model::TemplateEntry& entry)
     }
     const auto standing = static_cast<std::size_t>(entry.asset->defaultClip);
     const model::Mesh soles = solesOf(*entry.asset);
+    std::vector<Candidate> found;
     for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
         const int index = entry.asset->clipIndex(entry.clipNames[i]);
         if (index < 0) {
             continue;
         }
         const auto clip = static_cast<std::size_t>(index);
+        const model::ClipRole role = model::clipRole(entry, i, clip);
+        const float seconds = entry.asset->clips[clip].seconds;
+        const bool isFree = role == model::ClipRole::Fly;
         const bool moves = model::movesOverGround(entry, i, clip);
-        if (moves || clip == standing) {
-            m_gaits.push_back(
-                {static_cast<std::uint16_t>(i), moves ? model::groundSpeed(entry, i, clip) : 0.0F,
-                 entry.asset->clips[clip].seconds,
-                 moves ? feetTogetherIn(*entry.asset, soles, index) : std::vector<float>{}});
+        if (clip == standing && m_gaits.empty()) {
+            // With nothing to stand with it stands as in the middle of a step.
+            const bool isFrozen = moves && model::isGait(role) && !isFree;
+            m_gaits.push_back({static_cast<std::uint16_t>(i), 0.0F, seconds, isFree, isFrozen, {}});
+        }
+        if (moves) {
+            found.push_back(
+                {{static_cast<std::uint16_t>(i), model::groundSpeed(entry, i, clip), seconds,
+                  isFree, false,
+                  isFree ? std::vector<float>{} : feetTogetherIn(*entry.asset, soles, index)},
+                 role});
         }
     }
-    std::ranges::stable_sort(m_gaits, {}, &Gait::metresPerSecond);
-    if (m_gaits.empty() || m_gaits.front().metresPerSecond > 0.0F) {
-        m_gaits.clear(); // nothing to stand with
+    if (!m_gaits.empty()) {
+        addMovers(std::move(found));
     }
+}
+
+/// By speed, but runs are faster than walks, and of several of one speed the first one counts.
+void GaitTable::addMovers(std::vector<Candidate> found)
+{
+    std::ranges::stable_sort(found, {}, [](const Candidate& each) {
+        const int group = !model::isGait(each.role) ? 2 : each.role == model::ClipRole::Run ? 1 : 0;
+        return std::pair(group, each.gait.metresPerSecond);
+    });
+    std::vector<Gait> asked;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const float speed = found[i].gait.metresPerSecond;
+        const bool isFaster =
+            m_gaits.size() == 1 || speed > kNextGait * m_gaits.back().metresPerSecond;
+        if (model::isGait(found[i].role) && isFaster) {
+            before = i;
+            m_gaits.push_back(std::move(found[i].gait));
+        } else if (model::isGait(found[i].role) && found[i].role == found[before].role &&
+                   found[i].gait.clip < m_gaits.back().clip) {
+            std::swap(found[i].gait, m_gaits.back()); // as fast, and named before it
+            asked.push_back(std::move(found[i].gait));
+        } else {
+            asked.push_back(std::move(found[i].gait));
+        }
+    }
+    m_usual = m_gaits.size();
+    m_gaits.insert(m_gaits.end(), asked.begin(), asked.end());
 }
 
 bool GaitTable::isMover(std::size_t clip) const
 {
-    return std::ranges::any_of(m_gaits, [clip](const Gait& gait) {
-        return gait.clip == clip && gait.metresPerSecond > 0.0F;
+    const std::span usual(m_gaits.data(), m_usual);
+    return std::ranges::any_of(usual, [clip](const Gait& gait) {
+        return gait.clip == clip && gait.metresPerSecond > 0.0F && !gait.isFree;
     });
 }
 
 std::size_t GaitTable::gaitOf(std::size_t clip) const
 {
-    const auto found = std::ranges::find(m_gaits, clip, &Gait::clip);
-    return found == m_gaits.end() || found->metresPerSecond <= 0.0F
-               ? 0
-               : static_cast<std::size_t>(found - m_gaits.begin());
+    const auto found = std::ranges::find_if(m_gaits, [clip](const Gait& gait) {
+        return gait.clip == clip && gait.metresPerSecond > 0.0F;
+    });
+    return found == m_gaits.end() ? 0 : static_cast<std::size_t>(found - m_gaits.begin());
 }
 
 float GaitTable::border(std::size_t upper) const
@@ -137,8 +178,11 @@ GaitTable::Limits GaitTable::limits(std::size_t present, std::size_t style) cons
         return gait == style ? Limits{kStandBelow * (1.0F - kHysteresis), kNone}
                              : Limits{kNone, -kNone};
     }
+    if (gait >= m_usual) {
+        return {kNone, -kNone}; // nobody asks for it any more
+    }
     return {gait == 0 ? -kNone : border(gait) * (1.0F - kHysteresis),
-            gait + 1 == m_gaits.size() ? kNone : border(gait + 1) * (1.0F + kHysteresis)};
+            gait + 1 == m_usual ? kNone : border(gait + 1) * (1.0F + kHysteresis)};
 }
 
 std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::size_t style) const
@@ -148,8 +192,8 @@ std::size_t GaitTable::choose(std::size_t present, float metresPerSecond, std::s
         const float border = kStandBelow * (present == 0 ? 1.0F + kHysteresis : 1.0F - kHysteresis);
         return metresPerSecond > border ? style : 0;
     }
-    std::size_t gait = std::min(present, m_gaits.size() - 1);
-    while (gait + 1 < m_gaits.size() && metresPerSecond > border(gait + 1) * (1.0F + kHysteresis)) {
+    std::size_t gait = std::min(present, m_usual - 1);
+    while (gait + 1 < m_usual && metresPerSecond > border(gait + 1) * (1.0F + kHysteresis)) {
         ++gait;
     }
     while (gait > 0 && metresPerSecond < border(gait) * (1.0F - kHysteresis)) {
@@ -203,9 +247,10 @@ double GaitTable::placeInto(const Gait& from, const Gait& to, double place)
 
 float GaitTable::playback(const Gait& gait, float metresPerSecond, float height)
 {
-    return gait.metresPerSecond > 0.0F
-               ? metresPerSecond / (gait.metresPerSecond * std::max(height, 0.05F))
-               : 1.0F;
+    if (gait.metresPerSecond <= 0.0F || gait.isFree) {
+        return gait.isFrozen ? 0.0F : 1.0F;
+    }
+    return metresPerSecond / (gait.metresPerSecond * std::max(height, 0.05F));
 }
 
 } // namespace crowd::behavior

@@ -9,7 +9,8 @@
 
 namespace crowd::behavior {
 
-/// Which clips of a template to stand, walk and run with. Immutable once made.
+/// Which clips of a template to stand, walk and run with: those that are gaits by their role.
+/// Others that move over the ground are there for who asks for them. Immutable once made.
 class GaitTable
 {
 public:
@@ -18,6 +19,8 @@ public:
         std::uint16_t clip = 0;       ///< as the clip column counts
         float metresPerSecond = 0.0F; ///< at playback speed 1 and height 1; 0: standing
         float seconds = 1.0F;         ///< of the clip; 0 a pose
+        bool isFree = false;          ///< plays at its own pace: no foot touches the ground
+        bool isFrozen = false;        ///< a walk to stand with: it stays where it is
         /// Places in the clip, ascending, where the feet pass each other.
         std::vector<float> feetTogether{};
     };
@@ -27,7 +30,7 @@ public:
     explicit GaitTable(const model::TemplateEntry& entry);
 
     [[nodiscard]] bool isEmpty() const { return m_gaits.size() < 2; }
-    /// Whether a clip (as the clip column counts) moves over the ground.
+    /// Whether a clip (as the clip column counts) is a gait, which nobody plays who stands.
     [[nodiscard]] bool isMover(std::size_t clip) const;
     /// The last one beyond the end: the table may be another than when the index was chosen.
     [[nodiscard]] const Gait& gait(std::size_t index) const
@@ -63,10 +66,18 @@ public:
     [[nodiscard]] static float playback(const Gait& gait, float metresPerSecond, float height);
 
 private:
+    struct Candidate
+    {
+        Gait gait;
+        model::ClipRole role = model::ClipRole::Other;
+    };
+    void addMovers(std::vector<Candidate> found);
     /// Speed at which one gait goes over into the next one up.
     [[nodiscard]] float border(std::size_t upper) const;
 
-    std::vector<Gait> m_gaits; ///< standing first, then by rising speed
+    /// Standing first, then by rising speed, then those that are only played where asked for.
+    std::vector<Gait> m_gaits;
+    std::size_t m_usual = 0; ///< how many of them are chosen by speed, standing among them
 };
 
 } // namespace crowd::behavior

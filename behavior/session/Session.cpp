@@ -10,12 +10,13 @@
 #include "behavior/crowd/ForceKernel.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/base/Random.h"
+#include "model/brush/ClipChoice.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr float kBodyRadius = 0.25F;
+constexpr float kPersonReach = 0.25F;    ///< metres
 constexpr float kGroupSpread = 0.35F;    ///< metres times the root of its size
 constexpr float kSpeedSmoothing = 0.15F; ///< in 1/30 s
 constexpr float kRampShare = 0.25F;      ///< of the way to the ground's height, in 1/30 s
@@ -65,7 +66,7 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
     addPeople(plan);
     m_follower.setGroups(m_population.column(model::columns::group));
     leaveOutWhoIsNowhere();
-    addBodies();
+    addBodies(m_population);
     setWalls(m_places);
     m_rules.setRules(scene);
     m_rules.setPeople(m_population,
@@ -79,7 +80,10 @@ void Session::readTemplates(const model::Scene& scene)
     m_templates = std::make_shared<const std::vector<model::TemplateEntry>>(scene.templates);
     m_gaits.clear();
     m_clips.clear();
+    m_facts.clear();
     for (const model::TemplateEntry& entry : *m_templates) {
+        m_facts.push_back({entry.asset ? entry.asset->footprint : model::Footprint{},
+                           model::usualWalkingSpeed(entry)});
         const GaitTable& gaits = m_gaits.emplace_back(entry);
         std::vector<ClipFacts>& facts = m_clips.emplace_back(entry.clipNames.size());
         for (std::size_t i = 0; i < facts.size() && entry.asset; ++i) {
@@ -98,8 +102,13 @@ float Session::paceOf(const model::Population& people, std::size_t row) const
     if (std::isfinite(speed) && speed > 0.0F) {
         return std::min(speed, model::kMaxWalkingSpeed);
     }
+    const std::size_t table = tableOf(people, row);
+    const float usual =
+        table < m_facts.size() ? m_facts[table].usualSpeed : model::kUsualWalkingSpeed;
+    const float height = std::max(people.column(model::columns::height)[row], 0.05F);
     const float u = model::unitFloat(model::hashKeys(m_seed, people.ids()[row], 33));
-    return model::kUsualWalkingSpeed * (0.85F + 0.3F * u); // nobody walks like his neighbour
+    // Nobody walks like his neighbour.
+    return std::min(usual * height * (0.85F + 0.3F * u), model::kMaxWalkingSpeed);
 }
 
 PathFollower::Assignment Session::walkOf(const model::Population& people, std::size_t row) const
@@ -117,7 +126,11 @@ PathFollower::Assignment Session::walkOf(const model::Population& people, std::s
     if (group != 0 && size != m_groupSizes.end() && size->second > 1) {
         // To the same point as the others, a little beside it.
         walk.seed = model::hashKeys(m_seed, group, 34);
-        walk.spread = kGroupSpread * std::sqrt(static_cast<float>(size->second));
+        const std::size_t table = tableOf(people, row);
+        const float reach = table < m_facts.size() ? m_facts[table].footprint.reach() : 0.0F;
+        const float girth = people.column(model::columns::girth)[row];
+        walk.spread = kGroupSpread * std::sqrt(static_cast<float>(size->second)) *
+                      std::clamp(reach * girth / kPersonReach, 1.0F, 10.0F);
     }
     return walk;
 }
@@ -132,12 +145,25 @@ std::uint32_t Session::styleOf(const model::Population& people, std::size_t row,
                : static_cast<std::uint32_t>(m_gaits[table].gaitOf(style - 1U));
 }
 
-Session::Shown Session::shownFrom(const model::Population& people, std::size_t row) const
+/// Of somebody's template; as many as there are for one that is none of them.
+std::uint32_t Session::tableOf(const model::Population& people, std::size_t row) const
 {
     const auto entry = std::ranges::find(
         *m_templates, people.column(model::columns::templateId)[row], &model::TemplateEntry::id);
+    return static_cast<std::uint32_t>(entry - m_templates->begin());
+}
+
+const model::Footprint& Session::footprintOf(std::size_t agent) const
+{
+    static const model::Footprint kPerson;
+    const std::uint32_t table = m_shown[agent].table;
+    return table < m_facts.size() ? m_facts[table].footprint : kPerson;
+}
+
+Session::Shown Session::shownFrom(const model::Population& people, std::size_t row) const
+{
     Shown shown;
-    shown.table = static_cast<std::uint32_t>(entry - m_templates->begin());
+    shown.table = tableOf(people, row);
     shown.height = people.column(model::columns::height)[row];
     shown.style = styleOf(people, row, shown.table);
     shown.seat = people.column(model::columns::seat)[row];
@@ -203,23 +229,41 @@ void Session::addPeople(const SessionPlan& plan)
 }
 
 /// Bodies anew from where people are shown; who moves keeps his velocity.
-void Session::addBodies()
+void Session::addBodies(const model::Population& people)
 {
-    const auto girths = m_population.column(model::columns::girth);
-    std::vector<AgentState> bodies(m_population.size());
+    const auto girths = people.column(model::columns::girth);
+    std::vector<AgentState> bodies(people.size());
+    std::vector<LongBody> longBodies;
     bool hasLevels = m_surface != nullptr;
     for (std::size_t row = 0; row < bodies.size(); ++row) {
         bodies[row].position = {m_bearings.x[row], m_bearings.z[row]};
         bodies[row].groundHeight = m_bearings.y[row];
-        bodies[row].radius = kBodyRadius * std::clamp(girths[row], 0.2F, 4.0F);
+        const model::Footprint& footprint = footprintOf(row);
+        const float girth = std::clamp(girths[row], 0.05F, 20.0F);
+        bodies[row].radius = footprint.radius * girth;
+        if (footprint.front > 0.0F || footprint.back > 0.0F) {
+            longBodies.push_back(
+                {static_cast<std::uint32_t>(row), footprint.front * girth, footprint.back * girth});
+        }
         bodies[row].preferredSpeed = 0.0F; // until it is steered
         bodies[row].velocity = m_bearings.speed[row] * glm::vec2(std::sin(m_bearings.heading[row]),
                                                                  std::cos(m_bearings.heading[row]));
         hasLevels = hasLevels || std::fabs(m_bearings.y[row] - m_bearings.y.front()) > kLevelMetres;
     }
     m_crowd.setLevels(hasLevels);
-    m_crowd.setAgents(bodies);
+    m_crowd.setAgents(bodies, longBodies);
     m_standing.assign(bodies.size(), {});
+    turnLongBodies();
+}
+
+/// As they are shown.
+void Session::turnLongBodies()
+{
+    for (LongBody& body : m_crowd.longBodies()) {
+        const float heading = m_bearings.heading[body.agent];
+        body.headingX = std::sin(heading);
+        body.headingZ = std::cos(heading);
+    }
 }
 
 void Session::setWalls(const std::vector<model::Place>& places)
@@ -294,6 +338,7 @@ void Session::step()
     m_rules.step(*this, m_steps);
     actPlaces();
     brake();
+    turnLongBodies();
     m_crowd.step(m_stepSeconds);
     ++m_steps;
     const std::vector<std::uint32_t> sitters = m_sitters;

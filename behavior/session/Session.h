@@ -211,7 +211,9 @@ private:
     void adoptTemplate(std::uint32_t agent, const std::vector<model::TemplateEntry>& former);
     void countGroups(const model::Population& people);
     void addPeople(const SessionPlan& plan);
-    void addBodies();
+    void addBodies(const model::Population& people);
+    void turnLongBodies();
+    [[nodiscard]] const model::Footprint& footprintOf(std::size_t agent) const;
     void setWalls(const std::vector<model::Place>& places);
     void warnOfWays();
     void warnOfWay(const Problem& problem);
@@ -223,7 +225,7 @@ private:
     void warn(Problem problem);
     void leaveOutWhoIsNowhere();
     void adoptRows(const model::Scene& scene);
-    void adoptValues(const model::Scene& scene, bool arePosesKept);
+    void adoptValues(const model::Scene& scene, bool arePosesKept, bool areTemplatesNew);
     void adoptLooks(const model::Population& now);
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
@@ -250,6 +252,7 @@ private:
                                        std::uint8_t before) const;
     [[nodiscard]] std::uint32_t styleOf(const model::Population& people, std::size_t row,
                                         std::uint32_t table) const;
+    [[nodiscard]] std::uint32_t tableOf(const model::Population& people, std::size_t row) const;
     [[nodiscard]] Shown shownFrom(const model::Population& people, std::size_t row) const;
     void setBearing(const model::Population& people, std::uint32_t row);
     [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
@@ -260,7 +263,14 @@ private:
 
     model::Population m_population; ///< as the scene has it
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
+    /// What a session knows of a template beside its clips.
+    struct TemplateFacts
+    {
+        model::Footprint footprint;
+        float usualSpeed = model::kUsualWalkingSpeed; ///< at height 1, m/s
+    };
     std::vector<GaitTable> m_gaits;              ///< one per template
+    std::vector<TemplateFacts> m_facts;          ///< one per template
     std::vector<std::vector<ClipFacts>> m_clips; ///< per template, as the clip column counts
     std::vector<Shown> m_shown;
     std::vector<Standing> m_standing;

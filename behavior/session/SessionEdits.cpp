@@ -10,12 +10,13 @@ namespace crowd::behavior {
 
 namespace {
 
-/// Whether clips move people over the ground at another speed.
+/// Whether clips move people over the ground at another speed, or others do.
 bool isGaitOther(const model::TemplateEntry& a, const model::TemplateEntry& b)
 {
-    return !std::ranges::equal(a.clipSpeeds, b.clipSpeeds, [](float x, float y) {
-        return x == y || (std::isnan(x) && std::isnan(y));
-    });
+    return a.clipRoles != b.clipRoles ||
+           !std::ranges::equal(a.clipSpeeds, b.clipSpeeds, [](float x, float y) {
+               return x == y || (std::isnan(x) && std::isnan(y));
+           });
 }
 
 bool isSameList(const std::vector<model::TemplateEntry>& a,
@@ -48,7 +49,8 @@ void forEdited(const model::Population& before, const model::Population& now,
 
 void Session::adopt(const model::Scene& scene, bool arePosesKept)
 {
-    if (!isSameList(*m_templates, scene.templates)) {
+    const bool areTemplatesNew = !isSameList(*m_templates, scene.templates);
+    if (areTemplatesNew) {
         adoptTemplates(scene);
     }
     adoptPaths(scene);
@@ -56,7 +58,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     if (!std::ranges::equal(m_population.ids(), scene.population.ids())) {
         adoptRows(scene);
     }
-    adoptValues(scene, arePosesKept);
+    adoptValues(scene, arePosesKept, areTemplatesNew);
     m_population = scene.population;
     m_follower.setGroups(m_population.column(model::columns::group));
     m_stages = scene.stages;
@@ -164,7 +166,7 @@ void Session::adoptRows(const model::Scene& scene)
     (void)m_population.remove(gone);
     m_population.add(people.rows(come));
     leaveOutWhoIsNowhere();
-    addBodies();
+    addBodies(people);
 }
 
 /// What rules have set, where an edit has set it anew.
@@ -202,19 +204,22 @@ void Session::adoptLooks(const model::Population& now)
 }
 
 /// Values that an edit changed since the last look at the scene.
-void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
+void Session::adoptValues(const model::Scene& scene, bool arePosesKept, bool areTemplatesNew)
 {
     namespace keys = model::columns;
     const model::Population& now = scene.population;
-    bool hasMoved = false;
+    bool areBodiesNew = areTemplatesNew;
     const auto each = [&](const auto& key, const auto& act) {
         forEdited(m_population, now, key, act);
     };
+    for (std::size_t row = 0; row < now.size() && areTemplatesNew; ++row) {
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+    }
     if (!arePosesKept) {
         each(keys::position, [&](std::size_t row) {
             m_bearings.put(row, now.column(keys::position)[row]);
             m_bearings.speed[row] = 0.0F;
-            hasMoved = true;
+            areBodiesNew = true;
         });
         each(keys::heading,
              [&](std::size_t row) { m_bearings.heading[row] = now.column(keys::heading)[row]; });
@@ -236,7 +241,10 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         m_shown[row].gait = 0;
         m_shown[row].order = -1;
         m_shown[row].base = -1;
+        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
+        areBodiesNew = true;
     });
+    each(keys::girth, [&](std::size_t) { areBodiesNew = true; });
     each(keys::walkStyle,
          [&](std::size_t row) { m_shown[row].style = styleOf(now, row, m_shown[row].table); });
     each(keys::seat, [&](std::size_t row) {
@@ -246,9 +254,9 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept)
         }
         m_shown[row].seat = now.column(keys::seat)[row];
     });
-    if (hasMoved) {
+    if (areBodiesNew) {
         leaveOutWhoIsNowhere();
-        addBodies();
+        addBodies(now);
     }
 }
 

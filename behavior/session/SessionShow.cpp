@@ -365,9 +365,10 @@ void Session::setCourse(std::uint32_t agent)
     const GaitTable& table = m_gaits[shown.table];
     const GaitTable::Gait& gait = table.gait(shown.gait);
     const GaitTable::Limits limits = table.limits(shown.gait, shown.style);
-    b.perMetre[agent] =
-        gait.metresPerSecond > 0.0F ? GaitTable::playback(gait, 1.0F, shown.height) : 0.0F;
-    b.perSecond[agent] = gait.seconds > 0.0F ? 1.0F / gait.seconds : 0.0F;
+    b.perMetre[agent] = gait.metresPerSecond > 0.0F && !gait.isFree
+                            ? GaitTable::playback(gait, 1.0F, shown.height)
+                            : 0.0F;
+    b.perSecond[agent] = gait.seconds > 0.0F && !gait.isFrozen ? 1.0F / gait.seconds : 0.0F;
     b.slowest[agent] = limits.slowest;
     b.fastest[agent] = limits.fastest;
 }

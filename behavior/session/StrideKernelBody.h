@@ -184,9 +184,10 @@ inline std::size_t stride(std::span<const Body> bodies, std::span<const float> h
         const F8 quarter = wrapped(heading + kTurn * 0.25F);
         const F8 ahead = (wayX * sineOf(heading) + wayZ * sineOf(quarter)) * perStep;
         const F8 stride = ahead < p.fastest ? greater(ahead, all(0.0F)) : all(0.0F);
-        const F8 rate = isWalk ? stride * perMetre : all(1.0F);
-        F8 place = load(b.gaitPlace.data() + first) +
-                   rate * p.stepSeconds * load(b.perSecond.data() + first);
+        const F8 perSecond = load(b.perSecond.data() + first);
+        const F8 rest = perSecond > 0.0F ? all(1.0F) : F8{};
+        const F8 rate = isWalk ? stride * perMetre : rest;
+        F8 place = load(b.gaitPlace.data() + first) + rate * p.stepSeconds * perSecond;
         place -= wholeBelow(place);
 
         storeWhere(goesOn, b.x.data() + first, x);

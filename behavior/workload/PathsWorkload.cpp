@@ -41,18 +41,20 @@ model::TemplateEntry walkerTemplate()
 {
     auto asset = std::make_shared<model::Template>();
     model::TemplateEntry entry;
-    const auto add = [&](const char* name, float seconds, float metresPerSecond) {
+    const auto add = [&](const char* name, float seconds, float metresPerSecond,
+                         model::ClipRole role) {
         model::Clip clip;
         clip.name = name;
         clip.seconds = seconds;
         clip.speed = metresPerSecond;
+        clip.role = role;
         clip.loop = true;
         asset->clips.push_back(clip);
         entry.clipNames.emplace_back(name);
     };
-    add("idle", 2.0F, 0.0F);
-    add("walk", 1.0F, 1.3F);
-    add("run", 0.7F, 3.0F);
+    add("idle", 2.0F, 0.0F, model::ClipRole::Idle);
+    add("walk", 1.0F, 1.3F, model::ClipRole::Walk);
+    add("run", 0.7F, 3.0F, model::ClipRole::Run);
     entry.id = 1;
     entry.asset = asset;
     entry.clipSpeeds.assign(3, std::numeric_limits<float>::quiet_NaN());

@@ -56,15 +56,64 @@ std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetC
     return columnOfName(entry, entry.asset->clips[static_cast<std::size_t>(assetClip)].name);
 }
 
+namespace {
+
+constexpr float kSlowest = 0.05F; ///< m/s
+
+bool hasOwnSpeed(const TemplateEntry& entry, std::size_t column)
+{
+    return column < entry.clipSpeeds.size() && !std::isnan(entry.clipSpeeds[column]);
+}
+
+} // namespace
+
+ClipRole clipRole(const TemplateEntry& entry, std::size_t column, std::size_t assetClip)
+{
+    if (column < entry.clipRoles.size() && entry.clipRoles[column]) {
+        return *entry.clipRoles[column];
+    }
+    const Clip& clip = entry.asset->clips[assetClip];
+    if (clip.role != ClipRole::Other || !clip.loop || clip.seconds <= 0.0F ||
+        !hasOwnSpeed(entry, column) || entry.clipSpeeds[column] <= kSlowest) {
+        return clip.role;
+    }
+    const float height = entry.asset->height;
+    const float border =
+        std::sqrt(usualSpeedOf(ClipRole::Walk, height) * usualSpeedOf(ClipRole::Run, height));
+    return entry.clipSpeeds[column] > border ? ClipRole::Run : ClipRole::Walk;
+}
+
 float groundSpeed(const TemplateEntry& entry, std::size_t column, std::size_t assetClip)
 {
-    const bool isEdited = column < entry.clipSpeeds.size() && !std::isnan(entry.clipSpeeds[column]);
-    return isEdited ? entry.clipSpeeds[column] : entry.asset->clips[assetClip].speed;
+    if (hasOwnSpeed(entry, column)) {
+        return entry.clipSpeeds[column];
+    }
+    const Clip& clip = entry.asset->clips[assetClip];
+    const ClipRole role = clipRole(entry, column, assetClip);
+    const bool isUnknown = clip.speed <= kSlowest && isGait(role);
+    return isUnknown ? usualSpeedOf(role, entry.asset->height) : clip.speed;
+}
+
+float usualWalkingSpeed(const TemplateEntry& entry)
+{
+    if (!entry.asset) {
+        return kUsualWalkingSpeed;
+    }
+    for (const ClipRole wanted : {ClipRole::Walk, ClipRole::Fly, ClipRole::Run}) {
+        for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
+            const int index = entry.asset->clipIndex(entry.clipNames[i]);
+            if (index >= 0 && clipRole(entry, i, static_cast<std::size_t>(index)) == wanted &&
+                movesOverGround(entry, i, static_cast<std::size_t>(index))) {
+                return groundSpeed(entry, i, static_cast<std::size_t>(index));
+            }
+        }
+    }
+    // It glides, no faster than it would walk.
+    return std::min(kUsualWalkingSpeed, usualSpeedOf(ClipRole::Walk, entry.asset->height));
 }
 
 bool movesOverGround(const TemplateEntry& entry, std::size_t column, std::size_t assetClip)
 {
-    constexpr float kSlowest = 0.05F;
     const Clip& clip = entry.asset->clips[assetClip];
     return clip.loop && clip.seconds > 0.0F && groundSpeed(entry, column, assetClip) > kSlowest;
 }

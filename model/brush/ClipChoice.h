@@ -18,13 +18,22 @@ namespace crowd::model {
 /// Value of the clip column for a clip of the asset; nothing when the entry does not list its name.
 [[nodiscard]] std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip);
 
+/// What a clip is for: the artist's word, or else the asset's. Whoever gave a clip a speed and said
+/// nothing else means it for a gait. `column` counts as the clip column does, `assetClip` as the
+/// asset's clips.
+[[nodiscard]] ClipRole clipRole(const TemplateEntry& entry, std::size_t column,
+                                std::size_t assetClip);
 /// Whether a clip takes people over the ground: a loop with a speed, the artist's or else the
-/// asset's. `column` counts as the clip column does, `assetClip` as the asset's clips.
+/// asset's, or else what is usual for its role.
 [[nodiscard]] bool movesOverGround(const TemplateEntry& entry, std::size_t column,
                                    std::size_t assetClip);
 /// Its ground speed at playback speed 1 and height 1, m/s.
 [[nodiscard]] float groundSpeed(const TemplateEntry& entry, std::size_t column,
                                 std::size_t assetClip);
+
+/// How fast people of a template walk who were given no speed, m/s at height 1: as their walking
+/// clip does.
+[[nodiscard]] float usualWalkingSpeed(const TemplateEntry& entry);
 
 /// How somebody new stands (or sits, on a seat) when no clip is wanted.
 [[nodiscard]] std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated);

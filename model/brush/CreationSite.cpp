@@ -23,26 +23,71 @@ constexpr int kAttempts = 4; ///< places tried in a cell
 constexpr std::size_t kCellsPerChunk = 128;
 constexpr float kAboveSurface = 0.05F;
 
+constexpr float kPersonRadius = 0.25F; ///< of those whom the minimal distance is meant for, metres
+constexpr float kDiscSpacing = 1.0F;   ///< radii, along a long body
+
+float widerThanPerson(float radius)
+{
+    return std::max(radius - kPersonRadius, 0.0F);
+}
+
+/// Where people stand already: discs along those who are longer than wide.
+std::vector<GroundDisc> discsOf(const Scene& scene)
+{
+    const auto positions = scene.population.column(columns::position);
+    const auto headings = scene.population.column(columns::heading);
+    const auto girths = scene.population.column(columns::girth);
+    const auto templates = scene.population.column(columns::templateId);
+    std::vector<GroundDisc> discs;
+    discs.reserve(positions.size());
+    for (std::size_t row = 0; row < positions.size(); ++row) {
+        const TemplateEntry* entry = scene.findTemplate(templates[row]);
+        const Footprint body =
+            entry != nullptr && entry->asset ? entry->asset->footprint : Footprint{};
+        const float radius = body.radius * girths[row];
+        const glm::vec3 way(std::sin(headings[row]), 0.0F, std::cos(headings[row]));
+        discs.push_back({positions[row], widerThanPerson(radius)});
+        for (const float side : {1.0F, -1.0F}) {
+            const float length = (side > 0.0F ? body.front : body.back) * girths[row];
+            const int count =
+                std::min(static_cast<int>(std::ceil(length / (kDiscSpacing * radius))), 32);
+            for (int i = 1; i <= count && std::isfinite(length); ++i) {
+                const float along =
+                    side * length * static_cast<float>(i) / static_cast<float>(count);
+                discs.push_back({positions[row] + along * way, widerThanPerson(radius)});
+            }
+        }
+    }
+    return discs;
+}
+
 } // namespace
 
 CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
                            const BrushSettings& settings, std::uint64_t seed)
-    : m_context(context), m_settings(settings), m_seed(seed),
+    : m_scene(scene), m_context(context), m_settings(settings), m_seed(seed),
       m_seats(scene, context.view, context.stage, settings.create.seats, settings.through),
       m_usesSeats(settings.create.seats.isOn && m_seats.hasSeats()),
       m_ground(m_usesSeats || settings.create.anywhere || !context.ground ? nullptr
                                                                           : context.ground()),
       // Seats keep people apart by themselves.
-      m_neighbours(m_usesSeats ? std::span<const glm::vec3>()
-                               : scene.population.column(columns::position),
+      m_neighbours(m_usesSeats ? std::vector<GroundDisc>() : discsOf(scene),
                    settings.create.minimalDistance),
       m_present(m_neighbours.size())
 {
 }
 
+/// The room of whoever comes there: a circle, since it is not yet known how he will be turned.
+GroundDisc CreationSite::discAt(const glm::vec3& position, std::uint64_t key) const
+{
+    const TemplateEntry* entry = templateAt(m_scene, m_settings.create, key);
+    const Footprint body = entry != nullptr && entry->asset ? entry->asset->footprint : Footprint{};
+    return {position, widerThanPerson(body.reach() * m_settings.create.girth.high)};
+}
+
 void CreationSite::take(const Spot& spot)
 {
-    m_neighbours.add(spot.position);
+    m_neighbours.add(discAt(spot.position, spot.key));
     ++m_given;
     if (spot.seat != kNoSeat) {
         m_seats.take(spot.seat);
@@ -106,7 +151,7 @@ std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)
     } else if (const StrokeReason against = reasonAgainst(*surface);
                against != StrokeReason::None) {
         m_reason = against;
-    } else if (!m_neighbours.isFree(surface->point)) {
+    } else if (!m_neighbours.isFree(discAt(surface->point, hashKeys(m_seed, m_given)))) {
         m_reason = StrokeReason::TooNearToOthers;
     } else {
         return Spot{surface->point, kNoSeat, 0.0F, 0};
@@ -250,7 +295,7 @@ std::vector<Spot> CreationSite::fillSurface(const ScreenArea& area)
         std::vector<Cell> crowded;
         for (std::size_t i = 0; i < open.size(); ++i) {
             against = reasons[i] != StrokeReason::None ? reasons[i] : against;
-            if (places[i] && m_neighbours.isFree(*places[i])) {
+            if (places[i] && m_neighbours.isFree(discAt(*places[i], keyOf(open[i])))) {
                 spots.push_back({*places[i], kNoSeat, 0.0F, keyOf(open[i])});
                 m_tried.insert(keyOf(open[i]));
                 take(spots.back());

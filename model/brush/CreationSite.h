@@ -63,8 +63,10 @@ private:
     [[nodiscard]] std::optional<glm::vec3> candidate(const ScreenArea& area, Cell cell, int attempt,
                                                      StrokeReason& against) const;
     [[nodiscard]] std::uint64_t keyOf(Cell cell) const;
+    [[nodiscard]] GroundDisc discAt(const glm::vec3& position, std::uint64_t key) const;
     void take(const Spot& spot);
 
+    const Scene& m_scene;
     const BrushContext& m_context;
     const BrushSettings& m_settings;
     std::uint64_t m_seed;
@@ -78,6 +80,11 @@ private:
     std::unordered_set<std::uint64_t> m_tried; ///< cells and seats that had their turn
     StrokeReason m_reason = StrokeReason::None;
 };
+
+/// The template of whoever comes to a spot of that key, by the weights of the mix; null for an
+/// empty mix or one that is not in the scene any more.
+[[nodiscard]] const TemplateEntry* templateAt(const Scene& scene, const CreateSettings& create,
+                                              std::uint64_t key);
 
 /// Rows for the spots, in their order: template by the mix, looks and animation by the settings.
 /// Ids are left 0. Spots whose template is not loaded are left out, with the reason.

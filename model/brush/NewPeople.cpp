@@ -140,6 +140,13 @@ private:
 
 } // namespace
 
+const TemplateEntry* templateAt(const Scene& scene, const CreateSettings& create, std::uint64_t key)
+{
+    const TemplateWeight* chosen =
+        chosenTemplate(create.mix, randomUnit(key, DrawPurpose::Template));
+    return chosen != nullptr ? scene.findTemplate(chosen->id) : nullptr;
+}
+
 NewPeople peopleFor(const Scene& scene, const View& view, const BrushSettings& settings,
                     std::span<const Spot> spots, std::optional<float> strokeHeading)
 {
@@ -147,9 +154,7 @@ NewPeople peopleFor(const Scene& scene, const View& view, const BrushSettings& s
     std::vector<const TemplateEntry*> entries;
     std::vector<const Spot*> kept;
     for (const Spot& spot : spots) {
-        const TemplateWeight* chosen =
-            chosenTemplate(settings.create.mix, randomUnit(spot.key, DrawPurpose::Template));
-        const TemplateEntry* entry = chosen != nullptr ? scene.findTemplate(chosen->id) : nullptr;
+        const TemplateEntry* entry = templateAt(scene, settings.create, spot.key);
         if (entry != nullptr && entry->asset) {
             entries.push_back(entry);
             kept.push_back(&spot);

@@ -44,7 +44,7 @@ bool isSame(const Camera& a, const Camera& b)
 bool isSame(const TemplateEntry& a, const TemplateEntry& b)
 {
     return a.name == b.name && a.path == b.path && isSame(a.import, b.import) &&
-           a.clipNames == b.clipNames &&
+           a.clipNames == b.clipNames && a.clipRoles == b.clipRoles &&
            std::ranges::equal(a.clipSpeeds, b.clipSpeeds,
                               [](float left, float right) { return isSame(left, right); }) &&
            a.asset == b.asset && a.problem == b.problem && a.unknownMembers == b.unknownMembers;

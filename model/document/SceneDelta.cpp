@@ -24,7 +24,8 @@ std::size_t bytesOf(const TemplateEntry& entry)
     std::size_t total = sizeof(entry) + entry.name.size() + entry.path.size() +
                         entry.problem.size() + entry.unknownMembers.size() +
                         entry.import.unknownMembers.size() +
-                        entry.clipSpeeds.size() * sizeof(float);
+                        entry.clipSpeeds.size() * sizeof(float) +
+                        entry.clipRoles.size() * sizeof(std::optional<ClipRole>);
     for (const std::string& name : entry.clipNames) {
         total += sizeof(name) + name.size();
     }

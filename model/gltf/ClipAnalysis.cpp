@@ -6,6 +6,8 @@
 
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
+#include "model/gltf/BodySize.h"
+#include "model/gltf/ClipRoles.h"
 #include "model/gltf/GroundSpeed.h"
 
 namespace crowd::model::gltf {
@@ -102,7 +104,15 @@ void analyseClips(Template& asset, bool removeRootMotion)
         seated == asset.clips.end() ? -1 : static_cast<int>(seated - asset.clips.begin());
     asset.bounds = boundsAt(asset, asset.defaultClip, 0.0F);
     asset.height = asset.bounds.size().y;
-    findGroundSpeeds(asset, removeRootMotion);
+    asset.footprint = footprintOf(asset);
+    const std::vector<NamedUse> uses = usesOf(asset);
+    findGroundSpeeds(asset, removeRootMotion, uses);
+    proposeRoles(asset, uses);
+    if (asset.seatedClip < 0) {
+        const auto sits = std::ranges::find(asset.clips, ClipRole::Sit, &Clip::role);
+        asset.seatedClip =
+            sits == asset.clips.end() ? -1 : static_cast<int>(sits - asset.clips.begin());
+    }
 }
 
 } // namespace crowd::model::gltf

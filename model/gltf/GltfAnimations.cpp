@@ -135,6 +135,9 @@ private:
         clip.seatHeight = floatIn(from.extras, "seatHeight");
         clip.speed = floatIn(from.extras, "speed").value_or(0.0F);
         clip.hasSpeedExtra = floatIn(from.extras, "speed").has_value();
+        const std::optional<ClipRole> role = clipRoleOf(textIn(from.extras, "role"));
+        clip.role = role.value_or(ClipRole::Other);
+        clip.hasRoleExtra = role.has_value();
         float first = std::numeric_limits<float>::infinity();
         float last = -first;
         for (std::size_t i = 0; i < from.channels.size(); ++i) {

@@ -3,23 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <glm/geometric.hpp>
 
-#include "model/bake/Pose.h"
-#include "model/bake/Skinning.h"
+#include "model/gltf/BodySamples.h"
+#include "model/gltf/FootStride.h"
 
 namespace crowd::model::gltf {
 
 namespace {
 
-constexpr std::size_t kMaxSamples = 512;   ///< vertices looked at
-constexpr std::size_t kMaxFeet = 4096;     ///< of the lowest ones
-constexpr double kMostWork = 2e8;          ///< nodes, keys and vertices, over all clips and poses
-constexpr float kMomentsPerSecond = 48.0F; ///< poses looked at for foot contact
-constexpr int kLeastMoments = 16;
-constexpr int kMaxMoments = 96;
 constexpr float kLeastShift = 0.05F;     ///< of the height: less is no root motion
 constexpr float kMostChange = 0.35F;     ///< change of shape against the shift
 constexpr float kMostOpen = 0.05F;       ///< of the height, between first and last pose
@@ -27,67 +20,6 @@ constexpr float kContactBand = 0.015F;   ///< of the height above the lowest poi
 constexpr float kLeastSteadiness = 0.5F; ///< |mean velocity| against mean |velocity|
 constexpr float kLeastContact = 0.2F;    ///< share of the clip with a foot on the ground
 constexpr float kLeastSpeed = 0.1F;      ///< heights a second
-
-/// A few vertices of level 0 as a mesh of their own, so that looking at many poses stays cheap.
-Mesh excerpt(const Mesh& mesh, const std::vector<std::size_t>& vertices)
-{
-    const auto influences = static_cast<std::size_t>(mesh.influencesPerVertex);
-    Mesh out;
-    out.influencesPerVertex = mesh.influencesPerVertex;
-    for (const std::size_t v : vertices) {
-        out.positions.push_back(mesh.positions[v]);
-        for (std::size_t i = 0; i < influences; ++i) {
-            out.bones.push_back(mesh.bones[v * influences + i]);
-            out.weights.push_back(mesh.weights[v * influences + i]);
-        }
-    }
-    return out;
-}
-
-std::vector<glm::vec3> pointsAt(const Template& asset, const Mesh& mesh, int clip, float seconds,
-                                Pose& pose)
-{
-    evaluatePose(asset, clip, seconds, pose);
-    std::vector<glm::vec3> points(mesh.positions.size());
-    skin(mesh, pose.bones, points, {});
-    for (glm::vec3& point : points) {
-        point = Bounds::isPlace(point) ? point : glm::vec3(0.0F);
-    }
-    return points;
-}
-
-Mesh evenExcerpt(const Mesh& mesh)
-{
-    std::vector<std::size_t> vertices;
-    const std::size_t step = std::max<std::size_t>(1, mesh.positions.size() / kMaxSamples);
-    for (std::size_t v = 0; v < mesh.positions.size(); v += step) {
-        vertices.push_back(v);
-    }
-    return excerpt(mesh, vertices);
-}
-
-/// The vertices that are lowest in the default pose.
-Mesh lowExcerpt(const Template& asset)
-{
-    const Mesh& mesh = asset.levels.front();
-    Pose pose;
-    const std::vector<glm::vec3> points = pointsAt(asset, mesh, asset.defaultClip, 0.0F, pose);
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const std::size_t kept =
-        std::min(order.size(), std::clamp(order.size() / 16, kMaxSamples, kMaxFeet));
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
-                      [&](std::size_t a, std::size_t b) {
-                          return points[a].y < points[b].y || (points[a].y == points[b].y && a < b);
-                      });
-    order.resize(kept);
-    return excerpt(mesh, order);
-}
-
-glm::vec3 horizontal(const glm::vec3& v)
-{
-    return {v.x, 0.0F, v.z};
-}
 
 /// The shift of the body over the clip, zero where it is small or the body also changes its shape.
 glm::vec3 netShift(const Template& asset, const Mesh& sample, int clip, Pose& pose)
@@ -160,6 +92,7 @@ bool findRootMotion(Template& asset, const Mesh& sample, int clip, int root, boo
     }
     const glm::vec3 shift = nodeShift(asset, clip, root, mean, pose);
     target.speed = glm::length(shift) / target.seconds;
+    target.way = glm::normalize(shift);
     if (remove) {
         target.rootMotion = shift;
         target.rootMotionNode = root;
@@ -246,13 +179,9 @@ glm::vec3 footVelocityOf(const Template& asset, const Mesh& feet, int clip, Pose
         return glm::vec3(0.0F);
     }
     const float seconds = asset.clips[static_cast<std::size_t>(clip)].seconds;
-    const int moments =
-        std::clamp(static_cast<int>(seconds * kMomentsPerSecond), kLeastMoments, kMaxMoments);
+    const int moments = momentsOf(asset.clips[static_cast<std::size_t>(clip)]);
     const float step = seconds / static_cast<float>(moments);
-    std::vector<std::vector<glm::vec3>> points;
-    for (int i = 0; i <= moments; ++i) {
-        points.push_back(pointsAt(asset, feet, clip, step * static_cast<float>(i), pose));
-    }
+    const auto points = pointsOver(asset, feet, clip, moments, pose);
     const float band = groundOf(points) + kContactBand * asset.height;
     const Contacts contacts = findContacts(points, band, step);
     const glm::vec3 velocity = commonVelocity(contacts.velocities);
@@ -267,19 +196,6 @@ bool canMove(const Template& asset, const Clip& clip)
     return clip.seconds > 0.1F && !clip.seatHeight && !asset.bones.empty() && asset.height > 0.0F;
 }
 
-/// What one pose of each clip costs: nodes, channels and vertices.
-double workOfAPose(const Template& asset)
-{
-    const std::size_t vertices =
-        std::clamp(asset.levels.front().positions.size() / 16, kMaxSamples, kMaxFeet);
-    double work = 0.0;
-    for (const Clip& clip : asset.clips) {
-        work += static_cast<double>(asset.nodes.size() + asset.bones.size() + clip.channels.size() +
-                                    vertices);
-    }
-    return work;
-}
-
 } // namespace
 
 glm::vec3 footVelocity(const Template& asset, int clip)
@@ -292,7 +208,27 @@ glm::vec3 footVelocity(const Template& asset, int clip)
     return footVelocityOf(asset, lowExcerpt(asset), clip, pose);
 }
 
-void findGroundSpeeds(Template& asset, bool removeRootMotion)
+namespace {
+
+/// A foot that touches the ground tells most; a gait whose feet do not has its stride.
+void findInPlaceSpeed(Template& asset, const Mesh& feet, int clip, const NamedUse& use, Pose& pose)
+{
+    Clip& target = asset.clips[static_cast<std::size_t>(clip)];
+    glm::vec3 ground = footVelocityOf(asset, feet, clip, pose);
+    const bool isGaitByName = isGait(use.role) && use.kind != NamedUse::Kind::Action;
+    if (isGaitByName) {
+        const FootStride stride = footStride(asset, feet, clip, use.role, ground, pose);
+        target.isAloft = stride.isAloft;
+        ground = stride.isAloft ? glm::vec3(0.0F) : stride.ground;
+    }
+    const float speed = glm::length(ground);
+    target.way = speed > 0.0F ? -ground / speed : glm::vec3(0.0F);
+    target.speed = speed;
+}
+
+} // namespace
+
+void findGroundSpeeds(Template& asset, bool removeRootMotion, const std::vector<NamedUse>& uses)
 {
     if (asset.levels.empty() || asset.levels.front().positions.empty()) {
         return;
@@ -304,13 +240,13 @@ void findGroundSpeeds(Template& asset, bool removeRootMotion)
     if (work * 4.0 > kMostWork) {
         return; // no character has so many nodes and clips
     }
+    const bool canLookAtFeet = work * kMaxMoments < kMostWork;
     Pose pose;
     for (std::size_t i = 0; i < asset.clips.size(); ++i) {
-        Clip& clip = asset.clips[i];
         const int index = static_cast<int>(i);
-        if (!findRootMotion(asset, sample, index, root, removeRootMotion, pose) &&
-            work * kMaxMoments < kMostWork && !clip.hasSpeedExtra && canMove(asset, clip)) {
-            clip.speed = glm::length(footVelocityOf(asset, feet, index, pose));
+        if (!findRootMotion(asset, sample, index, root, removeRootMotion, pose) && canLookAtFeet &&
+            canMove(asset, asset.clips[i]) && !asset.clips[i].hasSpeedExtra) {
+            findInPlaceSpeed(asset, feet, index, uses[i], pose);
         }
     }
 }

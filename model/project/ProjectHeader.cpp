@@ -39,6 +39,13 @@ json toJson(const TemplateEntry& entry)
         }
         object["clipSpeeds"] = speeds;
     }
+    if (std::ranges::any_of(entry.clipRoles, [](const auto& role) { return role.has_value(); })) {
+        json roles = json::array();
+        for (const std::optional<ClipRole>& role : entry.clipRoles) {
+            roles.push_back(role ? json(keyOf(*role)) : json(nullptr));
+        }
+        object["clipRoles"] = roles;
+    }
     return withUnknown(entry.unknownMembers, object);
 }
 
@@ -137,6 +144,25 @@ void readClips(JsonFields& fields, TemplateEntry& entry)
     }
 }
 
+/// Roles that a later version knows count as chosen by nobody.
+void readRoles(JsonFields& fields, TemplateEntry& entry)
+{
+    const json* roles = fields.find("clipRoles");
+    if (roles == nullptr) {
+        return;
+    }
+    if (!roles->is_array() || !std::ranges::all_of(*roles, [](const json& role) {
+            return role.is_string() || role.is_null();
+        })) {
+        fields.complain("clipRoles", "must be a list of words or null");
+        return;
+    }
+    for (const json& role : *roles) {
+        entry.clipRoles.push_back(role.is_string() ? clipRoleOf(role.get<std::string>())
+                                                   : std::nullopt);
+    }
+}
+
 void readItem(JsonFields fields, TemplateEntry& entry, const std::string& place,
               std::string& problem)
 {
@@ -144,6 +170,7 @@ void readItem(JsonFields fields, TemplateEntry& entry, const std::string& place,
     requirePath(fields, entry.path);
     fields.read("name", entry.name);
     readClips(fields, entry);
+    readRoles(fields, entry);
     if (const json* settings = fields.find("import")) {
         entry.import = readImport(JsonFields(*settings, place + ".import", problem));
     }

@@ -66,6 +66,39 @@ void applySpeeds(const TemplateEntry& entry, Template& asset)
     }
 }
 
+/// The clip of a role by the artist's roles: the usual one as long as it is of that role.
+int clipOfRole(const TemplateEntry& entry, const Template& asset, int usual, ClipRole wanted)
+{
+    const auto roleOf = [&](std::size_t i) {
+        const bool isChosen = i < entry.clipRoles.size() && entry.clipRoles[i].has_value();
+        return isChosen ? *entry.clipRoles[i] : asset.clips[i].role;
+    };
+    if (usual >= 0 && roleOf(static_cast<std::size_t>(usual)) == wanted) {
+        return usual;
+    }
+    for (std::size_t i = 0; i < asset.clips.size(); ++i) {
+        if (roleOf(i) == wanted) {
+            return static_cast<int>(i);
+        }
+    }
+    return usual;
+}
+
+/// How it stands and how it sits by the artist's roles.
+TemplatePtr withRoles(const TemplateEntry& entry, TemplatePtr asset)
+{
+    const int standing = clipOfRole(entry, *asset, asset->defaultClip, ClipRole::Idle);
+    const int seated = clipOfRole(entry, *asset, asset->seatedClip, ClipRole::Sit);
+    if (entry.clipRoles.empty() ||
+        (standing == asset->defaultClip && seated == asset->seatedClip)) {
+        return asset;
+    }
+    auto changed = std::make_shared<Template>(*asset);
+    changed->defaultClip = standing;
+    changed->seatedClip = seated;
+    return changed;
+}
+
 ImportProgress importProgress(const LoadProgress& progress, const std::string& what)
 {
     if (!progress) {
@@ -197,7 +230,7 @@ void attachAsset(TemplateEntry& entry, TemplatePtr asset)
         asset = ordered;
     }
     entry.clipNames = names;
-    entry.asset = std::move(asset);
+    entry.asset = withRoles(entry, std::move(asset));
     entry.problem.clear();
 }
 

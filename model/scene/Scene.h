@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,7 @@ struct TemplateEntry
     ImportSettings import;
     std::vector<std::string> clipNames; ///< what the clip column indexes
     std::vector<float> clipSpeeds;      ///< ground speed edited by the artist, NaN: the asset's
+    std::vector<std::optional<ClipRole>> clipRoles; ///< chosen by the artist; nothing: the asset's
     TemplatePtr asset;
     std::string problem;        ///< why the asset is not there; empty otherwise
     std::string unknownMembers; ///< see Scene::unknownMembers

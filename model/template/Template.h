@@ -15,6 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/Bounds.h"
+#include "model/template/ClipRole.h"
 
 /// The template as imported: immutable once loaded, shared by pointer between threads.
 /// Frame: right-handed, metres, Y up, the character faces +Z (any correction proposed by the import
@@ -152,7 +153,12 @@ struct Clip
     glm::vec3 rootMotion{0.0F};
     int rootMotionNode = -1;    ///< the node, with all below it, that it is taken from; -1 none
     bool hasSpeedExtra = false; ///< the file itself gave the speed
-    bool isMadeUp = false;      ///< the resting pose of a file without animations
+    ClipRole role = ClipRole::Other;
+    bool hasRoleExtra = false; ///< the file itself gave the role
+    /// Which way the body goes, horizontal unit vector, template frame; zero where it is not known.
+    glm::vec3 way{0.0F};
+    bool isAloft = false;  ///< a gait in which the body never touches the ground
+    bool isMadeUp = false; ///< the resting pose of a file without animations
     std::vector<Channel> channels;
 
     /// Keyframes baked: one each 1/32 s plus the extra one at the end of the loop.
@@ -161,6 +167,17 @@ struct Clip
     [[nodiscard]] float keyframeSeconds(int keyframe) const;
     /// The inverse: which keyframe (with the fraction towards the next) a moment falls on.
     [[nodiscard]] float keyframeAt(float secondsAfterStart) const;
+};
+
+/// How much room a body takes, seen from above: a disc of that radius, moved from the origin so far
+/// to the front and so far to the back. Metres, template frame.
+struct Footprint
+{
+    float radius = 0.25F;
+    float front = 0.0F; ///< 0: it is as long as it is wide
+    float back = 0.0F;
+
+    [[nodiscard]] float reach() const { return radius + (front > back ? front : back); }
 };
 
 struct Template
@@ -179,6 +196,7 @@ struct Template
     glm::mat4 rootCorrection{1.0F};    ///< applied left of every node's world matrix
     Bounds bounds;                     ///< of the default clip's first keyframe, corrected
     float height = 0.0F;               ///< metres, of the same keyframe
+    Footprint footprint;               ///< of the same keyframe
     std::vector<std::string> warnings; ///< for the artist
 
     [[nodiscard]] int clipIndex(const std::string& clipName) const; ///< -1 if there is none

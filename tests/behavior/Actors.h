@@ -25,6 +25,9 @@ inline model::TemplateEntry actorTemplate()
         made.name = name;
         made.seconds = seconds;
         made.speed = speed;
+        made.role = speed <= 0.0F  ? model::ClipRole::Other
+                    : speed > 2.0F ? model::ClipRole::Run
+                                   : model::ClipRole::Walk;
         made.loop = isLooped;
         asset->clips.push_back(made);
     };

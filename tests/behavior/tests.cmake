@@ -1,7 +1,9 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
     tst_FootSlide
+    tst_Gaits
     tst_Ground
+    tst_LongBodies
     tst_PlaceRooms
     tst_Problems
     tst_RuleActions

@@ -52,6 +52,9 @@ model::TemplateEntry walkerTemplate()
         clip.name = name;
         clip.seconds = 1.0F;
         clip.speed = speed;
+        clip.role = speed <= 0.0F  ? model::ClipRole::Idle
+                    : speed > 2.0F ? model::ClipRole::Run
+                                   : model::ClipRole::Walk;
         asset->clips.push_back(clip);
     }
     asset->defaultClip = 1;

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void landsOnTheStage();
     void refusesSteepSlopes();
     void keepsTheMinimalDistance();
+    void wideBodiesTakeMoreRoom();
     void looksThroughPeople();
     void variesWithinTheRanges();
     void dressesEachInAnOutfit();
@@ -132,6 +133,46 @@ void tst_BrushCreate::keepsTheMinimalDistance()
     settings.create.density = 5.0F;
     QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
     QVERIFY(nearestPair(scene.people()) >= 0.4999F);
+}
+
+void tst_BrushCreate::wideBodiesTakeMoreRoom()
+{
+    // Long ones, among people and among each other, by spray and by area.
+    auto horse = std::make_shared<Template>(*boxMan());
+    horse->footprint = {0.4F, 0.8F, 0.8F};
+    BrushScene scene;
+    const auto edit = scene.document.beginEdit();
+    edit->addTemplate(boxManEntry(2, horse));
+    edit->commit(QStringLiteral("Add"));
+    scene.addPeople({{0, 0, 0}, {3, 0, 0}, {-3, 0, 1}});
+    BrushSettings settings = creator(BrushSelection::Spray);
+    settings.create.mix = {{2, 1.0F}};
+    settings.create.girth = {1.0F, 1.0F};
+    settings.create.minimalDistance = 0.5F;
+    settings.ratePerSecond = 400.0F;
+    settings.radiusPixels = 200.0F;
+    const glm::dvec2 at = pixelOf(fromAbove(), {0, 0, 0});
+    QVERIFY(scene.paint(fromAbove(), settings, std::vector<glm::dvec2>(60, at)).affected > 2);
+    settings.selection = BrushSelection::Rectangle;
+    settings.create.density = 3.0F;
+    QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 2);
+    settings.create.mix = {{1, 1.0F}};
+    QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 2);
+    const auto positions = scene.people().column(columns::position);
+    const auto headings = scene.people().column(columns::heading);
+    const auto templates = scene.people().column(columns::templateId);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::vec3 way(std::sin(headings[i]), 0.0F, std::cos(headings[i]));
+        for (std::size_t other = 0; other < positions.size(); ++other) {
+            if (templates[i] != 2 || other == i) {
+                continue;
+            }
+            const glm::vec3 from = positions[other] - positions[i];
+            const float along = std::clamp(glm::dot(from, way), -0.8F, 0.8F);
+            const float least = templates[other] == 2 ? 0.8F : 0.65F;
+            QVERIFY(glm::length(from - along * way) > least - 0.05F);
+        }
+    }
 }
 
 void tst_BrushCreate::looksThroughPeople()

@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_BehaviourDocks
     tst_BrushTool
+    tst_ClipTable
     tst_ColourDock
     tst_DockControls
     tst_Docks

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QHeaderView>
 
@@ -16,18 +18,32 @@ namespace {
 constexpr double kFastestClip = 100.0; ///< metres a second
 constexpr double kSameSpeed = 0.001;
 
+QString labelOf(const model::ClipRoleInfo& role)
+{
+    return QCoreApplication::translate("ClipRole", role.label);
+}
+
 } // namespace
 
 ClipTable::ClipTable(const model::Template& asset, QWidget* parent)
-    : QTableWidget(static_cast<int>(asset.clips.size()), 3, parent), m_fromFile(asset.clips.size())
+    : QTableWidget(static_cast<int>(asset.clips.size()), 4, parent), m_fromFile(asset.clips.size()),
+      m_proposed(asset.clips.size(), model::ClipRole::Other)
 {
-    setHorizontalHeaderLabels({tr("Clip"), tr("Length"), tr("Ground speed")});
+    setHorizontalHeaderLabels({tr("Clip"), tr("Length"), tr("Ground speed"), tr("Role")});
+    horizontalHeaderItem(3)->setToolTip(
+        tr("What people stand, walk and sit with. Clips of other roles play only where a brush or "
+           "a rule asks for them."));
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setColumnWidth(1, fontMetrics().horizontalAdvance(QStringLiteral("0000.00 s")) + 12);
     setColumnWidth(2, fontMetrics().horizontalAdvance(QStringLiteral("000.00 m/s")) + 44);
+    int widest = 0;
+    for (const model::ClipRoleInfo& role : model::clipRoles()) {
+        widest = std::max(widest, fontMetrics().horizontalAdvance(labelOf(role)));
+    }
+    setColumnWidth(3, widest + 56);
     for (int row = 0; row < rowCount(); ++row) {
         addRow(row, asset.clips[static_cast<std::size_t>(row)], row == asset.defaultClip);
     }
@@ -54,6 +70,45 @@ void ClipTable::addRow(int row, const model::Clip& clip, bool isDefault)
     setItem(row, 0, nameItem);
     setItem(row, 1, length);
     setCellWidget(row, 2, speed);
+    auto* role = new QComboBox(this);
+    role->setFrame(false);
+    role->setFocusPolicy(Qt::StrongFocus);
+    role->setAccessibleName(tr("Role of %1").arg(name));
+    for (const model::ClipRoleInfo& info : model::clipRoles()) {
+        role->addItem(labelOf(info), static_cast<int>(info.role));
+        role->setItemData(role->count() - 1, QCoreApplication::translate("ClipRole", info.tip),
+                          Qt::ToolTipRole);
+    }
+    setCellWidget(row, 3, role);
+}
+
+QComboBox* ClipTable::roleBox(int row) const
+{
+    return static_cast<QComboBox*>(cellWidget(row, 3));
+}
+
+void ClipTable::setRole(int row, model::ClipRole role)
+{
+    roleBox(row)->setCurrentIndex(roleBox(row)->findData(static_cast<int>(role)));
+}
+
+model::ClipRole ClipTable::roleIn(int row) const
+{
+    return static_cast<model::ClipRole>(roleBox(row)->currentData().toInt());
+}
+
+void ClipTable::setEdited(const std::vector<float>& speeds,
+                          const std::vector<std::optional<model::ClipRole>>& roles)
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        const auto clip = static_cast<std::size_t>(row);
+        if (clip < speeds.size() && !std::isnan(speeds[clip])) {
+            speedBox(row)->setValue(static_cast<double>(speeds[clip]));
+        }
+        if (clip < roles.size() && roles[clip]) {
+            setRole(row, *roles[clip]);
+        }
+    }
 }
 
 QDoubleSpinBox* ClipTable::speedBox(int row) const
@@ -64,6 +119,12 @@ QDoubleSpinBox* ClipTable::speedBox(int row) const
 void ClipTable::follow(const model::Template& asset)
 {
     for (int row = 0; row < rowCount(); ++row) {
+        const model::ClipRole proposed = asset.clips[static_cast<std::size_t>(row)].role;
+        model::ClipRole& before = m_proposed[static_cast<std::size_t>(row)];
+        if (m_isNew || roleIn(row) == before) { // not chosen by hand
+            setRole(row, proposed);
+        }
+        before = proposed;
         QDoubleSpinBox* box = speedBox(row);
         double& fromFile = m_fromFile[static_cast<std::size_t>(row)];
         const auto speed = static_cast<double>(asset.clips[static_cast<std::size_t>(row)].speed);
@@ -74,6 +135,20 @@ void ClipTable::follow(const model::Template& asset)
         box->setValue(speed);
         fromFile = box->value();
     }
+    m_isNew = false;
+}
+
+std::vector<std::optional<model::ClipRole>> ClipTable::editedRoles() const
+{
+    std::vector<std::optional<model::ClipRole>> roles;
+    bool isAnyEdited = false;
+    for (int row = 0; row < rowCount(); ++row) {
+        const model::ClipRole role = roleIn(row);
+        const bool isEdited = role != m_proposed[static_cast<std::size_t>(row)];
+        isAnyEdited = isAnyEdited || isEdited;
+        roles.push_back(isEdited ? std::optional(role) : std::nullopt);
+    }
+    return isAnyEdited ? roles : std::vector<std::optional<model::ClipRole>>{};
 }
 
 std::vector<float> ClipTable::editedSpeeds() const

@@ -168,7 +168,7 @@ void ImportDialog::buildLayout()
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(columns, 1);
     layout->addWidget(buttons);
-    resize(860, 560);
+    resize(960, 560);
 }
 
 QString ImportDialog::remarks() const
@@ -234,6 +234,11 @@ model::ImportSettings ImportDialog::settings() const
 std::vector<float> ImportDialog::clipSpeeds() const
 {
     return m_clips->editedSpeeds();
+}
+
+std::vector<std::optional<model::ClipRole>> ImportDialog::clipRoles() const
+{
+    return m_clips->editedRoles();
 }
 
 void ImportDialog::refresh()

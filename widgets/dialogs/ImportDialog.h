@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -26,8 +27,8 @@ class TemplatePreview;
 
 /// Shows what was found in a foreign character and how it will stand in the scene: proposes scale,
 /// up-axis, facing and ground offset, lets the artist change them with a live preview, and edit the
-/// ground speed of each clip. Imports again on a thread of its own, so that it stays at hand
-/// whatever the size of the file. Owns nothing of the document. Main thread.
+/// ground speed and the role of each clip. Imports again on a thread of its own, so that it stays
+/// at hand whatever the size of the file. Owns nothing of the document. Main thread.
 class ImportDialog : public QDialog
 {
     Q_OBJECT
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] model::ImportSettings settings() const;
     /// One per clip, NaN where the file's own speed stands; empty when none was edited.
     [[nodiscard]] std::vector<float> clipSpeeds() const;
+    /// One per clip, nothing where the proposed role stands; empty when none was chosen.
+    [[nodiscard]] std::vector<std::optional<model::ClipRole>> clipRoles() const;
     /// The preview shows the present settings.
     [[nodiscard]] bool isSettled() const { return !m_worker.joinable() && !m_refresh.isActive(); }
 

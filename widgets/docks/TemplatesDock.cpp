@@ -249,6 +249,10 @@ void TemplatesDock::showMenu(const QPoint& position)
         menu.addSeparator();
         menu.addAction(iconNamed("rename"), tr("Rename"), this,
                        [this, item] { m_list->editItem(item); });
+        const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
+        menu.addAction(iconNamed("brush-walk"), tr("Clips…"), this,
+                       [this, id] { Q_EMIT clipsRequested(id); })
+            ->setEnabled(entry != nullptr && entry->asset != nullptr);
         menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
                        [this, id] { Q_EMIT locateRequested(id); });
         menu.addAction(iconNamed("delete"), tr("Remove"), this,

@@ -29,6 +29,7 @@ Q_SIGNALS:
     void importRequested();
     void libraryRequested();
     void locateRequested(crowd::model::TemplateId id);
+    void clipsRequested(crowd::model::TemplateId id);
     void removeRequested(crowd::model::TemplateId id);
 
 protected:
