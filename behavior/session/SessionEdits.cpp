@@ -212,9 +212,6 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept, bool are
     const auto each = [&](const auto& key, const auto& act) {
         forEdited(m_population, now, key, act);
     };
-    for (std::size_t row = 0; row < now.size() && areTemplatesNew; ++row) {
-        m_follower.setPace(static_cast<std::uint32_t>(row), paceOf(now, row));
-    }
     if (!arePosesKept) {
         each(keys::position, [&](std::size_t row) {
             m_bearings.put(row, now.column(keys::position)[row]);

@@ -21,7 +21,7 @@ std::optional<glm::vec3> freeGround(const WalkableGround& ground, const Neighbou
                                     const glm::vec3& from)
 {
     const auto nearest = ground.nearest(from);
-    if (!nearest || people.isFree(*nearest)) {
+    if (!nearest || people.isFree({*nearest})) {
         return nearest;
     }
     for (int ring = 1; ring <= kRings; ++ring) {
@@ -31,7 +31,7 @@ std::optional<glm::vec3> freeGround(const WalkableGround& ground, const Neighbou
             const float radius = kApart * static_cast<float>(ring);
             const glm::vec3 beside =
                 *nearest + radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-            if (const auto there = ground.nearest(beside); there && people.isFree(*there)) {
+            if (const auto there = ground.nearest(beside); there && people.isFree({*there})) {
                 return there;
             }
         }
@@ -62,12 +62,17 @@ int putOnGround(SceneEdit& edit, const WalkableGround& ground, std::span<const I
     const std::vector<IndividualId> off = offGround(edit.scene(), ground, ids);
     const Population& population = edit.scene().population;
     const auto positions = population.column(columns::position);
-    NeighbourGrid people(positions, kApart);
+    std::vector<GroundDisc> standing;
+    standing.reserve(positions.size());
+    for (const glm::vec3& at : positions) {
+        standing.push_back({at});
+    }
+    NeighbourGrid people(standing, kApart);
     std::vector<IndividualId> moved;
     std::vector<glm::vec3> places;
     for (const IndividualId id : off) {
         if (const auto place = freeGround(ground, people, positions[population.rowOf(id)])) {
-            people.add(*place);
+            people.add({*place});
             moved.push_back(id);
             places.push_back(*place);
         }
