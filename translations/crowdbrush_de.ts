@@ -29,19 +29,19 @@
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation>&amp;Sichern</translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the scene</source>
-        <translation>Die Szene sichern</translation>
+        <translation>Die Szene speichern</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation>Sichern &amp;unter …</translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Save the scene under another name</source>
-        <translation>Die Szene unter anderem Namen sichern</translation>
+        <translation>Die Szene unter anderem Namen speichern</translation>
     </message>
     <message>
         <source>&amp;Collect Assets</source>
@@ -49,11 +49,7 @@
     </message>
     <message>
         <source>Save the scene with copies of all its models beside it</source>
-        <translation>Die Szene mit Kopien aller Modelle daneben sichern</translation>
-    </message>
-    <message>
-        <source>&amp;Import Template…</source>
-        <translation>&amp;Vorlage importieren …</translation>
+        <translation>Die Szene mit Kopien aller Modelle daneben speichern</translation>
     </message>
     <message>
         <source>Bring in an animated glTF model to paint with</source>
@@ -94,10 +90,6 @@
     <message>
         <source>&amp;Delete Selected</source>
         <translation>Ausgewählte &amp;löschen</translation>
-    </message>
-    <message>
-        <source>Remove the selected people</source>
-        <translation>Die ausgewählten Personen entfernen</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
@@ -188,10 +180,6 @@
         <translation>Sitz&amp;raster</translation>
     </message>
     <message>
-        <source>Create people only on free seats</source>
-        <translation>Personen nur auf freie Sitze setzen</translation>
-    </message>
-    <message>
         <source>Gr&amp;ound Grid</source>
         <translation>B&amp;odenraster</translation>
     </message>
@@ -264,32 +252,8 @@
         <translation>Was dies ist, und seine Version</translation>
     </message>
     <message>
-        <source>Select people, move them, delete them</source>
-        <translation>Personen auswählen, verschieben, löschen</translation>
-    </message>
-    <message>
         <source>Turn, shift and zoom the view</source>
         <translation>Die Ansicht drehen, schieben, zoomen</translation>
-    </message>
-    <message>
-        <source>Spray new people into the scene</source>
-        <translation>Neue Personen in die Szene sprühen</translation>
-    </message>
-    <message>
-        <source>Spray people away</source>
-        <translation>Personen wegsprühen</translation>
-    </message>
-    <message>
-        <source>Recolour the people under the brush</source>
-        <translation>Die Personen unter dem Pinsel umfärben</translation>
-    </message>
-    <message>
-        <source>Turn the people under the brush</source>
-        <translation>Die Personen unter dem Pinsel drehen</translation>
-    </message>
-    <message>
-        <source>Give the people under the brush another animation</source>
-        <translation>Den Personen unter dem Pinsel eine andere Animation geben</translation>
     </message>
     <message>
         <source>&amp;Select</source>
@@ -301,7 +265,7 @@
     </message>
     <message>
         <source>&amp;Create</source>
-        <translation>&amp;Schaffen</translation>
+        <translation>&amp;Erschaffen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -516,22 +480,6 @@
         <translation>Orte auf den Boden malen, die einen Weg ergeben</translation>
     </message>
     <message>
-        <source>Let the people under the brush walk along a path</source>
-        <translation>Die Personen unter dem Pinsel einen Weg gehen lassen</translation>
-    </message>
-    <message>
-        <source>Let an event happen to the people under the brush</source>
-        <translation>Den Personen unter dem Pinsel ein Ereignis zukommen lassen</translation>
-    </message>
-    <message>
-        <source>Tag the people under the brush, for rules to ask for</source>
-        <translation>Die Personen unter dem Pinsel markieren, damit Regeln danach fragen können</translation>
-    </message>
-    <message>
-        <source>Take a tag off the people under the brush</source>
-        <translation>Den Personen unter dem Pinsel eine Marke nehmen</translation>
-    </message>
-    <message>
         <source>&amp;Path</source>
         <translation>&amp;Weg</translation>
     </message>
@@ -572,10 +520,6 @@
         <translation>Skri&amp;pt</translation>
     </message>
     <message>
-        <source>Set with which clip and how fast people walk</source>
-        <translation>Festlegen, mit welchem Clip und wie schnell Personen gehen</translation>
-    </message>
-    <message>
         <source>Paint obstacles, attractors, exits, slow, forbidden and liked ground</source>
         <translation>Hindernisse, Anziehungspunkte, Ausgänge, langsamen, verbotenen und beliebten Boden malen</translation>
     </message>
@@ -592,10 +536,6 @@
         <translation>Weg, der am letzten Ort &amp;endet</translation>
     </message>
     <message>
-        <source>A path over the selected places, in order; people stop there</source>
-        <translation>Ein Weg über die gewählten Orte, der Reihe nach; Personen bleiben am Ende stehen</translation>
-    </message>
-    <message>
         <source>Path Going &amp;Round and Round</source>
         <translation>Weg, der immer im &amp;Kreis führt</translation>
     </message>
@@ -608,12 +548,96 @@
         <translation>Weg, der zum ersten Ort &amp;springt</translation>
     </message>
     <message>
-        <source>A path over the selected places; people jump from its last place to its first</source>
-        <translation>Ein Weg über die gewählten Orte; Personen springen vom letzten zum ersten</translation>
+        <source>Add from &amp;Library…</source>
+        <translation>Aus Bibliothek &amp;hinzufügen …</translation>
     </message>
     <message>
-        <source>Show the selected people and places; everything when nothing is selected</source>
-        <translation>Die gewählten Personen und Orte zeigen; alles, wenn nichts gewählt ist</translation>
+        <source>Choose built-in characters to paint with</source>
+        <translation>Mitgelieferte Figuren zum Malen wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Import Templates…</source>
+        <translation>&amp;Vorlagen importieren …</translation>
+    </message>
+    <message>
+        <source>Remove the selected characters</source>
+        <translation>Die ausgewählten Figuren entfernen</translation>
+    </message>
+    <message>
+        <source>Put on the &amp;Ground</source>
+        <translation>Auf den &amp;Boden stellen</translation>
+    </message>
+    <message>
+        <source>Put those of the selected people, or of all, who stand where nobody can walk on the nearest ground</source>
+        <translation>Ausgewählte Figuren, sonst alle, die stehen, wo niemand gehen kann, auf den nächsten Boden stellen</translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order; characters stop there</source>
+        <translation>Ein Weg über die gewählten Orte, der Reihe nach; Figuren bleiben am Ende stehen</translation>
+    </message>
+    <message>
+        <source>A path over the selected places; characters jump from its last place to its first</source>
+        <translation>Ein Weg über die gewählten Orte; Figuren springen vom letzten zum ersten</translation>
+    </message>
+    <message>
+        <source>Show the selected characters and places; everything when nothing is selected</source>
+        <translation>Die gewählten Figuren und Orte zeigen; alles, wenn nichts gewählt ist</translation>
+    </message>
+    <message>
+        <source>Create characters only on free seats</source>
+        <translation>Figuren nur auf freie Sitze setzen</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t Brushes</source>
+        <translation>Pinsel zurücks&amp;etzen</translation>
+    </message>
+    <message>
+        <source>Set all brushes as they were in the beginning</source>
+        <translation>Alle Pinsel so einstellen, wie sie am Anfang waren</translation>
+    </message>
+    <message>
+        <source>Select characters, move them, delete them</source>
+        <translation>Figuren auswählen, verschieben, löschen</translation>
+    </message>
+    <message>
+        <source>Spray new characters into the scene</source>
+        <translation>Neue Figuren in die Szene sprühen</translation>
+    </message>
+    <message>
+        <source>Spray characters away</source>
+        <translation>Figuren wegsprühen</translation>
+    </message>
+    <message>
+        <source>Recolour the characters under the brush</source>
+        <translation>Die Figuren unter dem Pinsel umfärben</translation>
+    </message>
+    <message>
+        <source>Turn the characters under the brush</source>
+        <translation>Die Figuren unter dem Pinsel drehen</translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush another animation</source>
+        <translation>Den Figuren unter dem Pinsel eine andere Animation geben</translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush walk along a path</source>
+        <translation>Die Figuren unter dem Pinsel einen Weg gehen lassen</translation>
+    </message>
+    <message>
+        <source>Set with which clip and how fast characters walk</source>
+        <translation>Festlegen, mit welchem Clip und wie schnell Figuren gehen</translation>
+    </message>
+    <message>
+        <source>Let an event happen to the characters under the brush</source>
+        <translation>Den Figuren unter dem Pinsel ein Ereignis zukommen lassen</translation>
+    </message>
+    <message>
+        <source>Tag the characters under the brush, for rules to ask for</source>
+        <translation>Die Figuren unter dem Pinsel markieren, damit Regeln danach fragen können</translation>
+    </message>
+    <message>
+        <source>Take a tag off the characters under the brush</source>
+        <translation>Den Figuren unter dem Pinsel eine Marke nehmen</translation>
     </message>
 </context>
 <context>
@@ -642,10 +666,6 @@
         <translation>Rechteck</translation>
     </message>
     <message>
-        <source>People per m²</source>
-        <translation>Personen je m²</translation>
-    </message>
-    <message>
         <source>Seats filled, %</source>
         <translation>Besetzte Sitze, %</translation>
     </message>
@@ -664,10 +684,6 @@
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Density: %1 people per m²</source>
-        <translation>Dichte: %1 Personen je m²</translation>
     </message>
     <message>
         <source>Seats filled: %1 %</source>
@@ -798,10 +814,6 @@
         <translation>Wer ihn erreicht, verlässt die Szene</translation>
     </message>
     <message>
-        <source>People walk slower there</source>
-        <translation>Personen gehen dort langsamer</translation>
-    </message>
-    <message>
         <source>Nobody walks there; ways lead around it</source>
         <translation>Niemand geht dort; Wege führen darum herum</translation>
     </message>
@@ -809,62 +821,32 @@
         <source>Ways lead over it where that is not much longer</source>
         <translation>Wege führen darüber, wo es kaum länger ist</translation>
     </message>
+    <message>
+        <source>Characters per m²</source>
+        <translation>Figuren je m²</translation>
+    </message>
+    <message>
+        <source>Density: %1 characters per m²</source>
+        <translation>Dichte: %1 Figuren je m²</translation>
+    </message>
+    <message>
+        <source>Characters walk slower there</source>
+        <translation>Figuren gehen dort langsamer</translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation>Marke %1</translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
-    <message numerus="yes">
-        <source>%n people created</source>
-        <translation>
-            <numerusform>%n Person geschaffen</numerusform>
-            <numerusform>%n Personen geschaffen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people deleted</source>
-        <translation>
-            <numerusform>%n Person gelöscht</numerusform>
-            <numerusform>%n Personen gelöscht</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people coloured</source>
-        <translation>
-            <numerusform>%n Person gefärbt</numerusform>
-            <numerusform>%n Personen gefärbt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people turned</source>
-        <translation>
-            <numerusform>%n Person gedreht</numerusform>
-            <numerusform>%n Personen gedreht</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people do something else</source>
-        <translation>
-            <numerusform>%n Person tut etwas anderes</numerusform>
-            <numerusform>%n Personen tun etwas anderes</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The stroke was taken back.</source>
         <translation>Der Strich wurde zurückgenommen.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 px</source>
         <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>Drag: delete people · + −: how fast</source>
-        <translation>Ziehen: Personen löschen · + −: wie schnell</translation>
     </message>
     <message>
         <source>Left: point · Middle: circle · Right: rectangle · Alt or Space and drag: navigate · [ ]: size</source>
@@ -873,22 +855,6 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>Drag: create people · + −: how many · Ctrl+click: more of the kind</source>
-        <translation>Ziehen: Personen erschaffen · + −: wie viele · Strg+Klick: mehr von dieser Art</translation>
-    </message>
-    <message>
-        <source>Drag: colour people · + −: strength · Ctrl+click: take the colour</source>
-        <translation>Ziehen: Personen färben · + −: Stärke · Strg+Klick: die Farbe nehmen</translation>
-    </message>
-    <message>
-        <source>Drag: turn people · + −: direction · Ctrl+click: the point to face</source>
-        <translation>Ziehen: Personen drehen · + −: Richtung · Strg+Klick: der Punkt, zu dem sie sehen</translation>
-    </message>
-    <message>
-        <source>Drag: change what people do · + −: speed · Ctrl+click: take the clip</source>
-        <translation>Ziehen: ändern, was Personen tun · + −: Tempo · Strg+Klick: den Clip nehmen</translation>
     </message>
     <message>
         <source>Click somebody to take the colour · Escape: not now</source>
@@ -910,125 +876,145 @@
         <source>Nobody under the cursor</source>
         <translation>Niemand unter dem Zeiger</translation>
     </message>
-    <message numerus="yes">
-        <source>%n people walk differently</source>
-        <translation>
-            <numerusform>Eine Person geht anders</numerusform>
-            <numerusform>%n Personen gehen anders</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people tagged</source>
-        <translation>
-            <numerusform>Eine Person markiert</numerusform>
-            <numerusform>%n Personen markiert</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people without the tag</source>
-        <translation>
-            <numerusform>Eine Person ohne die Marke</numerusform>
-            <numerusform>%n Personen ohne die Marke</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people heard it</source>
-        <translation>
-            <numerusform>Eine Person hat es gehört</numerusform>
-            <numerusform>%n Personen haben es gehört</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag: let people walk along the path · + −: walking speed</source>
-        <translation>Ziehen: Personen den Weg gehen lassen · + −: Gehtempo</translation>
-    </message>
-    <message>
-        <source>Drag: tag people · + −: which tag</source>
-        <translation>Ziehen: Personen markieren · + −: welche Marke</translation>
-    </message>
-    <message>
-        <source>Drag: take the tag off people · + −: which tag</source>
-        <translation>Ziehen: Personen die Marke nehmen · + −: welche Marke</translation>
-    </message>
-    <message>
-        <source>Drag: let an event happen to people · + −: its number</source>
-        <translation>Ziehen: Personen ein Ereignis zukommen lassen · + −: seine Zahl</translation>
-    </message>
     <message>
         <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
         <translation>Rechte Taste: Pinsel · Alt oder Leertaste und ziehen: bewegen · [ ]: Größe</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people changed</source>
-        <translation>
-            <numerusform>Eine Person geändert</numerusform>
-            <numerusform>%n Personen geändert</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag: let the script change people · Escape: take it back</source>
-        <translation>Ziehen: das Skript Personen ändern lassen · Esc: zurücknehmen</translation>
     </message>
     <message>
         <source>No script brush is there yet: a script brings one along with crowdbrush.register_brush.</source>
         <translation>Noch ist kein Skriptpinsel da: Ein Skript bringt einen mit crowdbrush.register_brush mit.</translation>
     </message>
     <message numerus="yes">
-        <source>%n people walk in another way</source>
+        <source>%n characters created</source>
         <translation>
-            <numerusform>Eine Person geht anders</numerusform>
-            <numerusform>%n Personen gehen anders</numerusform>
+            <numerusform>%n Figur erschaffen</numerusform>
+            <numerusform>%n Figuren erschaffen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters deleted</source>
+        <translation>
+            <numerusform>%n Figur gelöscht</numerusform>
+            <numerusform>%n Figuren gelöscht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters coloured</source>
+        <translation>
+            <numerusform>%n Figur gefärbt</numerusform>
+            <numerusform>%n Figuren gefärbt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters turned</source>
+        <translation>
+            <numerusform>%n Figur gedreht</numerusform>
+            <numerusform>%n Figuren gedreht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters do something else</source>
+        <translation>
+            <numerusform>%n Figur tut etwas anderes</numerusform>
+            <numerusform>%n Figuren tun etwas anderes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters walk differently</source>
+        <translation>
+            <numerusform>Eine Figur geht anders</numerusform>
+            <numerusform>%n Figuren gehen anders</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters walk in another way</source>
+        <translation>
+            <numerusform>Eine Figur geht anders</numerusform>
+            <numerusform>%n Figuren gehen anders</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters tagged</source>
+        <translation>
+            <numerusform>Eine Figur markiert</numerusform>
+            <numerusform>%n Figuren markiert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters without the tag</source>
+        <translation>
+            <numerusform>Eine Figur ohne die Marke</numerusform>
+            <numerusform>%n Figuren ohne die Marke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters heard it</source>
+        <translation>
+            <numerusform>Eine Figur hat es gehört</numerusform>
+            <numerusform>%n Figuren haben es gehört</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters changed</source>
+        <translation>
+            <numerusform>Eine Figur geändert</numerusform>
+            <numerusform>%n Figuren geändert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
         </translation>
     </message>
     <message>
-        <source>Drag: set how people walk and how fast · + −: speed</source>
-        <translation>Ziehen: festlegen, wie und wie schnell Personen gehen · + −: Tempo</translation>
+        <source>Drag: create characters · + −: how many · Ctrl+click: more of the kind</source>
+        <translation>Ziehen: Figuren erschaffen · + −: wie viele · Strg+Klick: mehr von dieser Art</translation>
+    </message>
+    <message>
+        <source>Drag: delete characters · + −: how fast</source>
+        <translation>Ziehen: Figuren löschen · + −: wie schnell</translation>
+    </message>
+    <message>
+        <source>Drag: colour characters · + −: strength · Ctrl+click: take the colour</source>
+        <translation>Ziehen: Figuren färben · + −: Stärke · Strg+Klick: die Farbe nehmen</translation>
+    </message>
+    <message>
+        <source>Drag: turn characters · + −: direction · Ctrl+click: the point to face</source>
+        <translation>Ziehen: Figuren drehen · + −: Richtung · Strg+Klick: der Punkt, zu dem sie sehen</translation>
+    </message>
+    <message>
+        <source>Drag: change what characters do · + −: speed · Ctrl+click: take the clip</source>
+        <translation>Ziehen: ändern, was Figuren tun · + −: Tempo · Strg+Klick: den Clip nehmen</translation>
+    </message>
+    <message>
+        <source>Drag: let characters walk along the path · + −: walking speed</source>
+        <translation>Ziehen: Figuren den Weg gehen lassen · + −: Gehtempo</translation>
+    </message>
+    <message>
+        <source>Drag: set how characters walk and how fast · + −: speed</source>
+        <translation>Ziehen: festlegen, wie und wie schnell Figuren gehen · + −: Tempo</translation>
+    </message>
+    <message>
+        <source>Drag: tag characters · + −: which tag</source>
+        <translation>Ziehen: Figuren markieren · + −: welche Marke</translation>
+    </message>
+    <message>
+        <source>Drag: take the tag off characters · + −: which tag</source>
+        <translation>Ziehen: Figuren die Marke nehmen · + −: welche Marke</translation>
+    </message>
+    <message>
+        <source>Drag: let an event happen to characters · + −: its number</source>
+        <translation>Ziehen: Figuren ein Ereignis zukommen lassen · + −: seine Zahl</translation>
+    </message>
+    <message>
+        <source>Drag: let the script change characters · Escape: take it back</source>
+        <translation>Ziehen: das Skript Figuren ändern lassen · Esc: zurücknehmen</translation>
     </message>
 </context>
 <context>
     <name>Brushes</name>
-    <message numerus="yes">
-        <source>Create %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person schaffen</numerusform>
-            <numerusform>%n Personen schaffen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person löschen</numerusform>
-            <numerusform>%n Personen löschen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person färben</numerusform>
-            <numerusform>%n Personen färben</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Turn %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person drehen</numerusform>
-            <numerusform>%n Personen drehen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Animate %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person animieren</numerusform>
-            <numerusform>%n Personen animieren</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person verschieben</numerusform>
-            <numerusform>%n Personen verschieben</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Nobody under the brush</source>
         <translation>Niemand unter dem Pinsel</translation>
@@ -1039,7 +1025,7 @@
     </message>
     <message>
         <source>Choose a template to create first</source>
-        <translation>Zuerst eine Vorlage zum Schaffen wählen</translation>
+        <translation>Zuerst eine Vorlage zum Erschaffen wählen</translation>
     </message>
     <message>
         <source>The chosen template is not loaded</source>
@@ -1101,34 +1087,6 @@
         <source>So small a share of them is nobody</source>
         <translation>Ein so kleiner Anteil davon ist niemand</translation>
     </message>
-    <message numerus="yes">
-        <source>Set the walk of %n individual(s)</source>
-        <translation>
-            <numerusform>Gang einer Person setzen</numerusform>
-            <numerusform>Gang von %n Personen setzen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Tag %n individual(s)</source>
-        <translation>
-            <numerusform>Eine Person markieren</numerusform>
-            <numerusform>%n Personen markieren</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Untag %n individual(s)</source>
-        <translation>
-            <numerusform>Einer Person die Marke nehmen</numerusform>
-            <numerusform>%n Personen die Marke nehmen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Event reached %n individual(s)</source>
-        <translation>
-            <numerusform>Ereignis erreichte eine Person</numerusform>
-            <numerusform>Ereignis erreichte %n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>All of them already walk like this</source>
         <translation>Alle gehen schon so</translation>
@@ -1142,34 +1100,155 @@
         <translation>Niemand davon hat diese Marke</translation>
     </message>
     <message>
-        <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
-        <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Personen einen Weg geben und auf Abspielen drücken</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n individual(s)</source>
-        <translation>
-            <numerusform>%1: eine Person</numerusform>
-            <numerusform>%1: %n Personen</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The script brush changed nothing</source>
         <translation>Der Skriptpinsel hat nichts geändert</translation>
     </message>
     <message numerus="yes">
-        <source>Set how %n individual(s) walk</source>
+        <source>Create %n character(s)</source>
         <translation>
-            <numerusform>Gangart einer Person festlegen</numerusform>
-            <numerusform>Gangart von %n Personen festlegen</numerusform>
+            <numerusform>%n Figur erschaffen</numerusform>
+            <numerusform>%n Figuren erschaffen</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur löschen</numerusform>
+            <numerusform>%n Figuren löschen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur färben</numerusform>
+            <numerusform>%n Figuren färben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur drehen</numerusform>
+            <numerusform>%n Figuren drehen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Animate %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur animieren</numerusform>
+            <numerusform>%n Figuren animieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Set the walk of %n character(s)</source>
+        <translation>
+            <numerusform>Gang einer Figur setzen</numerusform>
+            <numerusform>Gang von %n Figuren setzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Set how %n character(s) walk</source>
+        <translation>
+            <numerusform>Gangart einer Figur festlegen</numerusform>
+            <numerusform>Gangart von %n Figuren festlegen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Tag %n character(s)</source>
+        <translation>
+            <numerusform>Eine Figur markieren</numerusform>
+            <numerusform>%n Figuren markieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Untag %n character(s)</source>
+        <translation>
+            <numerusform>Einer Figur die Marke nehmen</numerusform>
+            <numerusform>%n Figuren die Marke nehmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Event reached %n character(s)</source>
+        <translation>
+            <numerusform>Ereignis erreichte eine Figur</numerusform>
+            <numerusform>Ereignis erreichte %n Figuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n character(s)</source>
+        <translation>
+            <numerusform>%1: eine Figur</numerusform>
+            <numerusform>%1: %n Figuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur verschieben</numerusform>
+            <numerusform>%n Figuren verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create people there all the same</source>
+        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem Figuren zu erschaffen</translation>
+    </message>
+    <message>
+        <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
+        <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Figuren einen Weg geben und auf Abspielen drücken</translation>
+    </message>
+</context>
+<context>
+    <name>ClipRole</name>
+    <message>
+        <source>Idle</source>
+        <translation>Stehen</translation>
+    </message>
+    <message>
+        <source>What the character does while it stands</source>
+        <translation>Was die Figur tut, während sie steht</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>How it gets on at its usual speed</source>
+        <translation>Wie sie in ihrem üblichen Tempo vorankommt</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>How it gets on when it is in a hurry</source>
+        <translation>Wie sie vorankommt, wenn sie es eilig hat</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Fliegen</translation>
+    </message>
+    <message>
+        <source>How it gets on without touching the ground, at the clip&apos;s own pace</source>
+        <translation>Wie sie vorankommt, ohne den Boden zu berühren, im Tempo des Clips</translation>
+    </message>
+    <message>
+        <source>Sit</source>
+        <translation>Sitzen</translation>
+    </message>
+    <message>
+        <source>What it does on a seat</source>
+        <translation>Was sie auf einem Sitz tut</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Anderes</translation>
+    </message>
+    <message>
+        <source>Played only where a brush or a rule asks for it</source>
+        <translation>Wird nur gespielt, wo ein Pinsel oder eine Regel danach verlangt</translation>
     </message>
 </context>
 <context>
     <name>Cues</name>
-    <message>
-        <source>Press Play first: cues speak to people while it plays.</source>
-        <translation>Erst abspielen: Stichworte wirken, während es läuft.</translation>
-    </message>
     <message>
         <source>Nobody is selected who could hear “%1”.</source>
         <translation>Niemand ist ausgewählt, der „%1“ hören könnte.</translation>
@@ -1177,6 +1256,10 @@
     <message>
         <source>Cue: “%1”</source>
         <translation>Stichwort: „%1“</translation>
+    </message>
+    <message>
+        <source>Press Play first: cues speak to characters while it plays.</source>
+        <translation>Erst abspielen: Stichworte wirken, während es läuft.</translation>
     </message>
 </context>
 <context>
@@ -1324,16 +1407,16 @@
         <translation>Größe von Orten ändern</translation>
     </message>
     <message>
-        <source>%1: people stop at its last place.</source>
-        <translation>%1: Personen bleiben am letzten Ort stehen.</translation>
+        <source>%1: characters stop at its last place.</source>
+        <translation>%1: Figuren bleiben am letzten Ort stehen.</translation>
     </message>
     <message>
-        <source>%1: people go round and round.</source>
-        <translation>%1: Personen gehen immer im Kreis.</translation>
+        <source>%1: characters go round and round.</source>
+        <translation>%1: Figuren gehen immer im Kreis.</translation>
     </message>
     <message>
-        <source>%1: people jump from its last place to its first.</source>
-        <translation>%1: Personen springen vom letzten Ort zum ersten.</translation>
+        <source>%1: characters jump from its last place to its first.</source>
+        <translation>%1: Figuren springen vom letzten Ort zum ersten.</translation>
     </message>
 </context>
 <context>
@@ -1359,10 +1442,6 @@
         <translation>Einen Weg schließen</translation>
     </message>
     <message>
-        <source>The path is closed: people go round.</source>
-        <translation>Der Weg ist geschlossen: Man geht im Kreis.</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -1372,7 +1451,7 @@
     </message>
     <message>
         <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
-        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Eingabe: beenden · V: Orte versetzen und ihre Größe ändern</translation>
+        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Return: beenden · V: Orte versetzen und ihre Größe ändern</translation>
     </message>
     <message>
         <source>Click: put it on the ground · + −: its size · V: move and resize</source>
@@ -1382,27 +1461,24 @@
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to put a place there all the same.</source>
+        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem einen Ort zu setzen.</translation>
+    </message>
+    <message>
+        <source>The path is closed: characters go round.</source>
+        <translation>Der Weg ist geschlossen: Man geht im Kreis.</translation>
+    </message>
+    <message>
+        <source>Close the path</source>
+        <translation>Den Weg schließen</translation>
+    </message>
 </context>
 <context>
     <name>RuleLog</name>
     <message>
         <source>%1–%2</source>
         <translation>%1–%2</translation>
-    </message>
-    <message>
-        <source>person %1</source>
-        <translation>Person %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>people %1</source>
-        <translation>Personen %1</translation>
     </message>
     <message>
         <source>, </source>
@@ -1436,6 +1512,21 @@
     <message>
         <source>a rule</source>
         <translation>eine Regel</translation>
+    </message>
+    <message>
+        <source>character %1</source>
+        <translation>Figur %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>characters %1</source>
+        <translation>Figuren %1</translation>
     </message>
 </context>
 <context>
@@ -1672,10 +1763,6 @@
         <translation>Niemand hat einen Clip zum Spielen: einen wählen.</translation>
     </message>
     <message>
-        <source>The event to send has no name: type one.</source>
-        <translation>Das Ereignis zum Senden hat keinen Namen: einen eingeben.</translation>
-    </message>
-    <message>
         <source>it begins</source>
         <translation>es beginnt</translation>
     </message>
@@ -1828,10 +1915,6 @@
         <translation>, dann </translation>
     </message>
     <message>
-        <source>The event has no name: type one.</source>
-        <translation>Das Ereignis hat keinen Namen: einen eingeben.</translation>
-    </message>
-    <message>
         <source>A condition asks for something that is not there: choose again.</source>
         <translation>Eine Bedingung fragt nach etwas, das es nicht gibt: neu wählen.</translation>
     </message>
@@ -1904,10 +1987,6 @@
         <translation>%1 voll</translation>
     </message>
     <message>
-        <source>people in %1</source>
-        <translation>Personen in %1</translation>
-    </message>
-    <message>
         <source>leave the scene at %1</source>
         <translation>die Szene bei %1 verlassen</translation>
     </message>
@@ -1946,10 +2025,6 @@
     <message>
         <source>The number is not there: make one below, under “Tags and numbers”.</source>
         <translation>Die Zahl gibt es nicht: Legen Sie unten unter „Marken und Zahlen“ eine an.</translation>
-    </message>
-    <message>
-        <source>The event to wait for has no name: type one.</source>
-        <translation>Das erwartete Ereignis hat keinen Namen: Geben Sie einen ein.</translation>
     </message>
     <message>
         <source>a speed is passed</source>
@@ -2032,10 +2107,6 @@
         <translation>der davor, wenn er frei ist</translation>
     </message>
     <message>
-        <source>the selected people</source>
-        <translation>die ausgewählten Personen</translation>
-    </message>
-    <message>
         <source>Queue</source>
         <translation>Warteschlange</translation>
     </message>
@@ -2093,7 +2164,7 @@
     </message>
     <message>
         <source>height</source>
-        <translation>Größe</translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>girth</source>
@@ -2176,16 +2247,8 @@
         <translation>%2 s lang folgen: %1</translation>
     </message>
     <message>
-        <source>follow %1</source>
-        <translation>folgen: %1</translation>
-    </message>
-    <message>
         <source>look at %1 for %2 s</source>
         <translation>%2 s lang ansehen: %1</translation>
-    </message>
-    <message>
-        <source>keep looking at %1</source>
-        <translation>weiter ansehen: %1</translation>
     </message>
     <message>
         <source>turn %1</source>
@@ -2248,10 +2311,6 @@
         <translation>voll: der Ort</translation>
     </message>
     <message>
-        <source>number of people in</source>
-        <translation>Zahl der Personen in</translation>
-    </message>
-    <message>
         <source>happens</source>
         <translation>geschieht</translation>
     </message>
@@ -2294,6 +2353,110 @@
     <message>
         <source>wait about %1 s</source>
         <translation>etwa %1 s warten</translation>
+    </message>
+    <message>
+        <source>number of characters in</source>
+        <translation>Zahl der Figuren in</translation>
+    </message>
+    <message>
+        <source>the selected characters</source>
+        <translation>die ausgewählten Figuren</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event that it waits for.</source>
+        <translation>Sie tut noch nichts: das Ereignis eingeben, auf das sie wartet.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event to send.</source>
+        <translation>Sie tut noch nichts: das Ereignis eingeben, das gesendet wird.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event to wait for.</source>
+        <translation>Sie tut noch nichts: das Ereignis eingeben, auf das gewartet wird.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a clip.</source>
+        <translation>Sie tut noch nichts: einen Clip wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a place.</source>
+        <translation>Sie tut noch nichts: einen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a path.</source>
+        <translation>Sie tut noch nichts: einen Weg wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a number; make one below, under “Tags and numbers”.</source>
+        <translation>Sie tut noch nichts: eine Zahl wählen; unten unter „Marken und Zahlen“ eine anlegen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a template.</source>
+        <translation>Sie tut noch nichts: eine Vorlage wählen.</translation>
+    </message>
+    <message>
+        <source>It never comes: its conditions exclude each other. Remove one of them.</source>
+        <translation>Sie kommt nie: Ihre Bedingungen schließen einander aus. Eine davon entfernen.</translation>
+    </message>
+    <message>
+        <source>It never comes: “%1” above it comes at the same occasion. Let this one wait until they are free, or give one of them a condition.</source>
+        <translation>Sie kommt nie: „%1“ über ihr kommt beim selben Anlass. Diese warten lassen, bis die Figuren frei sind, oder einer der beiden eine Bedingung geben.</translation>
+    </message>
+    <message>
+        <source>It gets nothing done: “%1” breaks it off at once. Let one of them wait until they are free, or give it a condition.</source>
+        <translation>Sie bringt nichts zustande: „%1“ bricht sie sofort ab. Eine der beiden warten lassen, bis die Figuren frei sind, oder ihr eine Bedingung geben.</translation>
+    </message>
+    <message>
+        <source>It undoes what “%1” does at the same occasion. Give one of them a condition.</source>
+        <translation>Sie macht zunichte, was „%1“ beim selben Anlass tut. Einer der beiden eine Bedingung geben.</translation>
+    </message>
+    <message>
+        <source>The scene has no seats to sit on: bring a stage with seats along.</source>
+        <translation>Die Szene hat keine Sitze zum Hinsetzen: eine Bühne mit Sitzen hereinholen.</translation>
+    </message>
+    <message>
+        <source>There is no exit to leave at, so characters stay: paint one with the environment brush (I).</source>
+        <translation>Es gibt keinen Ausgang, darum bleiben die Figuren: mit dem Umgebungspinsel (I) einen malen.</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest exit</source>
+        <translation>die Szene am nächsten Ausgang verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place %1</source>
+        <translation>die Szene am nächsten Ort %1 verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free exit</source>
+        <translation>die Szene am nächsten freien Ausgang verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place %1</source>
+        <translation>die Szene am nächsten freien Ort %1 verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free exit</source>
+        <translation>die Szene am ersten freien Ausgang verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place %1</source>
+        <translation>die Szene am ersten freien Ort %1 verlassen</translation>
+    </message>
+    <message>
+        <source>characters in %1</source>
+        <translation>Figuren in %1</translation>
+    </message>
+    <message>
+        <source>follow %1 until something else comes</source>
+        <translation>folgen, bis etwas anderes kommt: %1</translation>
+    </message>
+    <message>
+        <source>look at %1 until something else comes</source>
+        <translation>ansehen, bis etwas anderes kommt: %1</translation>
     </message>
 </context>
 <context>
@@ -2343,34 +2506,38 @@
         <translation>Umgebung setzen</translation>
     </message>
     <message>
-        <source>Create people</source>
-        <translation>Personen erschaffen</translation>
-    </message>
-    <message>
-        <source>Remove people</source>
-        <translation>Personen entfernen</translation>
-    </message>
-    <message>
-        <source>Change people</source>
-        <translation>Personen ändern</translation>
-    </message>
-    <message>
         <source>Keep the pose</source>
         <translation>Haltung behalten</translation>
+    </message>
+    <message>
+        <source>Create characters</source>
+        <translation>Figuren erschaffen</translation>
+    </message>
+    <message>
+        <source>Remove characters</source>
+        <translation>Figuren entfernen</translation>
+    </message>
+    <message>
+        <source>Change characters</source>
+        <translation>Figuren ändern</translation>
+    </message>
+    <message>
+        <source>Put people on the ground</source>
+        <translation>Figuren auf den Boden stellen</translation>
     </message>
 </context>
 <context>
     <name>SelectTool</name>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
         <translation>Klick: auswählen · Ziehen: Rechteck, oder jemanden versetzen · Umschalt: dazu, Strg: umkehren, Rechtecke von überall · Entf: entfernen · F: Auswahl zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2380,18 +2547,36 @@
         <translation>Niemand ist ausgewählt: Es gibt niemanden zu löschen.</translation>
     </message>
     <message numerus="yes">
-        <source>Delete %n individual(s)</source>
-        <translation>
-            <numerusform>%n Person löschen</numerusform>
-            <numerusform>%n Personen löschen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Delete %n place(s)</source>
         <translation>
             <numerusform>Einen Ort löschen</numerusform>
             <numerusform>%n Orte löschen</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur löschen</numerusform>
+            <numerusform>%n Figuren löschen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Put %n character(s) on the ground</source>
+        <translation>
+            <numerusform>%n Figur auf den Boden stellen</numerusform>
+            <numerusform>%n Figuren auf den Boden stellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters put on the ground</source>
+        <translation>
+            <numerusform>%n Figur auf den Boden gestellt</numerusform>
+            <numerusform>%n Figuren auf den Boden gestellt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them stand where people can walk.</source>
+        <translation>Alle stehen, wo man gehen kann.</translation>
     </message>
 </context>
 <context>
@@ -2425,7 +2610,7 @@
     </message>
     <message>
         <source>Create Brush</source>
-        <translation>Schaffen</translation>
+        <translation>Erschaffen</translation>
     </message>
     <message>
         <source>Delete Brush</source>
@@ -2514,10 +2699,6 @@
         <translation>glTF-Modelle (*.glb *.gltf);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Import Template</source>
-        <translation>Vorlage importieren</translation>
-    </message>
-    <message>
         <source>Import Stage</source>
         <translation>Bühne importieren</translation>
     </message>
@@ -2551,18 +2732,11 @@
     </message>
     <message>
         <source>“%1” is ready: the create brush paints it.</source>
-        <translation>„%1“ ist bereit: Der Pinsel „Schaffen“ malt damit.</translation>
+        <translation>„%1“ ist bereit: Der Pinsel „Erschaffen“ malt damit.</translation>
     </message>
     <message>
         <source>The stage could not be imported</source>
         <translation>Die Bühne konnte nicht importiert werden</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people are of this template; delete them first.</source>
-        <translation>
-            <numerusform>%n Person ist von dieser Vorlage; zuerst löschen.</numerusform>
-            <numerusform>%n Personen sind von dieser Vorlage; zuerst löschen.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Locate “%1” (%2)</source>
@@ -2595,12 +2769,53 @@
         <source>Locate assets</source>
         <translation>Dateien suchen</translation>
     </message>
+    <message>
+        <source>Import Templates</source>
+        <translation>Vorlagen importieren</translation>
+    </message>
+    <message>
+        <source>Reading the library…</source>
+        <translation>Bibliothek wird gelesen …</translation>
+    </message>
+    <message>
+        <source>There is no library</source>
+        <translation>Es gibt keine Bibliothek</translation>
+    </message>
+    <message>
+        <source>The built-in characters were not found. Install them beside the program or name their folder in CROWDBRUSH_RESOURCES.</source>
+        <translation>Die mitgelieferten Figuren wurden nicht gefunden. Sie neben dem Programm installieren oder ihren Ordner in CROWDBRUSH_RESOURCES nennen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n template(s)</source>
+        <translation>
+            <numerusform>%n Vorlage hinzufügen</numerusform>
+            <numerusform>%n Vorlagen hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n template(s) ready: the create brush paints them.</source>
+        <translation>
+            <numerusform>Eine Vorlage ist bereit: Der Pinsel „Erschaffen“ malt damit.</numerusform>
+            <numerusform>%n Vorlagen sind bereit: Der Pinsel „Erschaffen“ malt damit.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are of this template; delete them first.</source>
+        <translation>
+            <numerusform>%n Figur ist von dieser Vorlage; zuerst löschen.</numerusform>
+            <numerusform>%n Figuren sind von dieser Vorlage; zuerst löschen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change clips</source>
+        <translation>Clips ändern</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::Autosaver</name>
     <message>
         <source>Unsaved work is not kept for the case of a crash. %1</source>
-        <translation>Ungesicherte Arbeit wird nicht für den Fall eines Absturzes aufgehoben. %1</translation>
+        <translation>Ungespeicherte Arbeit wird nicht für den Fall eines Absturzes aufgehoben. %1</translation>
     </message>
 </context>
 <context>
@@ -2637,7 +2852,7 @@
     </message>
     <message>
         <source>The open scene is &quot;scene&quot;, everything else is in &quot;crowdbrush&quot;. Return runs, Shift+Return starts another line, Tab completes, up and down go through what was typed before.</source>
-        <translation>Die offene Szene heißt „scene“, alles Übrige steht in „crowdbrush“. Eingabe führt aus, Umschalt+Eingabe beginnt eine neue Zeile, Tab ergänzt, Auf und Ab blättern in dem, was vorher getippt wurde.</translation>
+        <translation>Die offene Szene heißt „scene“, alles Übrige steht in „crowdbrush“. Return führt aus, Umschalt+Return beginnt eine neue Zeile, Tab ergänzt, Auf und Ab blättern in dem, was vorher getippt wurde.</translation>
     </message>
     <message>
         <source>Run a script file</source>
@@ -2683,7 +2898,7 @@
     </message>
     <message>
         <source>Saved as %1</source>
-        <translation>Gesichert als %1</translation>
+        <translation>Gespeichert als %1</translation>
     </message>
     <message>
         <source>Record what is done by hand as a script</source>
@@ -2713,7 +2928,7 @@
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation>Ungesicherte Arbeit wiederherstellen</translation>
+        <translation>Ungespeicherte Arbeit wiederherstellen</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -2729,15 +2944,15 @@
     </message>
     <message>
         <source>Save Scene As</source>
-        <translation>Szene sichern unter</translation>
+        <translation>Szene speichern unter</translation>
     </message>
     <message>
         <source>The scene could not be saved</source>
-        <translation>Die Szene konnte nicht gesichert werden</translation>
+        <translation>Die Szene konnte nicht gespeichert werden</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation>%1 gesichert</translation>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>The assets could not be collected</source>
@@ -2749,11 +2964,11 @@
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation>Ungesicherte Änderungen</translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>“%1” has unsaved changes. Save them?</source>
-        <translation>„%1“ hat ungesicherte Änderungen. Sichern?</translation>
+        <translation>„%1“ hat ungespeicherte Änderungen. Speichern?</translation>
     </message>
     <message>
         <source>Loading %1…</source>
@@ -2775,9 +2990,9 @@
         <source>Crowdbrush kept unsaved changes of “%1” from %2. Recover them?
 
 Thrown away, they are gone and the scene opens as it was saved.</source>
-        <translation>Crowdbrush hat ungesicherte Änderungen an „%1“ vom %2 aufgehoben. Wiederherstellen?
+        <translation>Crowdbrush hat ungespeicherte Änderungen an „%1“ vom %2 aufgehoben. Wiederherstellen?
 
-Verworfen sind sie fort, und die Szene öffnet sich, wie sie gesichert wurde.</translation>
+Verworfen sind sie fort, und die Szene öffnet sich, wie sie gespeichert wurde.</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -2791,7 +3006,7 @@ Verworfen sind sie fort, und die Szene öffnet sich, wie sie gesichert wurde.</t
         <source>Crowdbrush kept a scene that was never saved, from %1. Recover it?
 
 Thrown away, it is gone.</source>
-        <translation>Crowdbrush hat eine nie gesicherte Szene vom %1 aufgehoben. Wiederherstellen?
+        <translation>Crowdbrush hat eine nie gespeicherte Szene vom %1 aufgehoben. Wiederherstellen?
 
 Verworfen ist sie fort.</translation>
     </message>
@@ -2801,7 +3016,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>“%1” was changed by another program since it was opened here. Saving replaces that version.</source>
-        <translation>„%1“ wurde von einem anderen Programm geändert, seit die Szene hier geöffnet wurde. Sichern ersetzt jene Fassung.</translation>
+        <translation>„%1“ wurde von einem anderen Programm geändert, seit die Szene hier geöffnet wurde. Speichern ersetzt jene Fassung.</translation>
     </message>
     <message>
         <source>&amp;Replace It</source>
@@ -2809,7 +3024,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>To keep both, cancel and choose File &gt; Save As.</source>
-        <translation>Um beide zu behalten: abbrechen und Datei &gt; Sichern unter wählen.</translation>
+        <translation>Um beide zu behalten: abbrechen und Datei &gt; Speichern unter wählen.</translation>
     </message>
     <message>
         <source>“%1” exists already. Replace it?</source>
@@ -2880,10 +3095,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Painting with a brush</source>
         <translation>Mit einem Pinsel malen</translation>
-    </message>
-    <message>
-        <source>paints one person or place</source>
-        <translation>malt eine Person oder einen Ort</translation>
     </message>
     <message>
         <source>Middle button</source>
@@ -3041,6 +3252,10 @@ Verworfen ist sie fort.</translation>
         <source>keeps everybody where they are now</source>
         <translation>behält alle, wo sie jetzt sind</translation>
     </message>
+    <message>
+        <source>paints one character or place</source>
+        <translation>malt eine Figur oder einen Ort</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -3109,10 +3324,10 @@ Verworfen ist sie fort.</translation>
         <translation>Abspieltempo</translation>
     </message>
     <message numerus="yes">
-        <source>%n people are kept where they are</source>
+        <source>%n characters are kept where they are</source>
         <translation>
-            <numerusform>Eine Person bleibt, wo sie ist</numerusform>
-            <numerusform>%n Personen bleiben, wo sie sind</numerusform>
+            <numerusform>Eine Figur bleibt, wo sie ist</numerusform>
+            <numerusform>%n Figuren bleiben, wo sie sind</numerusform>
         </translation>
     </message>
 </context>
@@ -3164,7 +3379,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Keep unsaved work every</source>
-        <translation>Ungesichertes aufheben alle</translation>
+        <translation>Ungespeichertes aufheben alle</translation>
     </message>
     <message>
         <source>Language</source>
@@ -3211,11 +3426,11 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation>Sichern …</translation>
+        <translation>Speichern …</translation>
     </message>
     <message>
         <source>Save the script, with the scene that it starts from</source>
-        <translation>Das Skript sichern, samt der Szene, mit der es anfängt</translation>
+        <translation>Das Skript speichern, samt der Szene, mit der es anfängt</translation>
     </message>
     <message>
         <source>What you do by hand appears here as Python.</source>
@@ -3234,12 +3449,12 @@ Verworfen ist sie fort.</translation>
 # … %2 more characters of this step are copied and saved …
 </source>
         <translation>%1
-# … %2 weitere Zeichen dieses Schritts werden kopiert und gesichert …
+# … %2 weitere Zeichen dieses Schritts werden kopiert und gespeichert …
 </translation>
     </message>
     <message>
         <source>Save Recorded Script</source>
-        <translation>Aufgezeichnetes Skript sichern</translation>
+        <translation>Aufgezeichnetes Skript speichern</translation>
     </message>
     <message>
         <source>recorded.py</source>
@@ -3302,13 +3517,6 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::app::StatusPanel</name>
     <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n selected</source>
         <translation>
             <numerusform>%n ausgewählt</numerusform>
@@ -3318,7 +3526,7 @@ Verworfen ist sie fort.</translation>
     <message numerus="yes">
         <source>%n in view</source>
         <translation>
-            <numerusform>eine(r) im Bild</numerusform>
+            <numerusform>eine im Bild</numerusform>
             <numerusform>%n im Bild</numerusform>
         </translation>
     </message>
@@ -3333,6 +3541,20 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Time of one picture: %1 triangles in %2 draws</source>
         <translation>Zeit eines Bildes: %1 Dreiecke in %2 Aufrufen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have left</source>
+        <translation>
+            <numerusform>eine ist fort</numerusform>
+            <numerusform>%n sind fort</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3361,8 +3583,8 @@ Verworfen ist sie fort.</translation>
         <translation>Schließen und nicht wieder zeigen</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: people come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
-        <translation>&lt;b&gt;Ziehen&lt;/b&gt; über freie Sitze oder freien Boden: Personen kommen. &amp;nbsp;&lt;b&gt;Rechtsklick&lt;/b&gt;: die Pinsel.&lt;br&gt;&lt;b&gt;Leertaste&lt;/b&gt; und ziehen: umsehen. &amp;nbsp;&lt;b&gt;Strg+Z&lt;/b&gt;: zurücknehmen. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: alle Tasten.</translation>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: characters come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <translation>&lt;b&gt;Ziehen&lt;/b&gt; über freie Sitze oder freien Boden: Figuren kommen. &amp;nbsp;&lt;b&gt;Rechtsklick&lt;/b&gt;: die Pinsel.&lt;br&gt;&lt;b&gt;Leertaste&lt;/b&gt; und ziehen: umsehen. &amp;nbsp;&lt;b&gt;Strg+Z&lt;/b&gt;: zurücknehmen. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: alle Tasten.</translation>
     </message>
 </context>
 <context>
@@ -3373,11 +3595,11 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>This step cannot be taken: %1. The scene is unharmed; save it. What was done since can still be undone and redone.</source>
-        <translation>Dieser Schritt geht nicht: %1. Die Szene ist unversehrt; bitte sichern. Was seither getan wurde, lässt sich weiter zurücknehmen und wiederholen.</translation>
+        <translation>Dieser Schritt geht nicht: %1. Die Szene ist unversehrt; bitte speichern. Was seither getan wurde, lässt sich weiter zurücknehmen und wiederholen.</translation>
     </message>
     <message>
         <source>Undo takes %1 MB of memory and cannot use the disk: %2. Nothing is lost; make room there, or save and reopen the scene to forget its undo steps.</source>
-        <translation>Rückgängig belegt %1 MB Speicher und kann die Platte nicht benutzen: %2. Nichts ist verloren; dort Platz schaffen, oder die Szene sichern und neu öffnen, um ihre Schritte zu vergessen.</translation>
+        <translation>Rückgängig belegt %1 MB Speicher und kann die Platte nicht benutzen: %2. Nichts ist verloren; dort Platz schaffen, oder die Szene speichern und neu öffnen, um ihre Schritte zu vergessen.</translation>
     </message>
 </context>
 <context>
@@ -3395,10 +3617,6 @@ Verworfen ist sie fort.</translation>
         <translation>Es gibt noch keinen anderen Weg</translation>
     </message>
     <message>
-        <source>Let some people go over to another path at a place</source>
-        <translation>Einige Personen an einem Ort auf einen anderen Weg wechseln lassen</translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation>bei %1</translation>
     </message>
@@ -3409,10 +3627,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>to %1</source>
         <translation>nach %1</translation>
-    </message>
-    <message>
-        <source> : 1</source>
-        <translation> : 1</translation>
     </message>
     <message>
         <source>Change the weight of a branch</source>
@@ -3434,6 +3648,14 @@ Verworfen ist sie fort.</translation>
         <source>Add a branch</source>
         <translation>Abzweig hinzufügen</translation>
     </message>
+    <message>
+        <source>Let some characters go over to another path at a place</source>
+        <translation>Einige Figuren an einem Ort auf einen anderen Weg wechseln lassen</translation>
+    </message>
+    <message>
+        <source> × as often</source>
+        <translation> × so oft</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushForm</name>
@@ -3444,10 +3666,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Area</source>
         <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Reaches</source>
-        <translation>Erfasst</translation>
     </message>
     <message>
         <source>Size</source>
@@ -3468,10 +3686,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Through</source>
         <translation>Hindurch</translation>
-    </message>
-    <message>
-        <source>Also people hidden behind others or the stage</source>
-        <translation>Auch Personen, die von anderen oder der Bühne verdeckt sind</translation>
     </message>
     <message>
         <source>Build up</source>
@@ -3540,14 +3754,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Only on free seats</source>
         <translation>Nur auf freie Sitze</translation>
-    </message>
-    <message>
-        <source>Seat grid: people sit down where they may</source>
-        <translation>Sitzraster: Personen setzen sich, wo sie dürfen</translation>
-    </message>
-    <message>
-        <source>Ranks</source>
-        <translation>Reihen</translation>
     </message>
     <message>
         <source>Rows counted from the front, as 1, 3-5</source>
@@ -3650,10 +3856,6 @@ Verworfen ist sie fort.</translation>
         <translation>Kleidung</translation>
     </message>
     <message>
-        <source>Each wears any of the materials that the template has for a slot</source>
-        <translation>Jeder trägt irgendeines der Materialien, die die Vorlage für einen Slot hat</translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation>Teile</translation>
     </message>
@@ -3663,7 +3865,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation>Größe</translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Girth</source>
@@ -3696,10 +3898,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Each slot its own</source>
         <translation>Jeder Slot eigens</translation>
-    </message>
-    <message>
-        <source>Another colour for each slot of a person</source>
-        <translation>Eine andere Farbe für jeden Slot einer Person</translation>
     </message>
     <message>
         <source>Timing</source>
@@ -3742,10 +3940,6 @@ Verworfen ist sie fort.</translation>
         <translation>Weg ändern</translation>
     </message>
     <message>
-        <source>People walk along it when it plays</source>
-        <translation>Personen gehen ihn entlang, wenn abgespielt wird</translation>
-    </message>
-    <message>
         <source>Follow</source>
         <translation>Folgen</translation>
     </message>
@@ -3778,10 +3972,6 @@ Verworfen ist sie fort.</translation>
         <translation>Zahl</translation>
     </message>
     <message>
-        <source>People under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
-        <translation>Personen unter dem Pinsel hören das Ereignis, während abgespielt wird. Regeln sagen, was sie dann tun; die Zahl kann ein Gehtempo sein.</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>Radius</translation>
     </message>
@@ -3806,10 +3996,6 @@ Verworfen ist sie fort.</translation>
         <translation>Zum ersten Ort springen</translation>
     </message>
     <message>
-        <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
-        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg. Der nächste Klick beginnt einen neuen.</translation>
-    </message>
-    <message>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
         <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
     </message>
@@ -3830,16 +4016,84 @@ Verworfen ist sie fort.</translation>
         <translation>Gehen mit</translation>
     </message>
     <message>
-        <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
-        <translation>Mit welchem Clip Personen gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
-    </message>
-    <message>
         <source>The nearest</source>
         <translation>Dem nächsten</translation>
     </message>
     <message>
         <source>no name yet; the Rules panel gives it one</source>
         <translation>noch ohne Namen; der Bereich Regeln gibt ihr einen</translation>
+    </message>
+    <message>
+        <source>Characters walk along it when it plays</source>
+        <translation>Figuren gehen ihn entlang, wenn abgespielt wird</translation>
+    </message>
+    <message>
+        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
+        <translation>Mit welchem Clip Figuren gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
+    </message>
+    <message>
+        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation>Figuren unter dem Pinsel hören das Ereignis, während abgespielt wird. Regeln sagen, was sie dann tun; die Zahl kann ein Gehtempo sein.</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Also on roofs, trees and wherever else nobody can walk to</source>
+        <translation>Auch auf Dächern, Bäumen und wo sonst niemand hingehen kann</translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
+        <translation>Jeder Klick fügt einen Ort hinzu, Return beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Also characters hidden behind others or the stage</source>
+        <translation>Auch Figuren, die von anderen oder der Bühne verdeckt sind</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Each wears any of the clothes that the template has</source>
+        <translation>Jede Figur trägt irgendetwas von der Kleidung der Vorlage</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Gesichter</translation>
+    </message>
+    <message>
+        <source>Each has any of the skins, faces and hair that the template has</source>
+        <translation>Haut, Gesicht und Haar jeder Figur sind irgendwelche der Vorlage</translation>
+    </message>
+    <message>
+        <source>Seat grid: characters sit down where they may</source>
+        <translation>Sitzraster: Figuren setzen sich, wo sie dürfen</translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a character</source>
+        <translation>Eine andere Farbe für jeden Slot einer Figur</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +4174,25 @@ Verworfen ist sie fort.</translation>
         <source>How far the character gets in a second of this clip</source>
         <translation>Wie weit die Figur in einer Sekunde dieses Clips kommt</translation>
     </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>What people stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
+        <translation>Womit Figuren stehen, gehen und sitzen. Clips anderer Rollen spielen nur, wo ein Pinsel oder eine Regel danach verlangt.</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Rolle von %1</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ClipsDialog</name>
+    <message>
+        <source>Clips of “%1”</source>
+        <translation>Clips von „%1“</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::ColourDock</name>
@@ -3948,27 +4221,23 @@ Verworfen ist sie fort.</translation>
         <translation>Ein Rechtsklick entfernt sie</translation>
     </message>
     <message>
-        <source>Colours of New People</source>
-        <translation>Farben neuer Personen</translation>
-    </message>
-    <message>
-        <source>Another colour that new people may wear</source>
-        <translation>Noch eine Farbe, die neue Personen tragen können</translation>
-    </message>
-    <message>
         <source>Another colour for random and for gradients</source>
         <translation>Noch eine Farbe für Zufall und Verläufe</translation>
+    </message>
+    <message>
+        <source>Colours of New Characters</source>
+        <translation>Farben neuer Figuren</translation>
+    </message>
+    <message>
+        <source>Another colour that new characters may wear</source>
+        <translation>Noch eine Farbe, die neue Figuren tragen können</translation>
     </message>
 </context>
 <context>
     <name>crowd::widgets::CueBar</name>
     <message>
         <source>those tagged %1</source>
-        <translation>Personen mit der Marke %1</translation>
-    </message>
-    <message>
-        <source>A button, with a key if you like, that lets an event happen to people</source>
-        <translation>Eine Schaltfläche, auf Wunsch mit Taste, die Personen ein Ereignis schickt</translation>
+        <translation>Figuren mit der Marke %1</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -4005,6 +4274,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change</source>
         <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>A button, with a key if you like, that lets an event happen to characters</source>
+        <translation>Eine Schaltfläche, auf Wunsch mit Taste, die Figuren ein Ereignis schickt</translation>
     </message>
 </context>
 <context>
@@ -4047,14 +4320,17 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::EditorState</name>
+    <message>
+        <source>Finding out where people can walk…</source>
+        <translation>Herausfinden, wo man gehen kann …</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::EnvironmentDock</name>
     <message>
         <source>Environment</source>
         <translation>Umgebung</translation>
-    </message>
-    <message>
-        <source>No paths yet. Take the path brush (P) and click where people are to walk; then let people walk along it with the walk brush (W).</source>
-        <translation>Noch keine Wege. Den Wegpinsel nehmen (P) und klicken, wo gegangen werden soll; dann Personen mit dem Gehpinsel (W) darauf gehen lassen.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4093,10 +4369,6 @@ Verworfen ist sie fort.</translation>
         <translation>Ändern, was ein Ort ist</translation>
     </message>
     <message>
-        <source>People stop</source>
-        <translation>Personen halten an</translation>
-    </message>
-    <message>
         <source>On to the first place</source>
         <translation>Weiter zum ersten Ort</translation>
     </message>
@@ -4120,13 +4392,6 @@ Verworfen ist sie fort.</translation>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>Eine Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
@@ -4142,17 +4407,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Colour a path</source>
         <translation>Einen Weg färben</translation>
-    </message>
-    <message>
-        <source>Nobody is selected: select people first (V), or paint them with the walk brush (W).</source>
-        <translation>Niemand ist ausgewählt: Zuerst Personen auswählen (V) oder sie mit dem Gehpinsel malen (W).</translation>
-    </message>
-    <message numerus="yes">
-        <source>Let %n individual(s) walk</source>
-        <translation>
-            <numerusform>Eine Person gehen lassen</numerusform>
-            <numerusform>%n Personen gehen lassen</numerusform>
-        </translation>
     </message>
     <message>
         <source>Go On Painting It</source>
@@ -4173,14 +4427,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Join two paths</source>
         <translation>Zwei Wege verbinden</translation>
-    </message>
-    <message>
-        <source>Let the Selected People Walk It</source>
-        <translation>Die ausgewählten Personen darauf gehen lassen</translation>
-    </message>
-    <message>
-        <source>Select Its People</source>
-        <translation>Seine Personen auswählen</translation>
     </message>
     <message>
         <source>Delete the Path</source>
@@ -4237,16 +4483,58 @@ Verworfen ist sie fort.</translation>
         <source>Change the speed on slow ground</source>
         <translation>Tempo auf langsamem Boden ändern</translation>
     </message>
-    <message>
-        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
-        <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie darin stehen können, zwei auf einem Quadratmeter, aber nur einer, wo Personen anstehen</translation>
-    </message>
     <message numerus="yes">
         <source>%n in it · %1 m</source>
         <translation>
             <numerusform>%n darin · %1 m</numerusform>
             <numerusform>%n darin · %1 m</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No paths yet. Take the path brush (P) and click where characters are to walk; then let characters walk along it with the walk brush (W).</source>
+        <translation>Noch keine Wege. Den Wegpinsel nehmen (P) und klicken, wo gegangen werden soll; dann Figuren mit dem Gehpinsel (W) darauf gehen lassen.</translation>
+    </message>
+    <message>
+        <source>all who fit</source>
+        <translation>alle, die passen</translation>
+    </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where characters line up</source>
+        <translation>So viele haben Platz, für Regeln, die nach voll oder frei fragen; 0: so viele, wie darin stehen können, zwei auf einem Quadratmeter, aber nur einer, wo Figuren anstehen</translation>
+    </message>
+    <message>
+        <source>Characters stop</source>
+        <translation>Figuren halten an</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
+        <translation>Niemand ist ausgewählt: Zuerst Figuren auswählen (V) oder sie mit dem Gehpinsel malen (W).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n character(s) walk</source>
+        <translation>
+            <numerusform>Eine Figur gehen lassen</numerusform>
+            <numerusform>%n Figuren gehen lassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let the Selected Characters Walk It</source>
+        <translation>Die ausgewählten Figuren darauf gehen lassen</translation>
+    </message>
+    <message>
+        <source>Select Its Characters</source>
+        <translation>Seine Figuren auswählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>Eine Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
+        <translation>%1 &lt;a href=&quot;people&quot;&gt;Auswählen&lt;/a&gt;</translation>
     </message>
 </context>
 <context>
@@ -4272,7 +4560,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Größe</translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Height</source>
@@ -4325,10 +4613,6 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::widgets::IndividualDock</name>
     <message>
-        <source>Individual</source>
-        <translation>Person</translation>
-    </message>
-    <message>
         <source>Metres along %1</source>
         <translation>Meter entlang %1</translation>
     </message>
@@ -4346,7 +4630,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Girth</source>
-        <translation>Breite</translation>
+        <translation>Umfang</translation>
     </message>
     <message>
         <source>Clip</source>
@@ -4375,13 +4659,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;, number %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;, Nummer %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;b&gt;%n people&lt;/b&gt;</source>
-        <translation>
-            <numerusform>&lt;b&gt;%n Person&lt;/b&gt;</numerusform>
-            <numerusform>&lt;b&gt;%n Personen&lt;/b&gt;</numerusform>
-        </translation>
     </message>
     <message>
         <source>mixed</source>
@@ -4426,7 +4703,7 @@ Verworfen ist sie fort.</translation>
     <message numerus="yes">
         <source>%n seated</source>
         <translation>
-            <numerusform>eine(r) sitzt</numerusform>
+            <numerusform>eine sitzt</numerusform>
             <numerusform>%n sitzen</numerusform>
         </translation>
     </message>
@@ -4453,10 +4730,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change template</source>
         <translation>Vorlage wechseln</translation>
-    </message>
-    <message>
-        <source>Change individual</source>
-        <translation>Person ändern</translation>
     </message>
     <message>
         <source>Change group</source>
@@ -4493,6 +4766,40 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Hide part</source>
         <translation>Teil verbergen</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Figur</translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;b&gt;%n characters&lt;/b&gt;</source>
+        <translation>
+            <numerusform>&lt;b&gt;%n Figur&lt;/b&gt;</numerusform>
+            <numerusform>&lt;b&gt;%n Figuren&lt;/b&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change character</source>
+        <translation>Figur ändern</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::LibraryDialog</name>
+    <message>
+        <source>Add from Library</source>
+        <translation>Aus Bibliothek hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose whom to paint with; Ctrl or Shift and a click choose several.</source>
+        <translation>Wählen, wer gemalt wird; Strg oder Umschalt und ein Klick wählen mehrere.</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Is in the scene already</source>
+        <translation>Ist schon in der Szene</translation>
     </message>
 </context>
 <context>
@@ -4551,8 +4858,8 @@ Verworfen ist sie fort.</translation>
     <message numerus="yes">
         <source>%n asset(s) of this scene could not be loaded. The scene is intact and can be saved without loss; what they draw is not shown. When one is found, the others are looked for near it.</source>
         <translation>
-            <numerusform>Eine Datei dieser Szene konnte nicht geladen werden. Die Szene ist heil und kann ohne Verlust gesichert werden; was die Datei zeichnet, fehlt im Bild.</numerusform>
-            <numerusform>%n Dateien dieser Szene konnten nicht geladen werden. Die Szene ist heil und kann ohne Verlust gesichert werden; was die Dateien zeichnen, fehlt im Bild. Ist eine gefunden, werden die anderen in ihrer Nähe gesucht.</numerusform>
+            <numerusform>Eine Datei dieser Szene konnte nicht geladen werden. Die Szene ist heil und kann ohne Verlust gespeichert werden; was die Datei zeichnet, fehlt im Bild.</numerusform>
+            <numerusform>%n Dateien dieser Szene konnten nicht geladen werden. Die Szene ist heil und kann ohne Verlust gespeichert werden; was die Dateien zeichnen, fehlt im Bild. Ist eine gefunden, werden die anderen in ihrer Nähe gesucht.</numerusform>
         </translation>
     </message>
 </context>
@@ -4593,10 +4900,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>Forget the name; people keep the tag</source>
-        <translation>Namen vergessen; Personen behalten die Marke</translation>
     </message>
     <message>
         <source>Forget a tag’s name</source>
@@ -4666,8 +4969,12 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>So many people begin with what Keep Pose has kept; press to let all begin between the two again</source>
-        <translation>So viele Personen beginnen mit dem, was Haltung behalten bewahrt hat; drücken, damit alle wieder zwischen den beiden beginnen</translation>
+        <source>Forget the name; characters keep the tag</source>
+        <translation>Namen vergessen; Figuren behalten die Marke</translation>
+    </message>
+    <message>
+        <source>So many characters begin with what Keep Pose has kept; press to let all begin between the two again</source>
+        <translation>So viele Figuren beginnen mit dem, was Haltung behalten bewahrt hat; drücken, damit alle wieder zwischen den beiden beginnen</translation>
     </message>
 </context>
 <context>
@@ -4768,10 +5075,6 @@ Verworfen ist sie fort.</translation>
         <translation> s/m</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>sofort</translation>
-    </message>
-    <message>
         <source>once</source>
         <translation>einmal</translation>
     </message>
@@ -4790,10 +5093,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>for ever</source>
         <translation>für immer</translation>
-    </message>
-    <message>
-        <source>the event’s</source>
-        <translation>die des Ereignisses</translation>
     </message>
     <message>
         <source>pause</source>
@@ -4879,6 +5178,78 @@ Verworfen ist sie fort.</translation>
         <source> % of cases</source>
         <translation> % der Fälle</translation>
     </message>
+    <message>
+        <source>Before it comes again for the same character</source>
+        <translation>Bevor es für dieselbe Figur wieder kommt</translation>
+    </message>
+    <message>
+        <source>So often for the same character</source>
+        <translation>So oft für dieselbe Figur</translation>
+    </message>
+    <message>
+        <source>at this place</source>
+        <translation>an diesem Ort</translation>
+    </message>
+    <message>
+        <source>at the nearest</source>
+        <translation>am nächsten</translation>
+    </message>
+    <message>
+        <source>at the nearest free one</source>
+        <translation>am nächsten freien</translation>
+    </message>
+    <message>
+        <source>at the first free one</source>
+        <translation>am ersten freien</translation>
+    </message>
+    <message>
+        <source>of all exits</source>
+        <translation>von allen Ausgängen</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>binnen</translation>
+    </message>
+    <message>
+        <source>Whoever is nearer hears it</source>
+        <translation>Wer näher ist, hört es</translation>
+    </message>
+    <message>
+        <source>runs at</source>
+        <translation>läuft mit</translation>
+    </message>
+    <message>
+        <source>How long it takes from one to the next</source>
+        <translation>Wie lange es von einer Figur zur nächsten braucht</translation>
+    </message>
+    <message>
+        <source>once for all</source>
+        <translation>für alle zugleich</translation>
+    </message>
+    <message>
+        <source>its number</source>
+        <translation>seine Zahl</translation>
+    </message>
+    <message>
+        <source>Rules that hear it can ask for it, or walk as fast</source>
+        <translation>Regeln, die es hören, können danach fragen oder so schnell gehen lassen</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>etwa</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>the event’s number</source>
+        <translation>die Zahl des Ereignisses</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>um</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::RulesDock</name>
@@ -4889,10 +5260,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>No rules yet. “Add” has ready-made ones to begin with; the event brush (E) sets them off while it plays.</source>
         <translation>Noch keine Regeln. „Hinzufügen“ hat fertige zum Anfangen; der Ereignispinsel (E) löst sie beim Abspielen aus.</translation>
-    </message>
-    <message>
-        <source>Log only the selected people</source>
-        <translation>Nur die ausgewählten Personen aufschreiben</translation>
     </message>
     <message>
         <source>What fired, while it plays</source>
@@ -4955,10 +5322,6 @@ Verworfen ist sie fort.</translation>
         <translation>Die Regeln umordnen</translation>
     </message>
     <message>
-        <source>%1 (%2 ×)</source>
-        <translation>%1 (%2 ×)</translation>
-    </message>
-    <message>
         <source>Duplicate</source>
         <translation>Verdoppeln</translation>
     </message>
@@ -4999,12 +5362,20 @@ Verworfen ist sie fort.</translation>
         <translation>Ctrl+T</translation>
     </message>
     <message>
-        <source>Test the rule on the selected people, or on all, while it plays</source>
-        <translation>Die Regel an den gewählten Personen oder an allen ausprobieren, während abgespielt wird</translation>
-    </message>
-    <message>
         <source>Enable</source>
         <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Log only the selected characters</source>
+        <translation>Nur die ausgewählten Figuren aufschreiben</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected characters, or on all, while it plays</source>
+        <translation>Die Regel an den gewählten Figuren oder an allen ausprobieren, während abgespielt wird</translation>
     </message>
 </context>
 <context>
@@ -5029,10 +5400,6 @@ Verworfen ist sie fort.</translation>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>People</source>
-        <translation>Personen</translation>
-    </message>
-    <message>
         <source>Cameras</source>
         <translation>Kameras</translation>
     </message>
@@ -5051,10 +5418,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Select These People</source>
-        <translation>Diese Personen auswählen</translation>
     </message>
     <message>
         <source>Locate File…</source>
@@ -5108,30 +5471,34 @@ Verworfen ist sie fort.</translation>
         <source>Dissolve group</source>
         <translation>Gruppe auflösen</translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Characters</source>
+        <translation>Figuren</translation>
+    </message>
+    <message>
+        <source>Select These Characters</source>
+        <translation>Diese Figuren auswählen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::SessionControl</name>
     <message numerus="yes">
-        <source>Keep the pose of %n individual(s)</source>
+        <source>Keep the pose of %n character(s)</source>
         <translation>
-            <numerusform>Die Haltung einer Person behalten</numerusform>
-            <numerusform>Die Haltung von %n Personen behalten</numerusform>
+            <numerusform>Die Haltung einer Figur behalten</numerusform>
+            <numerusform>Die Haltung von %n Figuren behalten</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>crowd::widgets::SurfaceForm</name>
     <message>
-        <source>Where people can walk</source>
-        <translation>Wo Personen gehen können</translation>
-    </message>
-    <message>
         <source>Body radius, m</source>
         <translation>Körperradius, m</translation>
-    </message>
-    <message>
-        <source>So far people keep from walls</source>
-        <translation>So viel Abstand halten Personen von Wänden</translation>
     </message>
     <message>
         <source>Body height, m</source>
@@ -5150,10 +5517,6 @@ Verworfen ist sie fort.</translation>
         <translation>Steilste Neigung, °</translation>
     </message>
     <message>
-        <source>Change where people can walk</source>
-        <translation>Gehfläche ändern</translation>
-    </message>
-    <message>
         <source>Being found: %1 %</source>
         <translation>Wird gesucht: %1 %</translation>
     </message>
@@ -5167,6 +5530,18 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Open ground. It is looked at once somebody walks among a stage, obstacles or painted ground.</source>
         <translation>Freies Gelände. Es wird untersucht, sobald jemand zwischen Bühne, Hindernissen oder bemaltem Boden geht.</translation>
+    </message>
+    <message>
+        <source>Where characters can walk</source>
+        <translation>Wo Figuren gehen können</translation>
+    </message>
+    <message>
+        <source>So far characters keep from walls</source>
+        <translation>So viel Abstand halten Figuren von Wänden</translation>
+    </message>
+    <message>
+        <source>Change where characters can walk</source>
+        <translation>Gehfläche ändern</translation>
     </message>
 </context>
 <context>
@@ -5190,16 +5565,8 @@ Verworfen ist sie fort.</translation>
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Import a template</source>
-        <translation>Eine Vorlage importieren</translation>
-    </message>
-    <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>Import Template…</source>
-        <translation>Vorlage importieren …</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -5225,12 +5592,49 @@ Verworfen ist sie fort.</translation>
         <source>Rename template</source>
         <translation>Vorlage umbenennen</translation>
     </message>
+    <message>
+        <source>Add from the library of built-in characters</source>
+        <translation>Aus der Bibliothek mitgelieferter Figuren hinzufügen</translation>
+    </message>
+    <message>
+        <source>Import templates from files</source>
+        <translation>Vorlagen aus Dateien importieren</translation>
+    </message>
+    <message>
+        <source>Add from Library…</source>
+        <translation>Aus Bibliothek hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Import Templates…</source>
+        <translation>Vorlagen importieren …</translation>
+    </message>
+    <message>
+        <source>Clips…</source>
+        <translation>Clips …</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::ToolController</name>
     <message>
         <source>Brush size: %1 px</source>
         <translation>Pinselgröße: %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ValueSlider</name>
+    <message>
+        <source>“%1” is no number: the value stays as it was.</source>
+        <translation>„%1“ ist keine Zahl: Der Wert bleibt, wie er war.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ViewportOverlay</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch eine</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5242,22 +5646,8 @@ Drop a character (.glb) or a stage here, or open a scene from the File menu.</so
 Eine Figur (.glb) oder eine Bühne hierher ziehen oder im Menü „Datei“ eine Szene öffnen.</translation>
     </message>
     <message>
-        <source>Nobody is here yet.
-Press C and paint people on the ground.</source>
-        <translation>Noch ist niemand hier.
-C drücken und Personen auf den Boden malen.</translation>
-    </message>
-    <message>
         <source>Baking %1 of %2 clips</source>
         <translation>Clip %1 von %2 wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>The memory for baked animations is used up: some people stand still. The preferences set its size.</source>
-        <translation>Der Speicher für Animationen ist voll: Manche Personen stehen still. Die Größe steht in den Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Animations are not baked: some people stand still.</source>
-        <translation>Animationen sind nicht vorbereitet: manche Personen stehen still.</translation>
     </message>
     <message>
         <source>Bake</source>
@@ -5276,18 +5666,32 @@ C drücken und Personen auf den Boden malen.</translation>
         <translation>Vorbereiten anhalten: wessen Animation nicht fertig ist, steht still</translation>
     </message>
     <message>
-        <source>Nobody is here yet.
-Drag over the ground: people come.</source>
-        <translation>Hier ist noch niemand.
-Über den Boden ziehen: Personen kommen.</translation>
+        <source>Take it back (Esc)</source>
+        <translation>Zurücknehmen (Esc)</translation>
     </message>
     <message>
-        <source>Finding out where people can walk</source>
+        <source>Nobody is here yet.
+Drag over the ground: characters come.</source>
+        <translation>Hier ist noch niemand.
+Über den Boden ziehen: Figuren kommen.</translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Press C and paint characters on the ground.</source>
+        <translation>Noch ist niemand hier.
+C drücken und Figuren auf den Boden malen.</translation>
+    </message>
+    <message>
+        <source>Finding out where characters can walk</source>
         <translation>Herausfinden, wo man gehen kann</translation>
     </message>
     <message>
-        <source>Take it back (Esc)</source>
-        <translation>Zurücknehmen (Esc)</translation>
+        <source>Animations are not baked: some characters stand still.</source>
+        <translation>Animationen sind nicht vorbereitet: manche Figuren stehen still.</translation>
+    </message>
+    <message>
+        <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
+        <translation>Der Speicher für Animationen ist voll: Manche Figuren stehen still. Die Größe steht in den Einstellungen.</translation>
     </message>
 </context>
 <context>

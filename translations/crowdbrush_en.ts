@@ -52,10 +52,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Import Template…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Bring in an animated glTF model to paint with</source>
         <translation type="unfinished"></translation>
     </message>
@@ -93,10 +89,6 @@
     </message>
     <message>
         <source>&amp;Delete Selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove the selected people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -188,10 +180,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Create people only on free seats</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gr&amp;ound Grid</source>
         <translation type="unfinished"></translation>
     </message>
@@ -264,31 +252,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select people, move them, delete them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Turn, shift and zoom the view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spray new people into the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spray people away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recolour the people under the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turn the people under the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give the people under the brush another animation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -516,22 +480,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let the people under the brush walk along a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Let an event happen to the people under the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tag the people under the brush, for rules to ask for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take a tag off the people under the brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -572,10 +520,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set with which clip and how fast people walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Paint obstacles, attractors, exits, slow, forbidden and liked ground</source>
         <translation type="unfinished"></translation>
     </message>
@@ -592,10 +536,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A path over the selected places, in order; people stop there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Path Going &amp;Round and Round</source>
         <translation type="unfinished"></translation>
     </message>
@@ -608,11 +548,95 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A path over the selected places; people jump from its last place to its first</source>
+        <source>Add from &amp;Library…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the selected people and places; everything when nothing is selected</source>
+        <source>Choose built-in characters to paint with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import Templates…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put on the &amp;Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put those of the selected people, or of all, who stand where nobody can walk on the nearest ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places, in order; characters stop there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path over the selected places; characters jump from its last place to its first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selected characters and places; everything when nothing is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create characters only on free seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rese&amp;t Brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set all brushes as they were in the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select characters, move them, delete them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray new characters into the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray characters away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recolour the characters under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the characters under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush another animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush walk along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set with which clip and how fast characters walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let an event happen to the characters under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag the characters under the brush, for rules to ask for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a tag off the characters under the brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -642,10 +666,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People per m²</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Seats filled, %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -663,10 +683,6 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Density: %1 people per m²</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -798,10 +814,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People walk slower there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Nobody walks there; ways lead around it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -809,61 +821,31 @@
         <source>Ways lead over it where that is not much longer</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Characters per m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density: %1 characters per m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters walk slower there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
-    <message numerus="yes">
-        <source>%n people created</source>
-        <translation>
-            <numerusform>%n person created</numerusform>
-            <numerusform>%n people created</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people deleted</source>
-        <translation>
-            <numerusform>%n person deleted</numerusform>
-            <numerusform>%n people deleted</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people coloured</source>
-        <translation>
-            <numerusform>%n person coloured</numerusform>
-            <numerusform>%n people coloured</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people turned</source>
-        <translation>
-            <numerusform>%n person turned</numerusform>
-            <numerusform>%n people turned</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people do something else</source>
-        <translation>
-            <numerusform>%n person does something else</numerusform>
-            <numerusform>%n people do something else</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The stroke was taken back.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 px</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: delete people · + −: how fast</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -872,22 +854,6 @@
     </message>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: create people · + −: how many · Ctrl+click: more of the kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: colour people · + −: strength · Ctrl+click: take the colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: turn people · + −: direction · Ctrl+click: the point to face</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: change what people do · + −: speed · Ctrl+click: take the clip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -910,63 +876,8 @@
         <source>Nobody under the cursor</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n people walk differently</source>
-        <translation>
-            <numerusform>%n person walks differently</numerusform>
-            <numerusform>%n people walk differently</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people tagged</source>
-        <translation>
-            <numerusform>%n person tagged</numerusform>
-            <numerusform>%n people tagged</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people without the tag</source>
-        <translation>
-            <numerusform>%n person without the tag</numerusform>
-            <numerusform>%n people without the tag</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people heard it</source>
-        <translation>
-            <numerusform>%n person heard it</numerusform>
-            <numerusform>%n people heard it</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag: let people walk along the path · + −: walking speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: tag people · + −: which tag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: take the tag off people · + −: which tag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag: let an event happen to people · + −: its number</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Right button: brushes · Alt or Space and drag: navigate · [ ]: size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people changed</source>
-        <translation>
-            <numerusform>%n person changed</numerusform>
-            <numerusform>%n people changed</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag: let the script change people · Escape: take it back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -974,61 +885,136 @@
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n people walk in another way</source>
+        <source>%n characters created</source>
         <translation>
-            <numerusform>%n person walks in another way</numerusform>
-            <numerusform>%n people walk in another way</numerusform>
+            <numerusform>%n character created</numerusform>
+            <numerusform>%n characters created</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters deleted</source>
+        <translation>
+            <numerusform>%n character deleted</numerusform>
+            <numerusform>%n characters deleted</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters coloured</source>
+        <translation>
+            <numerusform>%n character coloured</numerusform>
+            <numerusform>%n characters coloured</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters turned</source>
+        <translation>
+            <numerusform>%n character turned</numerusform>
+            <numerusform>%n characters turned</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters do something else</source>
+        <translation>
+            <numerusform>%n character does something else</numerusform>
+            <numerusform>%n characters do something else</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters walk differently</source>
+        <translation>
+            <numerusform>%n character walks differently</numerusform>
+            <numerusform>%n characters walk differently</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters walk in another way</source>
+        <translation>
+            <numerusform>%n character walks in another way</numerusform>
+            <numerusform>%n characters walk in another way</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters tagged</source>
+        <translation>
+            <numerusform>%n character tagged</numerusform>
+            <numerusform>%n characters tagged</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters without the tag</source>
+        <translation>
+            <numerusform>%n character without the tag</numerusform>
+            <numerusform>%n characters without the tag</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters heard it</source>
+        <translation>
+            <numerusform>%n character heard it</numerusform>
+            <numerusform>%n characters heard it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters changed</source>
+        <translation>
+            <numerusform>%n character changed</numerusform>
+            <numerusform>%n characters changed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
         </translation>
     </message>
     <message>
-        <source>Drag: set how people walk and how fast · + −: speed</source>
+        <source>Drag: create characters · + −: how many · Ctrl+click: more of the kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: delete characters · + −: how fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: colour characters · + −: strength · Ctrl+click: take the colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: turn characters · + −: direction · Ctrl+click: the point to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: change what characters do · + −: speed · Ctrl+click: take the clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: let characters walk along the path · + −: walking speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: set how characters walk and how fast · + −: speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: tag characters · + −: which tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: take the tag off characters · + −: which tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: let an event happen to characters · + −: its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: let the script change characters · Escape: take it back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>Brushes</name>
-    <message numerus="yes">
-        <source>Create %n individual(s)</source>
-        <translation>
-            <numerusform>Create %n person</numerusform>
-            <numerusform>Create %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n individual(s)</source>
-        <translation>
-            <numerusform>Delete %n person</numerusform>
-            <numerusform>Delete %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour %n individual(s)</source>
-        <translation>
-            <numerusform>Colour %n person</numerusform>
-            <numerusform>Colour %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Turn %n individual(s)</source>
-        <translation>
-            <numerusform>Turn %n person</numerusform>
-            <numerusform>Turn %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Animate %n individual(s)</source>
-        <translation>
-            <numerusform>Animate %n person</numerusform>
-            <numerusform>Animate %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n individual(s)</source>
-        <translation>
-            <numerusform>Move %n person</numerusform>
-            <numerusform>Move %n people</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Nobody under the brush</source>
         <translation type="unfinished"></translation>
@@ -1101,34 +1087,6 @@
         <source>So small a share of them is nobody</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Set the walk of %n individual(s)</source>
-        <translation>
-            <numerusform>Set the walk of %n individual</numerusform>
-            <numerusform>Set the walk of %n individuals</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Tag %n individual(s)</source>
-        <translation>
-            <numerusform>Tag %n individual</numerusform>
-            <numerusform>Tag %n individuals</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Untag %n individual(s)</source>
-        <translation>
-            <numerusform>Untag %n individual</numerusform>
-            <numerusform>Untag %n individuals</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Event reached %n individual(s)</source>
-        <translation>
-            <numerusform>Event reached %n individual</numerusform>
-            <numerusform>Event reached %n individuals</numerusform>
-        </translation>
-    </message>
     <message>
         <source>All of them already walk like this</source>
         <translation type="unfinished"></translation>
@@ -1142,40 +1100,165 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing runs that could hear an event: give the scene rules, or people a path, and press Play</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n individual(s)</source>
-        <translation>
-            <numerusform>%1: %n individual</numerusform>
-            <numerusform>%1: %n individuals</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The script brush changed nothing</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Set how %n individual(s) walk</source>
+        <source>Create %n character(s)</source>
         <translation>
-            <numerusform>Set how %n individual walks</numerusform>
-            <numerusform>Set how %n individuals walk</numerusform>
+            <numerusform>Create %n character</numerusform>
+            <numerusform>Create %n characters</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n character(s)</source>
+        <translation>
+            <numerusform>Delete %n character</numerusform>
+            <numerusform>Delete %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour %n character(s)</source>
+        <translation>
+            <numerusform>Colour %n character</numerusform>
+            <numerusform>Colour %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n character(s)</source>
+        <translation>
+            <numerusform>Turn %n character</numerusform>
+            <numerusform>Turn %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Animate %n character(s)</source>
+        <translation>
+            <numerusform>Animate %n character</numerusform>
+            <numerusform>Animate %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Set the walk of %n character(s)</source>
+        <translation>
+            <numerusform>Set the walk of %n character</numerusform>
+            <numerusform>Set the walk of %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Set how %n character(s) walk</source>
+        <translation>
+            <numerusform>Set how %n character walks</numerusform>
+            <numerusform>Set how %n characters walk</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Tag %n character(s)</source>
+        <translation>
+            <numerusform>Tag %n character</numerusform>
+            <numerusform>Tag %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Untag %n character(s)</source>
+        <translation>
+            <numerusform>Untag %n character</numerusform>
+            <numerusform>Untag %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Event reached %n character(s)</source>
+        <translation>
+            <numerusform>Event reached %n character</numerusform>
+            <numerusform>Event reached %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n character(s)</source>
+        <translation>
+            <numerusform>%1: %n character</numerusform>
+            <numerusform>%1: %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n character(s)</source>
+        <translation>
+            <numerusform>Move %n character</numerusform>
+            <numerusform>Move %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create people there all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ClipRole</name>
+    <message>
+        <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the character does while it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it gets on at its usual speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it gets on when it is in a hurry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it gets on without touching the ground, at the clip&apos;s own pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does on a seat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Played only where a brush or a rule asks for it</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>Cues</name>
-    <message>
-        <source>Press Play first: cues speak to people while it plays.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Nobody is selected who could hear “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cue: “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Play first: cues speak to characters while it plays.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1324,15 +1407,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: people stop at its last place.</source>
+        <source>%1: characters stop at its last place.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: people go round and round.</source>
+        <source>%1: characters go round and round.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: people jump from its last place to its first.</source>
+        <source>%1: characters jump from its last place to its first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1359,10 +1442,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path is closed: people go round.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1382,26 +1461,23 @@
         <source>%1 m</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to put a place there all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is closed: characters go round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the path</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RuleLog</name>
     <message>
         <source>%1–%2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>person %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>people %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1435,6 +1511,21 @@
     </message>
     <message>
         <source>a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>characters %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1672,10 +1763,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The event to send has no name: type one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>it begins</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1828,10 +1915,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The event has no name: type one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A condition asks for something that is not there: choose again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1904,10 +1987,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>people in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>leave the scene at %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1945,10 +2024,6 @@
     </message>
     <message>
         <source>The number is not there: make one below, under “Tags and numbers”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The event to wait for has no name: type one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2029,10 +2104,6 @@
     </message>
     <message>
         <source>the one ahead, when free</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the selected people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2176,15 +2247,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>follow %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>look at %1 for %2 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>keep looking at %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2248,10 +2311,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>number of people in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>happens</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2293,6 +2352,110 @@
     </message>
     <message>
         <source>wait about %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of characters in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the selected characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event that it waits for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event to send.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: type the event to wait for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a number; make one below, under “Tags and numbers”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a template.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It never comes: its conditions exclude each other. Remove one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It never comes: “%1” above it comes at the same occasion. Let this one wait until they are free, or give one of them a condition.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It gets nothing done: “%1” breaks it off at once. Let one of them wait until they are free, or give it a condition.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It undoes what “%1” does at the same occasion. Give one of them a condition.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no seats to sit on: bring a stage with seats along.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no exit to leave at, so characters stay: paint one with the environment brush (I).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow %1 until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at %1 until something else comes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2343,34 +2506,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Create people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change people</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put people on the ground</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>SelectTool</name>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2380,18 +2547,36 @@
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Delete %n individual(s)</source>
-        <translation>
-            <numerusform>Delete %n person</numerusform>
-            <numerusform>Delete %n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Delete %n place(s)</source>
         <translation>
             <numerusform>Delete %n place</numerusform>
             <numerusform>Delete %n places</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n character(s)</source>
+        <translation>
+            <numerusform>Delete %n character</numerusform>
+            <numerusform>Delete %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Put %n character(s) on the ground</source>
+        <translation>
+            <numerusform>Put %n character on the ground</numerusform>
+            <numerusform>Put %n characters on the ground</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters put on the ground</source>
+        <translation>
+            <numerusform>%n character put on the ground</numerusform>
+            <numerusform>%n characters put on the ground</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them stand where people can walk.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2514,10 +2699,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import Template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import Stage</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2557,13 +2738,6 @@
         <source>The stage could not be imported</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n people are of this template; delete them first.</source>
-        <translation>
-            <numerusform>%n person is of this template; delete that one first.</numerusform>
-            <numerusform>%n people are of this template; delete them first.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Locate “%1” (%2)</source>
         <translation type="unfinished"></translation>
@@ -2593,6 +2767,47 @@
     </message>
     <message>
         <source>Locate assets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Templates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the library…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The built-in characters were not found. Install them beside the program or name their folder in CROWDBRUSH_RESOURCES.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n template(s)</source>
+        <translation>
+            <numerusform>Add %n template</numerusform>
+            <numerusform>Add %n templates</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n template(s) ready: the create brush paints them.</source>
+        <translation>
+            <numerusform>One template is ready: the create brush paints it.</numerusform>
+            <numerusform>%n templates are ready: the create brush paints them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are of this template; delete them first.</source>
+        <translation>
+            <numerusform>%n character is of this template; delete that one first.</numerusform>
+            <numerusform>%n characters are of this template; delete them first.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change clips</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2877,10 +3092,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>paints one person or place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Middle button</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3036,6 +3247,10 @@ Thrown away, it is gone.</source>
         <source>keeps everybody where they are now</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>paints one character or place</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
@@ -3104,10 +3319,10 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n people are kept where they are</source>
+        <source>%n characters are kept where they are</source>
         <translation>
-            <numerusform>%n person is kept where it is</numerusform>
-            <numerusform>%n people are kept where they are</numerusform>
+            <numerusform>%n character is kept where it is</numerusform>
+            <numerusform>%n characters are kept where they are</numerusform>
         </translation>
     </message>
 </context>
@@ -3295,13 +3510,6 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::app::StatusPanel</name>
     <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n selected</source>
         <translation>
             <numerusform>%n selected</numerusform>
@@ -3326,6 +3534,20 @@ Thrown away, it is gone.</source>
     <message>
         <source>Time of one picture: %1 triangles in %2 draws</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have left</source>
+        <translation>
+            <numerusform>%n has left</numerusform>
+            <numerusform>%n have left</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3354,7 +3576,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: people come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
+        <source>&lt;b&gt;Drag&lt;/b&gt; over free seats or open ground: characters come. &amp;nbsp;&lt;b&gt;Right click&lt;/b&gt;: the brushes.&lt;br&gt;&lt;b&gt;Space&lt;/b&gt; and drag: look around. &amp;nbsp;&lt;b&gt;Ctrl+Z&lt;/b&gt;: take it back. &amp;nbsp;&lt;b&gt;F1&lt;/b&gt;: all keys.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3388,10 +3610,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Let some people go over to another path at a place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3401,10 +3619,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> : 1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3427,6 +3641,14 @@ Thrown away, it is gone.</source>
         <source>Add a branch</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Let some characters go over to another path at a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> × as often</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::BrushForm</name>
@@ -3436,10 +3658,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reaches</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3460,10 +3678,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Through</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Also people hidden behind others or the stage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3532,14 +3746,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Only on free seats</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Seat grid: people sit down where they may</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ranks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3643,10 +3849,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each wears any of the materials that the template has for a slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3691,10 +3893,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another colour for each slot of a person</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Timing</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3735,10 +3933,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People walk along it when it plays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Follow</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3771,10 +3965,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3799,10 +3989,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each click adds a place, Enter ends the path. The next click begins another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3823,15 +4009,83 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With which clip people walk. None: what fits the speed. A clip that stays in place is left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The nearest</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no name yet; the Rules panel gives it one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters walk along it when it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also on roofs, trees and wherever else nobody can walk to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also characters hidden behind others or the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each wears any of the clothes that the template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each has any of the skins, faces and hair that the template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seat grid: characters sit down where they may</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a character</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3913,6 +4167,25 @@ Thrown away, it is gone.</source>
         <source>How far the character gets in a second of this clip</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What people stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ClipsDialog</name>
+    <message>
+        <source>Clips of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::ColourDock</name>
@@ -3941,15 +4214,15 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours of New People</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another colour that new people may wear</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another colour for random and for gradients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of New Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour that new characters may wear</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3957,10 +4230,6 @@ Thrown away, it is gone.</source>
     <name>crowd::widgets::CueBar</name>
     <message>
         <source>those tagged %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A button, with a key if you like, that lets an event happen to people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3997,6 +4266,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A button, with a key if you like, that lets an event happen to characters</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4040,13 +4313,16 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::EditorState</name>
+    <message>
+        <source>Finding out where people can walk…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::EnvironmentDock</name>
     <message>
         <source>Environment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No paths yet. Take the path brush (P) and click where people are to walk; then let people walk along it with the walk brush (W).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4086,10 +4362,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>On to the first place</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4113,13 +4385,6 @@ Thrown away, it is gone.</source>
         <source>Colour</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 m</source>
         <translation type="unfinished"></translation>
@@ -4135,17 +4400,6 @@ Thrown away, it is gone.</source>
     <message>
         <source>Colour a path</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody is selected: select people first (V), or paint them with the walk brush (W).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Let %n individual(s) walk</source>
-        <translation>
-            <numerusform>Let %n individual walk</numerusform>
-            <numerusform>Let %n individuals walk</numerusform>
-        </translation>
     </message>
     <message>
         <source>Go On Painting It</source>
@@ -4165,14 +4419,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Join two paths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Let the Selected People Walk It</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select Its People</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4230,16 +4476,58 @@ Thrown away, it is gone.</source>
         <source>Change the speed on slow ground</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where people line up</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n in it · %1 m</source>
         <translation>
             <numerusform>%n in it · %1 m</numerusform>
             <numerusform>%n in it · %1 m</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No paths yet. Take the path brush (P) and click where characters are to walk; then let characters walk along it with the walk brush (W).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all who fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many have room, for rules that ask whether it is full or free; 0: as many as can stand in it, two on a square metre, but one where characters line up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n character(s) walk</source>
+        <translation>
+            <numerusform>Let %n character walk</numerusform>
+            <numerusform>Let %n characters walk</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let the Selected Characters Walk It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Its Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4318,10 +4606,6 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::widgets::IndividualDock</name>
     <message>
-        <source>Individual</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Metres along %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4368,13 +4652,6 @@ Thrown away, it is gone.</source>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;, number %2</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;b&gt;%n people&lt;/b&gt;</source>
-        <translation>
-            <numerusform>&lt;b&gt;%n person&lt;/b&gt;</numerusform>
-            <numerusform>&lt;b&gt;%n people&lt;/b&gt;</numerusform>
-        </translation>
     </message>
     <message>
         <source>mixed</source>
@@ -4448,10 +4725,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change individual</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change group</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4485,6 +4758,40 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Hide part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;b&gt;%n characters&lt;/b&gt;</source>
+        <translation>
+            <numerusform>&lt;b&gt;%n character&lt;/b&gt;</numerusform>
+            <numerusform>&lt;b&gt;%n characters&lt;/b&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change character</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::LibraryDialog</name>
+    <message>
+        <source>Add from Library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose whom to paint with; Ctrl or Shift and a click choose several.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is in the scene already</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4588,10 +4895,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Forget the name; people keep the tag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Forget a tag’s name</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4659,7 +4962,11 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>So many people begin with what Keep Pose has kept; press to let all begin between the two again</source>
+        <source>Forget the name; characters keep the tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many characters begin with what Keep Pose has kept; press to let all begin between the two again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4761,10 +5068,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>once</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4782,10 +5085,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>for ever</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the event’s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4872,6 +5171,78 @@ Thrown away, it is gone.</source>
         <source> % of cases</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Before it comes again for the same character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So often for the same character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at this place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the nearest free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the first free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of all exits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever is nearer hears it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long it takes from one to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules that hear it can ask for it, or walk as fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::RulesDock</name>
@@ -4881,10 +5252,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>No rules yet. “Add” has ready-made ones to begin with; the event brush (E) sets them off while it plays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Log only the selected people</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4948,10 +5315,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 (%2 ×)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Duplicate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4992,11 +5355,19 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Test the rule on the selected people, or on all, while it plays</source>
+        <source>Enable</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable</source>
+        <source>Log only the selected characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected characters, or on all, while it plays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5022,10 +5393,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cameras</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5043,10 +5410,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select These People</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5101,29 +5464,33 @@ Thrown away, it is gone.</source>
         <source>Dissolve group</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select These Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::SessionControl</name>
     <message numerus="yes">
-        <source>Keep the pose of %n individual(s)</source>
+        <source>Keep the pose of %n character(s)</source>
         <translation>
-            <numerusform>Keep the pose of %n individual</numerusform>
-            <numerusform>Keep the pose of %n individuals</numerusform>
+            <numerusform>Keep the pose of %n character</numerusform>
+            <numerusform>Keep the pose of %n characters</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>crowd::widgets::SurfaceForm</name>
     <message>
-        <source>Where people can walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Body radius, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>So far people keep from walls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5143,10 +5510,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change where people can walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Being found: %1 %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5159,6 +5522,18 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Open ground. It is looked at once somebody walks among a stage, obstacles or painted ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where characters can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far characters keep from walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change where characters can walk</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5183,15 +5558,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import a template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Import Template…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5218,12 +5585,49 @@ Thrown away, it is gone.</source>
         <source>Rename template</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Add from the library of built-in characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import templates from files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add from Library…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import Templates…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::ToolController</name>
     <message>
         <source>Brush size: %1 px</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ValueSlider</name>
+    <message>
+        <source>“%1” is no number: the value stays as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ViewportOverlay</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and one more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5234,20 +5638,7 @@ Drop a character (.glb) or a stage here, or open a scene from the File menu.</so
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody is here yet.
-Press C and paint people on the ground.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Baking %1 of %2 clips</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The memory for baked animations is used up: some people stand still. The preferences set its size.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Animations are not baked: some people stand still.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5267,16 +5658,29 @@ Press C and paint people on the ground.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody is here yet.
-Drag over the ground: people come.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Finding out where people can walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take it back (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Drag over the ground: characters come.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is here yet.
+Press C and paint characters on the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding out where characters can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animations are not baked: some characters stand still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory for baked animations is used up: some characters stand still. The preferences set its size.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
