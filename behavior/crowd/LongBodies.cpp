@@ -112,7 +112,7 @@ void LongBodies::gather(std::span<Body> bodies, std::span<const float> heights,
         const auto keepOut = [&](float x, float z) {
             float toX = x + way.x;
             float toZ = z + way.y;
-            keepOutOfWalls(walls, {x, z, heights[body.agent], own.radius}, toX, toZ);
+            keepOutOfWalls(walls, {x, z, heights[body.agent], own.radius}, seconds, toX, toZ);
             way = glm::vec2(toX - x, toZ - z);
         };
         if (!walls.isEmpty()) {
