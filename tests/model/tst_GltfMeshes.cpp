@@ -65,6 +65,12 @@ void tst_GltfMeshes::expandsStripsAndFans()
 {
     QFETCH(const int, mode);
     QFETCH(const std::vector<std::uint32_t>, indices);
+    if (indices.empty()) { // nobody would see points or lines
+        const auto refused = importTemplate(m_folder.save(strip(mode)));
+        QVERIFY(!refused.isOk());
+        QVERIFY(refused.error().message.find("no triangles") != std::string::npos);
+        return;
+    }
     const TemplatePtr asset = m_folder.load(strip(mode));
     const Mesh& mesh = asset->levels.front();
     QCOMPARE(mesh.indices.size(), indices.size());
@@ -72,8 +78,7 @@ void tst_GltfMeshes::expandsStripsAndFans()
         // Flat normals may have made a copy of the vertex.
         QCOMPARE(mesh.positions[mesh.indices[i]], mesh.positions[indices[i]]);
     }
-    // Points and lines: that they are there, and that nothing else is.
-    QCOMPARE(asset->warnings.size(), std::size_t{mode >= 5 ? 0U : mode == 4 ? 1U : 2U});
+    QCOMPARE(asset->warnings.size(), std::size_t{mode >= 5 ? 0U : 1U});
 }
 
 void tst_GltfMeshes::readsIndicesOfEverySize()
