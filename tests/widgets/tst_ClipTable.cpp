@@ -7,7 +7,7 @@
 #include <QtWidgets/QComboBox>
 
 #include "model/template/Template.h"
-#include "tests/program/Test.h"
+#include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using model::ClipRole;
@@ -88,5 +88,5 @@ void tst_ClipTable::showsWhatWasChosenBefore()
     QVERIFY(std::isnan(table.editedSpeeds().at(0)));
 }
 
-CROWD_TEST(tst_ClipTable)
+CROWD_WINDOW_TEST(tst_ClipTable)
 #include "tst_ClipTable.moc"
