@@ -63,7 +63,9 @@ public:
         if (!m_object.is_object()) {
             return nullptr;
         }
-        m_asked.emplace_back(key);
+        if (std::ranges::find(m_asked, key) == m_asked.end()) {
+            m_asked.emplace_back(key);
+        }
         const auto found = m_object.find(std::string(key));
         return found == m_object.end() ? nullptr : &*found;
     }
