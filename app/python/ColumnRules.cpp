@@ -98,8 +98,9 @@ Result<void> checkNumbers(const ColumnValues& values)
         numbers, [&](float each) { return !(each >= limits.low && each <= limits.high); });
     const std::size_t width = info.stride / sizeof(float);
     return refused(values.column, static_cast<std::size_t>(wrong - numbers.begin()) / width,
-                   "is " + numberText(*wrong) + "; it is " + limits.meaning +
-                       " and must lie from " + numberText(limits.low) + " to " +
+                   "is " + numberText(*wrong) +
+                       (std::isfinite(*wrong) ? "" : ", not a finite number") + "; it is " +
+                       limits.meaning + " and must lie from " + numberText(limits.low) + " to " +
                        numberText(limits.high) + ".");
 }
 

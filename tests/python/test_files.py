@@ -48,7 +48,7 @@ class Files(unittest.TestCase):
     def test_what_is_missing_is_said_and_not_drawn(self):
         scene = crowdbrush.Scene()
         man = scene.add_template("builtin:templates/man.glb", name="Somebody")
-        scene.create(2, template=man)
+        scene.create(count=2, template=man, position=(0, 0, 0))
         scene.save(self.path("a.crowd"))
         with open(self.path("a.crowd"), encoding="utf-8") as file:
             text = file.read()

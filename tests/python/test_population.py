@@ -150,7 +150,7 @@ class Refusing(unittest.TestCase):
             ("no column", scene.create, dict(template=man, position=[0, 0, 0], mood=3)),
             ("no clip", scene.create, dict(template=man, position=[0, 0, 0], clip="swim")),
             ("clips, counted", scene.create, dict(template=man, position=[0, 0, 0], clip=900)),
-            ("above zero", scene.create, dict(template=man, position=[0, 0, 0], height=0)),
+            ("from 0.01 to 100", scene.create, dict(template=man, position=[0, 0, 0], height=0)),
             ("such a seat", scene.create, dict(template=man, seat=12345)),
             ("whole numbers", scene.create, dict(template=man, position=[0, 0, 0], clip=0.5)),
             ("0 to 255", scene.create, dict(template=man, position=[0, 0, 0], tint=(300, 0, 0))),
