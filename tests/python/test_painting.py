@@ -69,7 +69,7 @@ class Strokes(unittest.TestCase):
             return scene.column("position")[:, 1]
 
         walkable = painted(False)
-        self.assertLess(heights(walkable).max(), 1.5)
+        self.assertLess(heights(walkable).max(), 2.0)
         anywhere = painted(True)
         self.assertGreater(heights(anywhere).max(), 2.5)
         np.testing.assert_array_equal(heights(painted(None)), heights(anywhere))
@@ -78,7 +78,7 @@ class Strokes(unittest.TestCase):
         people = len(anywhere)
         moved = anywhere.put_on_ground()
         self.assertGreater(moved, 3)
-        self.assertLess(heights(anywhere).max(), 1.5)
+        self.assertLess(heights(anywhere).max(), 2.0)  # the steps of a house are ground
         self.assertEqual(len(anywhere), people)
         self.assertEqual(anywhere.put_on_ground(), 0)
         self.assertTrue(anywhere.undo())
