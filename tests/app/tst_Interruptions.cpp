@@ -102,8 +102,8 @@ void InterruptionsTest::aFailedImportWaitsToo()
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("no model");
     broken.close();
+    QVERIFY(beginStroke()); // first: that there is no model in it is found at once
     m_window->assets().addTemplate(broken.fileName(), {});
-    QVERIFY(beginStroke());
     QTest::qWait(kLongEnoughMs);
     QVERIFY(openDialog() == nullptr);
     endStroke();
