@@ -45,6 +45,9 @@ class Clip:
     @property
     def seat_height(self) -> Optional[float]:
         """Metres; None: it does not sit."""
+    @property
+    def role(self) -> str:
+        """What it is for: "idle", "walk", "run", "fly", "sit" or "other"."""
 
 
 class Template:
@@ -236,6 +239,12 @@ class CreateSettings:
     def varies_outfit(self, value: bool) -> None:
         ...
     @property
+    def varies_faces(self) -> Optional[bool]:
+        """Any skin, hair and face; None: as varies_outfit."""
+    @varies_faces.setter
+    def varies_faces(self, value: Optional[bool]) -> None:
+        ...
+    @property
     def varies_parts(self) -> bool:
         """Each part worn or not, else as the template has them."""
     @varies_parts.setter
@@ -277,6 +286,13 @@ class CreateSettings:
     @seats.setter
     def seats(self, value: SeatGridSettings) -> None:
         ...
+    @property
+    def anywhere(self) -> bool:
+        """Also on roofs, trees and wherever else nobody can walk to. False: only where people
+        can walk, which takes seconds to find on large stages."""
+    @anywhere.setter
+    def anywhere(self, value: bool) -> None:
+        ...
 
 
 class DeleteSettings:
@@ -296,6 +312,18 @@ class ColourSettings:
         """By name; empty: all tintable slots."""
     @slot.setter
     def slot(self, value: str) -> None:
+        ...
+    @property
+    def spares_body(self) -> bool:
+        """Of all slots, not skin, hair and face, where there is anything else."""
+    @spares_body.setter
+    def spares_body(self, value: bool) -> None:
+        ...
+    @property
+    def replaces(self) -> bool:
+        """The colour itself, whatever the material's; else it multiplies that one."""
+    @replaces.setter
+    def replaces(self, value: bool) -> None:
         ...
     @property
     def colors(self) -> List[Sequence[int]]:
@@ -632,6 +660,10 @@ class Scene:
         """change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one each,
         in the order of ids. Raises Error, and changes nothing, for dead ids, wrong shapes and
         values that are not finite."""
+    def put_on_ground(self, ids: Any = ...) -> int:
+        """Those of them, or of all, who stand where nobody can walk (on roofs, in basins, in the
+        air) come to the nearest ground: one undo step. How many. Takes seconds where the
+        stages are large. Raises Error for dead ids."""
     def send(self, event: str, ids: Optional[Ids] = ..., *, number: float = ...) -> None:
         """An event happens to those who play in the editor's window: to these, or to everybody.
         Raises Error where nobody plays; without a window a Session is what plays."""
@@ -639,18 +671,22 @@ class Scene:
     def seats(self) -> Dict[Any, Any]:
         """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
         (bool)."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ...) -> Picture:
-        """The picture as height × width × 4 uint8. Needs no display."""
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., allow_missing: bool = ...) -> Picture:
+        """The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a
+        week. Where a stage, or a character of whom there is somebody, could not be loaded, it
+        fails and says what is missing, unless allow_missing."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
     def template(self, name: str) -> Template:
         """The first one of that name."""
-    def add_template(self, path: Path, name: str = ..., *, id: int = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ...) -> Template:
+    def add_template(self, path: Path, name: str = ..., *, id: int = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> Template:
         """A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb. The rest is
         what the import dialog asks for: a scale, a rotation (w, x, y, z), metres added to Y,
-        and ground speeds in m/s, clip by clip (None: the file's)."""
-    def change_template(self, template: Union[Template, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ...) -> None:
+        and clip by clip ground speeds in m/s (None: the file's) and roles, which say what
+        people stand, walk and sit with: "idle", "walk", "run", "fly", "sit" or "other" (None:
+        the proposed one)."""
+    def change_template(self, template: Union[Template, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> None:
         """By handle or id; what is not given stays. See add_template."""
     def remove_template(self, template: Union[Template, int]) -> None:
         """By handle or id; refused as long as somebody is of it."""
@@ -682,9 +718,11 @@ class Scene:
     def environment(self) -> Any:
         """A dict of lists as the project file has them: places, paths, tags, rules, numbers,
         cues, the surface to walk on, and stepsPerSecond."""
-    def set_environment(self, environment: Union[str, Dict[str, Any]]) -> None:
+    def set_environment(self, environment: Union[str, Dict[str, Any]], *, strict: bool = ...) -> None:
         """Lists of places, paths, tags, rules and so on as in environment, or the same as JSON
-        text; what is not in it stays. Raises Error where a member is wrong."""
+        text; what is not in it stays. Raises Error where a member is wrong, or misspelt, or a
+        rule names a clip or slot that no template has. strict=False takes what a project file
+        may hold: members of a later version, clips of templates that are gone."""
     def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
@@ -871,4 +909,5 @@ def register_brush(brush: _B, name: Optional[str] = ...) -> _B:
 
 def open(path: Path) -> Scene:
     """Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd. Raises
-    Error with the reason why it cannot be read."""
+    Error with the reason why it cannot be read; warns (UserWarning) of stages and templates
+    that could not be loaded, and of what in the file was odd."""
