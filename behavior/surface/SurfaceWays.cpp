@@ -27,11 +27,21 @@ glm::vec2 flatUnit(const glm::vec3& from, const glm::vec3& to)
     return length > 1e-4F ? way / length : glm::vec2(0.0F);
 }
 
-/// The corner of somebody's own lane: further out in the bend, where there is room for that.
-glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& before, const glm::vec3& corner,
-                 const glm::vec3& after, const Lane& lane)
+/// Corners of the shortest way, one after the other.
+struct Bend
 {
-    const glm::vec2 bend = flatUnit(before, corner) - flatUnit(corner, after);
+    glm::vec3 before;
+    glm::vec3 corner;
+    glm::vec3 after;
+};
+
+/// The corner of somebody's own lane: further out in the bend, where there is room for that.
+/// `from`: where his lane has led him before, beside the shortest way.
+glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& from, const Bend& of,
+                 const Lane& lane)
+{
+    const glm::vec3& corner = of.corner;
+    const glm::vec2 bend = flatUnit(of.before, corner) - flatUnit(corner, of.after);
     const float length = glm::length(bend);
     if (length < kLeastTurn) {
         return corner;
@@ -45,8 +55,8 @@ glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& before, const glm:
         surface.straight({corner.x + off.x, corner.y, corner.z + off.y},
                          {corner.x + aside.x + off.x, corner.y, corner.z + aside.y + off.y});
     // He gets there from the corner before, and on from there.
-    const bool isWalkable = reached && surface.isStraight(before, *reached).value_or(false) &&
-                            surface.isStraight(*reached, after).value_or(false);
+    const bool isWalkable = reached && surface.isStraight(from, *reached).value_or(false) &&
+                            surface.isStraight(*reached, of.after).value_or(false);
     return isWalkable ? *reached : corner;
 }
 
@@ -87,12 +97,12 @@ std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
     const auto cornerAt = [&corners](int i) {
         return glm::vec3(corners[i * 3], corners[i * 3 + 1], corners[i * 3 + 2]);
     };
-    glm::vec3 before = cornerAt(0);
     for (int i = 1; i < cornerCount; ++i) {
         const bool isBend = lane.width > 0.0F && i + 1 < cornerCount;
-        way.push_back(isBend ? inLane(*this, before, cornerAt(i), cornerAt(i + 1), lane)
-                             : cornerAt(i));
-        before = way.back();
+        const glm::vec3 from = way.empty() ? cornerAt(0) : way.back();
+        way.push_back(
+            isBend ? inLane(*this, from, {cornerAt(i - 1), cornerAt(i), cornerAt(i + 1)}, lane)
+                   : cornerAt(i));
     }
     // What lies on the surface is reached exactly.
     if (isWhole && !way.empty() &&
