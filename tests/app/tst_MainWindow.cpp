@@ -557,10 +557,10 @@ void MainWindowTest::statusBarCountsWhoIsThere()
     openScene(scene, QStringLiteral("a.crowd"));
     const auto* counts = m_window->findChild<QLabel*>(QStringLiteral("statusCounts"));
     m_window->state().transport().setPlaying(true);
-    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("2 people · 1 ")),
+    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("2 characters · 1 ")),
                              4 * kPatienceMs);
     m_window->state().session().stop();
-    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("3 people ·")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("3 characters ·")), kPatienceMs);
     QVERIFY(!counts->text().contains(QStringLiteral("left")));
 }
 

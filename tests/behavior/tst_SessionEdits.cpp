@@ -98,7 +98,7 @@ void TestSessionEdits::whoseTemplateStaysKeepsHisClips()
     for (std::size_t row = 0; row < 4; ++row) {
         QVERIFY2(walks(session, scene, row), clipNameOf(session, scene, row).c_str());
     }
-    QVERIFY(placeOf(session, 3).z > before.z + 0.8F);
+    QVERIFY(placeOf(session, 3).z > before.z + 0.4F);
 }
 
 void TestSessionEdits::whoseTemplateIsReadAnewGoesOn()
