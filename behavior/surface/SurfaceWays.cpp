@@ -99,9 +99,9 @@ std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
     };
     for (int i = 1; i < cornerCount; ++i) {
         const bool isBend = lane.width > 0.0F && i + 1 < cornerCount;
-        const glm::vec3 from = way.empty() ? cornerAt(0) : way.back();
+        const glm::vec3 last = way.empty() ? cornerAt(0) : way.back();
         way.push_back(
-            isBend ? inLane(*this, from, {cornerAt(i - 1), cornerAt(i), cornerAt(i + 1)}, lane)
+            isBend ? inLane(*this, last, {cornerAt(i - 1), cornerAt(i), cornerAt(i + 1)}, lane)
                    : cornerAt(i));
     }
     // What lies on the surface is reached exactly.
