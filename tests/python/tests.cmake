@@ -24,3 +24,11 @@ if(MYPY AND NOT CROWD_SANITIZER)
     set_tests_properties(python_stubs_typed python_examples_typed PROPERTIES
         LABELS python TIMEOUT 300 ENVIRONMENT "MYPYPATH=${CMAKE_SOURCE_DIR}/app/python")
 endif()
+
+# What must stay as it is, byte for byte. Only the release build: that is what the recordings are of.
+if(NOT CROWD_SANITIZER)
+    add_test(NAME golden_recordings
+        COMMAND crowdbrush script "${CMAKE_CURRENT_SOURCE_DIR}/golden/golden.py")
+    set_tests_properties(golden_recordings PROPERTIES LABELS python TIMEOUT 300
+        ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+endif()
