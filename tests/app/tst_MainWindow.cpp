@@ -560,7 +560,8 @@ void MainWindowTest::statusBarCountsWhoIsThere()
     QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("2 characters · 1 ")),
                              4 * kPatienceMs);
     m_window->state().session().stop();
-    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("3 characters ·")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(counts->text().startsWith(QStringLiteral("3 characters ·")),
+                             kPatienceMs);
     QVERIFY(!counts->text().contains(QStringLiteral("left")));
 }
 
