@@ -3556,6 +3556,10 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n sind fort</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Finding out where people can walk…</source>
+        <translation>Herausfinden, wo man gehen kann …</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StrokePainter</name>
@@ -4317,13 +4321,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-</context>
-<context>
-    <name>crowd::widgets::EditorState</name>
-    <message>
-        <source>Finding out where people can walk…</source>
-        <translation>Herausfinden, wo man gehen kann …</translation>
     </message>
 </context>
 <context>

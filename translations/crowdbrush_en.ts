@@ -3549,6 +3549,10 @@ Thrown away, it is gone.</source>
             <numerusform>%n have left</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Finding out where people can walk…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StrokePainter</name>
@@ -4309,13 +4313,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>crowd::widgets::EditorState</name>
-    <message>
-        <source>Finding out where people can walk…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

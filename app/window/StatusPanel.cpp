@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QLocale>
+#include <QtGui/QGuiApplication>
 
 namespace crowd::app {
 
@@ -56,6 +57,7 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
+    connect(&state.ground(), &widgets::GroundFinder::waiting, this, &StatusPanel::showWaiting);
     connect(&state, &widgets::EditorState::toolChanged, this, [this] { clearMessage(); });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
     connect(&state.selection(), &widgets::Selection::changed, this, &StatusPanel::refreshCounts);
@@ -63,6 +65,18 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
             &StatusPanel::refreshCounts); // back where the scene has them
     m_hint->setFullText(state.hint());
     refreshCounts();
+}
+
+void StatusPanel::showWaiting(bool isWaiting)
+{
+    if (!isWaiting) {
+        QGuiApplication::restoreOverrideCursor();
+        clearMessage();
+        return;
+    }
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    showMessage(tr("Finding out where people can walk…"));
+    repaint();
 }
 
 void StatusPanel::refreshCounts()

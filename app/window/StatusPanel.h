@@ -46,6 +46,8 @@ public:
     [[nodiscard]] QString remark() const { return m_remark; } ///< the last one
 
 private:
+    /// Nothing else is drawn while the window waits.
+    void showWaiting(bool isWaiting);
     void refreshCounts();
     void refreshFrame();
 

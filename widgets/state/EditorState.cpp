@@ -60,9 +60,6 @@ EditorState::EditorState(model::SceneDocument& document, QObject* parent)
             Qt::QueuedConnection);
     });
     connect(&document, &model::SceneDocument::changed, this, &EditorState::followScene);
-    connect(&m_ground, &GroundFinder::waiting, this, [this](bool isWaiting) {
-        showStatus(isWaiting ? tr("Finding out where people can walk…") : QString());
-    });
 }
 
 EditorState::~EditorState()

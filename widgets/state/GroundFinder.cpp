@@ -4,8 +4,6 @@
 #include <atomic>
 #include <thread>
 
-#include <QtGui/QGuiApplication>
-
 namespace crowd::widgets {
 
 /// The stages as they were when it began, and the thread that looks at them.
@@ -57,9 +55,7 @@ model::WalkableGroundPtr GroundFinder::wait()
     begin();
     if (!m_search->isDone) {
         Q_EMIT waiting(true);
-        QGuiApplication::setOverrideCursor(Qt::WaitCursor);
         m_search->thread.join();
-        QGuiApplication::restoreOverrideCursor();
         Q_EMIT waiting(false);
     }
     return m_search->found;

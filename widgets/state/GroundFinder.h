@@ -22,7 +22,7 @@ public:
 
     /// Null: it is not there yet, and is being found from now on; or there is only open ground.
     [[nodiscard]] model::WalkableGroundPtr soon();
-    /// Waits until it is there, with a busy cursor. Null: there is only open ground.
+    /// Waits until it is there, which may take seconds: `waiting` tells. Null: there is only open ground.
     [[nodiscard]] model::WalkableGroundPtr wait();
 
 Q_SIGNALS:
