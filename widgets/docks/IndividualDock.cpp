@@ -269,11 +269,14 @@ void IndividualDock::refreshSeat(const SelectedPeople& selected)
 
 void IndividualDock::rebuild(const SelectedPeople& selected)
 {
-    std::vector<model::TemplatePtr> wanted;
+    std::vector<std::weak_ptr<const model::Template>> wanted;
     for (const SelectedPeople::Group& group : selected.groups()) {
-        wanted.push_back(group.entry == nullptr ? nullptr : group.entry->asset);
+        wanted.emplace_back(group.entry == nullptr ? nullptr : group.entry->asset);
     }
-    if (wanted == m_builtFor) {
+    const auto isSame = [](const auto& a, const auto& b) {
+        return !a.owner_before(b) && !b.owner_before(a);
+    };
+    if (std::ranges::equal(wanted, m_builtFor, isSame)) {
         return;
     }
     m_builtFor = std::move(wanted);

@@ -103,8 +103,9 @@ private:
     QWidget* m_slotArea;
     std::vector<SlotRow> m_slots;
     std::vector<PartRow> m_parts;
-    std::vector<model::TemplatePtr> m_builtFor; ///< whose clips, slots and parts are shown
-    QTimer m_refresh;                           ///< many changes in a stroke make few refreshes
+    /// Whose clips, slots and parts are shown.
+    std::vector<std::weak_ptr<const model::Template>> m_builtFor;
+    QTimer m_refresh; ///< many changes in a stroke make few refreshes
     bool m_isFilling = false;
 };
 
