@@ -113,14 +113,18 @@ class Hostile(unittest.TestCase):
         self.assertEqual(scene.environment, before)
 
     def test_many_places_take_no_time(self):
-        scene, _ = walkers(1)
-        places = [{"id": i + 1, "position": [i % 1000, 0, i // 1000]} for i in range(20_000)]
-        begin = time.monotonic()
-        scene.set_environment({"places": places})
-        scene.undo()
-        scene.redo()
-        self.assertEqual(len(scene.environment["places"]), 20_000)
-        self.assertLess(time.monotonic() - begin, 15)  # it was quadratic: minutes
+        def seconds_to_set(count):
+            scene, _ = walkers(1)
+            places = [{"id": i + 1, "position": [i % 1000, 0, i // 1000]} for i in range(count)]
+            begin = time.process_time()
+            scene.set_environment({"places": places})
+            scene.undo()
+            scene.redo()
+            self.assertEqual(len(scene.environment["places"]), count)
+            return time.process_time() - begin
+
+        # Each looked for among all: eight times as many would take 64 times as long.
+        self.assertLess(seconds_to_set(40_000), 24 * seconds_to_set(5_000))
 
     def test_two_threads_at_one_session(self):
         scene, _ = walkers(20)
@@ -193,10 +197,10 @@ class Hostile(unittest.TestCase):
 
     def test_what_takes_long_can_be_stopped(self):
         scene, _ = walkers(50)
-        self.assertLess(self.interrupted(lambda: scene.render(16, 16, time=600_000)), 1.5)
+        self.assertLess(self.interrupted(lambda: scene.render(16, 16, time=600_000)), 10)
         session = crowdbrush.Session(scene)
-        self.assertLess(self.interrupted(lambda: session.step(10**9)), 1.5)
-        self.assertLess(self.interrupted(lambda: session.run(1e6)), 1.5)
+        self.assertLess(self.interrupted(lambda: session.step(10**9)), 10)
+        self.assertLess(self.interrupted(lambda: session.run(1e6)), 10)
         self.assertEqual(scene.render(16, 16, time=0.5).shape, (16, 16, 4))  # still works
         steps = session.steps
         session.step()
