@@ -1,41 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <csignal>
-#include <functional>
 
 #include <sched.h>
 #include <sys/resource.h>
 
 #include <QtCore/QDir>
-#include <QtCore/QJsonDocument>
-#include <QtCore/QJsonObject>
-#include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 
 #include "model/project/ProjectFile.h"
-#include "tests/app/SceneWindow.h"
+#include "tests/app/PlainScene.h"
+#include "tests/command/Program.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
+using namespace crowd::testing;
 
-/// The program from outside, in an environment without a display: statuses and messages.
-class CommandLineTest : public QObject
+/// `crowdbrush render` from outside, in an environment without a display.
+class RenderCommandTest : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void statusAndMessage_data();
-    void statusAndMessage();
-    void jsonIsAloneOnStandardOutput_data();
-    void jsonIsAloneOnStandardOutput();
-    void aFailureIsOneLine();
     void drawsOnlyWhatMakesSense_data();
     void drawsOnlyWhatMakesSense();
     void drawsPicturesOfTheSizeAskedFor();
-    void measuresOnlyWhatMakesSense_data();
-    void measuresOnlyWhatMakesSense();
-    void givesScriptsTheirArgumentsInOrder();
     void drawsNothingThatLacksSomething();
     void opensWhatComesWithIt();
     void aFrameIsTheSameFromAnyRangeAndThreads_data();
@@ -44,175 +34,12 @@ private Q_SLOTS:
     void aLongSimulationTellsAndEnds();
 };
 
-namespace {
-
-struct Outcome
-{
-    int status = -1;
-    QByteArray output;
-    QByteArray errors;
-};
-
-QProcessEnvironment withoutDisplay()
-{
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-        environment.remove(QLatin1String(name));
-    }
-    return environment;
-}
-
-/// `inProgram` is run in the new process, before the program.
-Outcome run(const QStringList& arguments, const std::function<void()>& inProgram = {})
-{
-    QProcess program;
-    program.setProcessEnvironment(withoutDisplay());
-    if (inProgram) {
-        program.setChildProcessModifier(inProgram);
-    }
-    program.start(QStringLiteral(CROWD_PROGRAM), arguments);
-    if (!program.waitForFinished(60'000) || program.exitStatus() != QProcess::NormalExit) {
-        return {};
-    }
-    return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
-}
-
-QString exampleScene()
-{
-    return QStringLiteral(CROWD_TEST_DATA "/project/version-1.crowd");
-}
-
-} // namespace
-
-void CommandLineTest::statusAndMessage_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<int>("status");
-    QTest::addColumn<QByteArray>("output");
-    QTest::addColumn<QByteArray>("errors");
-    const QString nowhere = QStringLiteral("/nowhere/at-all.crowd");
-    QTest::newRow("help names the commands")
-        << QStringList{QStringLiteral("--help")} << 0 << QByteArray("info") << QByteArray();
-    QTest::newRow("an unknown option is bad usage")
-        << QStringList{QStringLiteral("--nonsense")} << 2 << QByteArray()
-        << QByteArray("--nonsense");
-    QTest::newRow("a command without its file is bad usage")
-        << QStringList{QStringLiteral("info")} << 2 << QByteArray() << QByteArray("FILE");
-    QTest::newRow("a value out of its choices is bad usage")
-        << QStringList{QStringLiteral("info"), exampleScene(), QStringLiteral("--as"),
-                       QStringLiteral("potato")}
-        << 2 << QByteArray() << QByteArray("potato");
-    QTest::newRow("a missing file is a failure that names it")
-        << QStringList{QStringLiteral("info"), nowhere} << 1 << QByteArray() << nowhere.toUtf8();
-    QTest::newRow("the editor without a display says so and what works")
-        << QStringList{} << 1 << QByteArray() << QByteArray("display");
-    QTest::newRow("the editor with a file without a display says so")
-        << QStringList{exampleScene()} << 1 << QByteArray() << QByteArray("display");
-    QTest::newRow("a folder is a failure that says what to check")
-        << QStringList{QStringLiteral("info"), QStringLiteral("/tmp")} << 1 << QByteArray()
-        << QByteArray("not a plain file. Check the name");
-    QTest::newRow("a file that is no scene says what it should be")
-        << QStringList{QStringLiteral("info"), QStringLiteral(CROWD_PROGRAM)} << 1 << QByteArray()
-        << QByteArray("neither a .glb");
-    QTest::newRow("a scene is described") << QStringList{QStringLiteral("info"), exampleScene()}
-                                          << 0 << QByteArray("individuals") << QByteArray();
-}
-
-void CommandLineTest::statusAndMessage()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(int, status);
-    QFETCH(QByteArray, output);
-    QFETCH(QByteArray, errors);
-    const Outcome outcome = run(arguments);
-    QCOMPARE(outcome.status, status);
-    QVERIFY2(outcome.output.contains(output), outcome.output.constData());
-    QVERIFY2(outcome.errors.contains(errors), outcome.errors.constData());
-}
-
-void CommandLineTest::jsonIsAloneOnStandardOutput_data()
-{
-    QTest::addColumn<QString>("arguments");
-    QTest::addColumn<QString>("members"); ///< that the object has at least
-    const QString folder = QStringLiteral(CROWD_RESOURCES);
-    QTest::newRow("a scene") << QStringLiteral("info ") + exampleScene()
-                             << QStringLiteral("kind individuals templates stage places paths "
-                                               "rules states seats warnings");
-    QTest::newRow("a template") << QStringLiteral("info %1/templates/man.glb").arg(folder)
-                                << QStringLiteral("kind name triangles vertices joints slots "
-                                                  "clips height_m warnings");
-    QTest::newRow("a stage") << QStringLiteral("info %1/stages/theatre.glb").arg(folder)
-                             << QStringLiteral("kind name triangles seats warnings");
-    QTest::newRow("drawing")
-        << QStringLiteral("bench render --count 4 --frames 2 --size 64x36 --clock cpu --samples 0")
-        << QStringLiteral("count triangles width height detail median_ms p95_ms draws "
-                          "triangles_drawn bytes_per_keyframe reference ratio samples clock");
-    QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
-                              << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms");
-    for (const char* workload : {"square", "corridor", "city", "paths"}) {
-        QTest::newRow(qPrintable(QStringLiteral("simulating a %1").arg(QLatin1String(workload))))
-            << QStringLiteral("bench simulate --count 100 --steps 10 --workload %1")
-                   .arg(QLatin1String(workload))
-            << QStringLiteral("workload count steps threads agent_steps_per_second median_step_ms "
-                              "overlaps_per_1000 efficiency rms_acceleration bytes_per_agent "
-                              "outside_walls");
-    }
-    QTest::newRow("simulating on one thread and on two")
-        << QStringLiteral("bench simulate --count 100 --steps 20 --threads 2 --against-one-thread")
-        << QStringLiteral("median_step_ms one_thread_median_step_ms times_one_thread");
-    QTest::newRow("files") << QStringLiteral("bench io --count 100")
-                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
-                                             "cast_templates cast_bytes cast_load_ms "
-                                             "cast_floor_ms");
-}
-
-void CommandLineTest::jsonIsAloneOnStandardOutput()
-{
-    QFETCH(const QString, arguments);
-    QFETCH(const QString, members);
-    const Outcome outcome = run(arguments.split(u' ') << QStringLiteral("--json"));
-    QVERIFY2(outcome.status == 0, outcome.errors.constData());
-    QJsonParseError problem{};
-    const QJsonObject json = QJsonDocument::fromJson(outcome.output, &problem).object();
-    QCOMPARE(problem.error, QJsonParseError::NoError);
-    for (const QString& member : members.split(u' ')) {
-        QVERIFY2(json.contains(member), qPrintable(member));
-    }
-}
-
-void CommandLineTest::aFailureIsOneLine()
-{
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("broken.crowd"));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("{\"format\": \"crowdbrush-scene\", ");
-    file.close();
-    const Outcome outcome = run({QStringLiteral("info"), path});
-    QCOMPARE(outcome.status, 1);
-    QVERIFY(outcome.output.isEmpty());
-    QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
-    QVERIFY2(outcome.errors.contains("broken.crowd"), outcome.errors.constData());
-}
-
-namespace {
-
-struct BadDrawing
-{
-    const char* name;
-    const char* options; ///< %1: an empty folder
-    int status;
-    const char* message;
-};
-
-} // namespace
-
-void CommandLineTest::drawsOnlyWhatMakesSense_data()
+void RenderCommandTest::drawsOnlyWhatMakesSense_data()
 {
     QTest::addColumn<QString>("options");
     QTest::addColumn<int>("status");
     QTest::addColumn<QByteArray>("message");
-    const BadDrawing rows[] = {
+    const BadUsage rows[] = {
         {"unknown camera", "--output %1/a.png --camera nobody", 1, "no camera named \"nobody\""},
         {"size 0", "--output %1/a.png --size 0x0", 2, "--size 0x0"},
         {"size of one number", "--output %1/a.png --size 64", 2, "WIDTHxHEIGHT"},
@@ -241,13 +68,13 @@ void CommandLineTest::drawsOnlyWhatMakesSense_data()
          "not a range"},
         {"negative frames", "--output %1/a#.png --frames -3-5", 2, "not a range"},
     };
-    for (const BadDrawing& row : rows) {
+    for (const BadUsage& row : rows) {
         QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
                                 << QByteArray(row.message);
     }
 }
 
-void CommandLineTest::drawsOnlyWhatMakesSense()
+void RenderCommandTest::drawsOnlyWhatMakesSense()
 {
     QFETCH(const QString, options);
     QFETCH(const int, status);
@@ -265,7 +92,7 @@ void CommandLineTest::drawsOnlyWhatMakesSense()
     QVERIFY(QDir(folder.path()).isEmpty());
 }
 
-void CommandLineTest::drawsPicturesOfTheSizeAskedFor()
+void RenderCommandTest::drawsPicturesOfTheSizeAskedFor()
 {
     const QTemporaryDir folder;
     const QString theatre = QStringLiteral(CROWD_RESOURCES "/scenes/theatre.crowd");
@@ -285,71 +112,12 @@ void CommandLineTest::drawsPicturesOfTheSizeAskedFor()
     QCOMPARE(run(missing + QStringList{QStringLiteral("--size"), QStringLiteral("9x9")}).status, 1);
 }
 
-void CommandLineTest::measuresOnlyWhatMakesSense_data()
-{
-    QTest::addColumn<QString>("arguments");
-    QTest::addColumn<int>("status");
-    QTest::addColumn<QByteArray>("message");
-    const BadDrawing rows[] = {
-        {"nothing", "", 2, "subcommand"},
-        {"what it cannot", "potato", 2, "subcommand is required"},
-        {"drawing nobody", "render --count 0", 2, "--count"},
-        {"drawing far too many", "render --count 2000000000", 2, "--count"},
-        {"no frames", "render --frames 0", 2, "--frames"},
-        {"size 0", "render --size 0x0", 2, "--size 0x0"},
-        {"unknown detail", "render --detail potato", 2, "--detail"},
-        {"unknown clock", "render --clock sun", 2, "--clock"},
-        {"too many samples", "render --samples 99", 2, "--samples"},
-        {"negative triangles", "render --triangles -5", 2, "--triangles"},
-        {"missing scene", "render --scene /nowhere/at-all.crowd", 1, "at-all.crowd does not exist"},
-        {"slowing that is no number", "simulate --slowing nan", 2, "no number"},
-        {"slowing without end", "simulate --slowing inf", 2, "--slowing"},
-        {"no steps", "simulate --steps 0", 2, "--steps"},
-        {"negative threads", "simulate --threads -1", 2, "--threads"},
-        {"rounds beyond all", "python --rounds 1e18", 2, "--rounds"},
-        {"painting nobody", "paint --count 0", 2, "--count"},
-        {"painting words", "paint --count many", 2, "--count"},
-        {"files of nobody", "io --count 0", 2, "--count"},
-    };
-    for (const BadDrawing& row : rows) {
-        QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
-                                << QByteArray(row.message);
-    }
-}
-
-void CommandLineTest::measuresOnlyWhatMakesSense()
-{
-    QFETCH(const QString, arguments);
-    QFETCH(const int, status);
-    QFETCH(const QByteArray, message);
-    const Outcome outcome =
-        run(QStringList{QStringLiteral("bench")} + arguments.split(u' ', Qt::SkipEmptyParts));
-    QVERIFY2(outcome.status == status, outcome.errors.constData());
-    QVERIFY2(outcome.errors.contains(message), outcome.errors.constData());
-    QVERIFY(outcome.output.isEmpty());
-}
-
-void CommandLineTest::givesScriptsTheirArgumentsInOrder()
-{
-    const QTemporaryDir folder;
-    const QString script = folder.filePath(QStringLiteral("arguments.py"));
-    QFile file(script);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QVERIFY(file.write("import sys\nprint(sys.argv[1:])\n") > 0);
-    file.close();
-    const Outcome outcome =
-        run({QStringLiteral("script"), script, QStringLiteral("--write"), QStringLiteral("--only"),
-             QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("-x")});
-    QCOMPARE(outcome.status, 0);
-    QCOMPARE(outcome.output, QByteArray("['--write', '--only', 'one', 'two', '-x']\n"));
-}
-
 namespace {
 
 /// People who stand and begin to walk away along a path.
 model::Scene walkers()
 {
-    model::Scene scene = testing::plainScene(24);
+    model::Scene scene = plainScene(24);
     scene.places = {{1, "near", {0.0F, 0.0F, 3.0F}, 0.5F}, {2, "far", {0.0F, 0.0F, -9.0F}, 0.5F}};
     scene.paths = {{1, "away", model::PathKind::Simple, {1, 2}}};
     const auto present = scene.population.ids();
@@ -373,7 +141,7 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-void CommandLineTest::drawsNothingThatLacksSomething()
+void RenderCommandTest::drawsNothingThatLacksSomething()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.crowd"));
@@ -381,7 +149,7 @@ void CommandLineTest::drawsNothingThatLacksSomething()
     const QStringList render{QStringLiteral("render"),   path,
                              QStringLiteral("--output"), picture,
                              QStringLiteral("--size"),   QStringLiteral("64x36")};
-    model::Scene scene = testing::plainScene(3);
+    model::Scene scene = plainScene(3);
     scene.templates.front().path = "builtin:templates/nobody.glb";
     scene.templates.front().name = "Somebody";
     model::StageEntry stage;
@@ -407,7 +175,7 @@ void CommandLineTest::drawsNothingThatLacksSomething()
     QCOMPARE(measured.status, 1);
     QVERIFY2(measured.errors.contains("Opera"), measured.errors.constData());
     // Of whom there is nobody, no picture lacks.
-    scene = testing::plainScene(1);
+    scene = plainScene(1);
     scene.templates.push_back(scene.templates.front());
     scene.templates.back().id = 2;
     scene.templates.back().path = "builtin:templates/nobody.glb";
@@ -415,7 +183,7 @@ void CommandLineTest::drawsNothingThatLacksSomething()
     QCOMPARE(run(render).status, 0);
 }
 
-void CommandLineTest::opensWhatComesWithIt()
+void RenderCommandTest::opensWhatComesWithIt()
 {
     const QTemporaryDir folder;
     const QString picture = folder.filePath(QStringLiteral("a.png"));
@@ -436,7 +204,7 @@ void CommandLineTest::opensWhatComesWithIt()
     }
 }
 
-void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
+void RenderCommandTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
 {
     QTest::addColumn<QString>("scene"); ///< empty: walkers
     QTest::newRow("people who begin to walk") << QString();
@@ -445,7 +213,7 @@ void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
     }
 }
 
-void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads()
+void RenderCommandTest::aFrameIsTheSameFromAnyRangeAndThreads()
 {
     QFETCH(QString, scene);
     const QTemporaryDir folder;
@@ -488,7 +256,7 @@ void CommandLineTest::aFrameIsTheSameFromAnyRangeAndThreads()
     }
 }
 
-void CommandLineTest::aFullDiskIsAFailure()
+void RenderCommandTest::aFullDiskIsAFailure()
 {
     const QTemporaryDir folder;
     const QStringList render{
@@ -511,7 +279,7 @@ void CommandLineTest::aFullDiskIsAFailure()
     }
 }
 
-void CommandLineTest::aLongSimulationTellsAndEnds()
+void RenderCommandTest::aLongSimulationTellsAndEnds()
 {
     const QTemporaryDir folder;
     const QString scene = folder.filePath(QStringLiteral("walkers.crowd"));
@@ -536,5 +304,5 @@ void CommandLineTest::aLongSimulationTellsAndEnds()
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
 }
 
-CROWD_TEST(CommandLineTest)
-#include "tst_CommandLine.moc"
+CROWD_TEST(RenderCommandTest)
+#include "tst_RenderCommand.moc"

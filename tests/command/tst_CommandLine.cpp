@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include "tests/command/Program.h"
+#include "tests/program/Test.h"
+
+using namespace crowd::testing;
+
+/// The program from outside, in an environment without a display: statuses and messages.
+class CommandLineTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void statusAndMessage_data();
+    void statusAndMessage();
+    void jsonIsAloneOnStandardOutput_data();
+    void jsonIsAloneOnStandardOutput();
+    void aFailureIsOneLine();
+    void measuresOnlyWhatMakesSense_data();
+    void measuresOnlyWhatMakesSense();
+    void givesScriptsTheirArgumentsInOrder();
+};
+
+void CommandLineTest::statusAndMessage_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("output");
+    QTest::addColumn<QByteArray>("errors");
+    const QString nowhere = QStringLiteral("/nowhere/at-all.crowd");
+    QTest::newRow("help names the commands")
+        << QStringList{QStringLiteral("--help")} << 0 << QByteArray("info") << QByteArray();
+    QTest::newRow("an unknown option is bad usage")
+        << QStringList{QStringLiteral("--nonsense")} << 2 << QByteArray()
+        << QByteArray("--nonsense");
+    QTest::newRow("a command without its file is bad usage")
+        << QStringList{QStringLiteral("info")} << 2 << QByteArray() << QByteArray("FILE");
+    QTest::newRow("a value out of its choices is bad usage")
+        << QStringList{QStringLiteral("info"), exampleScene(), QStringLiteral("--as"),
+                       QStringLiteral("potato")}
+        << 2 << QByteArray() << QByteArray("potato");
+    QTest::newRow("a missing file is a failure that names it")
+        << QStringList{QStringLiteral("info"), nowhere} << 1 << QByteArray() << nowhere.toUtf8();
+    QTest::newRow("the editor without a display says so and what works")
+        << QStringList{} << 1 << QByteArray() << QByteArray("display");
+    QTest::newRow("the editor with a file without a display says so")
+        << QStringList{exampleScene()} << 1 << QByteArray() << QByteArray("display");
+    QTest::newRow("a folder is a failure that says what to check")
+        << QStringList{QStringLiteral("info"), QStringLiteral("/tmp")} << 1 << QByteArray()
+        << QByteArray("not a plain file. Check the name");
+    QTest::newRow("a file that is no scene says what it should be")
+        << QStringList{QStringLiteral("info"), QStringLiteral(CROWD_PROGRAM)} << 1 << QByteArray()
+        << QByteArray("neither a .glb");
+    QTest::newRow("a scene is described") << QStringList{QStringLiteral("info"), exampleScene()}
+                                          << 0 << QByteArray("individuals") << QByteArray();
+}
+
+void CommandLineTest::statusAndMessage()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(int, status);
+    QFETCH(QByteArray, output);
+    QFETCH(QByteArray, errors);
+    const Outcome outcome = run(arguments);
+    QCOMPARE(outcome.status, status);
+    QVERIFY2(outcome.output.contains(output), outcome.output.constData());
+    QVERIFY2(outcome.errors.contains(errors), outcome.errors.constData());
+}
+
+void CommandLineTest::jsonIsAloneOnStandardOutput_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<QString>("members"); ///< that the object has at least
+    const QString folder = QStringLiteral(CROWD_RESOURCES);
+    QTest::newRow("a scene") << QStringLiteral("info ") + exampleScene()
+                             << QStringLiteral("kind individuals templates stage places paths "
+                                               "rules states seats warnings");
+    QTest::newRow("a template") << QStringLiteral("info %1/templates/man.glb").arg(folder)
+                                << QStringLiteral("kind name triangles vertices joints slots "
+                                                  "clips height_m warnings");
+    QTest::newRow("a stage") << QStringLiteral("info %1/stages/theatre.glb").arg(folder)
+                             << QStringLiteral("kind name triangles seats warnings");
+    QTest::newRow("drawing")
+        << QStringLiteral("bench render --count 4 --frames 2 --size 64x36 --clock cpu --samples 0")
+        << QStringLiteral("count triangles width height detail median_ms p95_ms draws "
+                          "triangles_drawn bytes_per_keyframe reference ratio samples clock");
+    QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
+                              << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms");
+    for (const char* workload : {"square", "corridor", "city", "paths"}) {
+        QTest::newRow(qPrintable(QStringLiteral("simulating a %1").arg(QLatin1String(workload))))
+            << QStringLiteral("bench simulate --count 100 --steps 10 --workload %1")
+                   .arg(QLatin1String(workload))
+            << QStringLiteral("workload count steps threads agent_steps_per_second median_step_ms "
+                              "overlaps_per_1000 efficiency rms_acceleration bytes_per_agent "
+                              "outside_walls");
+    }
+    QTest::newRow("simulating on one thread and on two")
+        << QStringLiteral("bench simulate --count 100 --steps 20 --threads 2 --against-one-thread")
+        << QStringLiteral("median_step_ms one_thread_median_step_ms times_one_thread");
+    QTest::newRow("files") << QStringLiteral("bench io --count 100")
+                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
+                                             "cast_templates cast_bytes cast_load_ms "
+                                             "cast_floor_ms");
+}
+
+void CommandLineTest::jsonIsAloneOnStandardOutput()
+{
+    QFETCH(const QString, arguments);
+    QFETCH(const QString, members);
+    const Outcome outcome = run(arguments.split(u' ') << QStringLiteral("--json"));
+    QVERIFY2(outcome.status == 0, outcome.errors.constData());
+    QJsonParseError problem{};
+    const QJsonObject json = QJsonDocument::fromJson(outcome.output, &problem).object();
+    QCOMPARE(problem.error, QJsonParseError::NoError);
+    for (const QString& member : members.split(u' ')) {
+        QVERIFY2(json.contains(member), qPrintable(member));
+    }
+}
+
+void CommandLineTest::aFailureIsOneLine()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("broken.crowd"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\"format\": \"crowdbrush-scene\", ");
+    file.close();
+    const Outcome outcome = run({QStringLiteral("info"), path});
+    QCOMPARE(outcome.status, 1);
+    QVERIFY(outcome.output.isEmpty());
+    QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
+    QVERIFY2(outcome.errors.contains("broken.crowd"), outcome.errors.constData());
+}
+
+void CommandLineTest::measuresOnlyWhatMakesSense_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("message");
+    const BadUsage rows[] = {
+        {"nothing", "", 2, "subcommand"},
+        {"what it cannot", "potato", 2, "subcommand is required"},
+        {"drawing nobody", "render --count 0", 2, "--count"},
+        {"drawing far too many", "render --count 2000000000", 2, "--count"},
+        {"no frames", "render --frames 0", 2, "--frames"},
+        {"size 0", "render --size 0x0", 2, "--size 0x0"},
+        {"unknown detail", "render --detail potato", 2, "--detail"},
+        {"unknown clock", "render --clock sun", 2, "--clock"},
+        {"too many samples", "render --samples 99", 2, "--samples"},
+        {"negative triangles", "render --triangles -5", 2, "--triangles"},
+        {"missing scene", "render --scene /nowhere/at-all.crowd", 1, "at-all.crowd does not exist"},
+        {"slowing that is no number", "simulate --slowing nan", 2, "no number"},
+        {"slowing without end", "simulate --slowing inf", 2, "--slowing"},
+        {"no steps", "simulate --steps 0", 2, "--steps"},
+        {"negative threads", "simulate --threads -1", 2, "--threads"},
+        {"rounds beyond all", "python --rounds 1e18", 2, "--rounds"},
+        {"painting nobody", "paint --count 0", 2, "--count"},
+        {"painting words", "paint --count many", 2, "--count"},
+        {"files of nobody", "io --count 0", 2, "--count"},
+    };
+    for (const BadUsage& row : rows) {
+        QTest::newRow(row.name) << QString::fromLatin1(row.options) << row.status
+                                << QByteArray(row.message);
+    }
+}
+
+void CommandLineTest::measuresOnlyWhatMakesSense()
+{
+    QFETCH(const QString, arguments);
+    QFETCH(const int, status);
+    QFETCH(const QByteArray, message);
+    const Outcome outcome =
+        run(QStringList{QStringLiteral("bench")} + arguments.split(u' ', Qt::SkipEmptyParts));
+    QVERIFY2(outcome.status == status, outcome.errors.constData());
+    QVERIFY2(outcome.errors.contains(message), outcome.errors.constData());
+    QVERIFY(outcome.output.isEmpty());
+}
+
+void CommandLineTest::givesScriptsTheirArgumentsInOrder()
+{
+    const QTemporaryDir folder;
+    const QString script = folder.filePath(QStringLiteral("arguments.py"));
+    QFile file(script);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(file.write("import sys\nprint(sys.argv[1:])\n") > 0);
+    file.close();
+    const Outcome outcome =
+        run({QStringLiteral("script"), script, QStringLiteral("--write"), QStringLiteral("--only"),
+             QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("-x")});
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.output, QByteArray("['--write', '--only', 'one', 'two', '-x']\n"));
+}
+
+CROWD_TEST(CommandLineTest)
+#include "tst_CommandLine.moc"
