@@ -54,7 +54,7 @@ void addInfo(CLI::App& cli, CommandLine& line)
 void addBenchIo(CLI::App& bench, CommandLine& line)
 {
     CLI::App* command = bench.add_subcommand("io", "How long saving and opening takes");
-    command->add_option("--count", line.benchIo.count, "People in the scene")
+    command->add_option("--count", line.benchIo.count, "Characters in the scene")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_flag("--json", line.benchIo.json, "Print one JSON object");
@@ -64,7 +64,7 @@ void addBenchIo(CLI::App& bench, CommandLine& line)
 void addBenchPaint(CLI::App& bench, CommandLine& line)
 {
     CLI::App* command = bench.add_subcommand("paint", "How long a brush takes");
-    command->add_option("--count", line.benchPaint.count, "People in the scene")
+    command->add_option("--count", line.benchPaint.count, "Characters in the scene")
         ->check(CLI::Range(1, 1000000));
     command->add_flag("--json", line.benchPaint.json, "Print one JSON object");
     command->callback([&line] { line.status = runBenchPaint(line.benchPaint); });
@@ -73,7 +73,7 @@ void addBenchPaint(CLI::App& bench, CommandLine& line)
 void addBenchPython(CLI::App& bench, CommandLine& line)
 {
     CLI::App* command = bench.add_subcommand("python", "What scripts cost against C++");
-    command->add_option("--count", line.benchPython.count, "People created from arrays")
+    command->add_option("--count", line.benchPython.count, "Characters created from arrays")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--rounds", line.benchPython.rounds, "Times that each is measured")
@@ -111,7 +111,7 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     command->add_option("--workload", options.workload, "What the crowd does")
         ->check(CLI::IsMember({"square", "corridor", "city", "paths"}))
         ->capture_default_str();
-    command->add_option("--count", options.count, "People")
+    command->add_option("--count", options.count, "Characters")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--steps", options.steps, "Steps of 1/30 s")

@@ -280,7 +280,7 @@ void printComparison(const QJsonObject& report, bool isJson)
     }
     const QJsonObject reference = report[QStringLiteral("reference")].toObject();
     std::printf(
-        "%d people of %d triangles, %d by %d pixels, detail %s\n"
+        "%d characters of %d triangles, %d by %d pixels, detail %s\n"
         "ours       %8.2f ms median, %.2f ms at the 95th percentile, %d draws, %.0f "
         "triangles\nreference  %8.2f ms median (%s)\nratio      %8.2f\n",
         report[QStringLiteral("count")].toInt(), report[QStringLiteral("triangles")].toInt(),

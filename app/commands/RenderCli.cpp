@@ -60,18 +60,19 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
 {
     CLI::App* command = bench.add_subcommand(
         "render", "Time our drawing against display lists with fixed-function light");
-    command->add_option("--count", options.count, "People")
+    command->add_option("--count", options.count, "Characters")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command
         ->add_option("--triangles", options.triangles,
-                     "Triangles of a figure made in code instead of the built-in people")
+                     "Triangles of a figure made in code instead of the built-in characters")
         ->check(CLI::Range(0, 1000000));
     command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--detail", options.detail, "full or levels")
         ->check(CLI::IsMember({"full", "levels"}))
         ->capture_default_str();
-    command->add_option("--scene", options.scene, "Draw this scene instead of a field of people");
+    command->add_option("--scene", options.scene,
+                        "Draw this scene instead of a field of characters");
     command->add_option("--frames", options.frames, "Frames timed")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

@@ -345,7 +345,7 @@ GivenColumns columnsFrom(const ScenePtr& scene, const py::kwargs& arguments,
             throw ScriptError(name + " has " + std::to_string(rows) +
                               " rows; a scene has room "
                               "for " +
-                              std::to_string(kMostPeople) + " people.");
+                              std::to_string(kMostPeople) + " characters.");
         }
         longest = std::max(longest, rows);
         if (rows == 0) {

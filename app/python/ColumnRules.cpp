@@ -300,12 +300,13 @@ Result<void> checkRoom(const Scene& scene, std::size_t coming)
 {
     const std::size_t now = scene.population.size();
     if (coming > kMostPeople || now > kMostPeople - coming) {
-        return Error{"A scene has room for " + std::to_string(kMostPeople) + " people: it has " +
-                     std::to_string(now) + ", and " + std::to_string(coming) + " more do not fit."};
+        return Error{"A scene has room for " + std::to_string(kMostPeople) +
+                     " characters: it has " + std::to_string(now) + ", and " +
+                     std::to_string(coming) + " more do not fit."};
     }
     if (coming >= std::numeric_limits<IndividualId>::max() - scene.nextId) {
         return Error{"The scene has no ids left for " + std::to_string(coming) +
-                     " more people: all have been given out. Go on in another scene."};
+                     " more characters: all have been given out. Go on in another scene."};
     }
     return {};
 }

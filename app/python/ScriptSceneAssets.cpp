@@ -194,8 +194,8 @@ Result<void> ScriptScene::removeTemplate(TemplateId id)
         }
         const auto users = std::ranges::count(now.population.column(columns::templateId), id);
         if (users > 0) {
-            return Error{std::to_string(users) + " people are of template " + std::to_string(id) +
-                         ": remove them first."};
+            return Error{std::to_string(users) + " characters are of template " +
+                         std::to_string(id) + ": remove them first."};
         }
         return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove template")),
                     [&](SceneEdit& open) { open.removeTemplate(id); });

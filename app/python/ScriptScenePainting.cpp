@@ -120,9 +120,10 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
     }
     // A stroke sees people as they are, not as they stand in until they are baked.
     if (!bakeAllShown(*now, *m_host.keyframes, m_process == getpid())) {
-        return Error{"People cannot be painted on in a process that was forked from the one that "
-                     "has the scene: what bakes their clips is not there. Open the scene in the "
-                     "new process, or start that with multiprocessing's \"spawn\"."};
+        return Error{
+            "Characters cannot be painted on in a process that was forked from the one that "
+            "has the scene: what bakes their clips is not there. Open the scene in the "
+            "new process, or start that with multiprocessing's \"spawn\"."};
     }
     RecordedStroke recording;
     recording.settings = stroke.settings;

@@ -86,7 +86,7 @@ Result<int> ScriptScene::putOnGround(std::span<const IndividualId> ids)
         if (!ground) {
             return {}; // open ground
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Put people on the ground")),
+        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Put characters on the ground")),
                     [&](SceneEdit& open) { people = model::putOnGround(open, *ground, ids); });
     });
     if (!done) {

@@ -26,7 +26,7 @@ if len(sys.argv) > 1:
     scene.save(sys.argv[1])
 )";
 constexpr const char* kNotExact =
-    "# A stroke that met people whose animations were not ready yet: what came of it.\n";
+    "# A stroke that met characters whose animations were not ready yet: what came of it.\n";
 
 std::string openingOf(const QString& startName, const QString& startPath, bool isEmpty)
 {

@@ -100,8 +100,9 @@ const WindowAction kEditActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Remove the selected characters")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
     {{"put-on-ground", QT_TRANSLATE_NOOP("Actions", "Put on the &Ground"), "locate", "",
-      QT_TRANSLATE_NOOP("Actions", "Put those of the selected people, or of all, who stand where "
-                                   "nobody can walk on the nearest ground")},
+      QT_TRANSLATE_NOOP("Actions",
+                        "Put those of the selected characters, or of all, who stand where "
+                        "nobody can walk on the nearest ground")},
      [](MainWindow& w, bool) { widgets::putSelectionOnGround(w.state()); }},
     {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Path That &Ends at the Last Place"),
       "brush-path", "Ctrl+Shift+P",

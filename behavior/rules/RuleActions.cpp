@@ -71,7 +71,7 @@ bool RuleEngine::sitDown(RuleHost& host, std::uint32_t agent, const model::Actio
     mind.isStarted = true;
     if (!host.sit(agent, action.metres)) {
         if (!host.hasSeats()) {
-            complainOf(mind.rule, " lets people sit down, but the scene has no seats. Bring a "
+            complainOf(mind.rule, " lets characters sit down, but the scene has no seats. Bring a "
                                   "stage with seats along.");
         }
         return true; // no seat is free: on to the next action
@@ -139,8 +139,9 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
         if (host.follow(agent, action.path)) {
             hold(agent, 0);
         } else {
-            complainOf(mind.rule, " lets people follow a path that is not there any more. Choose "
-                                  "another one.");
+            complainOf(mind.rule,
+                       " lets characters follow a path that is not there any more. Choose "
+                       "another one.");
         }
         return true;
     case model::ActionKind::GoToPlace:
@@ -193,7 +194,7 @@ bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& a
             }
         } else {
             complainOf(mind.rule,
-                       " lets people appear at a place that is not there any more. Choose "
+                       " lets characters appear at a place that is not there any more. Choose "
                        "another one.");
         }
         return true;

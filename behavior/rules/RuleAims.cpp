@@ -148,8 +148,9 @@ bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Acti
     const bool isFollowing = action.kind == model::ActionKind::Follow;
     if (!aim || (isFollowing && aim->agent == kNone)) {
         if (isFollowing && action.aim == model::ActionAim::Sender) {
-            complainOf(mind.rule, " follows whoever sent the event, but it came from a brush, a "
-                                  "cue or nobody. Let people send it, or follow those with a tag.");
+            complainOf(mind.rule,
+                       " follows whoever sent the event, but it came from a brush, a "
+                       "cue or nobody. Let characters send it, or follow those with a tag.");
         }
         host.stop(agent);
         return true;

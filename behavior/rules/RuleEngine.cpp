@@ -410,8 +410,9 @@ void RuleEngine::noticeEcho(std::uint32_t index, Memory& memory, const Cause& ca
     memory.echoes =
         cause.sender != 0 && m_now - memory.last <= kEchoSeconds ? memory.echoes + 1 : 0;
     if (memory.echoes == kMaxEchoes) {
-        complainOf(index, " fires over and over for the same people: events go round in a circle. "
-                          "Give it a pause, or say how often at most.");
+        complainOf(index,
+                   " fires over and over for the same characters: events go round in a circle. "
+                   "Give it a pause, or say how often at most.");
     }
 }
 

@@ -32,9 +32,9 @@ void RuleEngine::send(const std::string& event, float payload, std::uint32_t age
 void RuleEngine::sayStorm(std::uint32_t rule)
 {
     if (!std::exchange(m_isStormSaid, true)) {
-        complain({"There is more for rules to do at once than a step has room for; people act "
+        complain({"There is more for rules to do at once than a step has room for; characters act "
                   "later, and events beyond half a million are dropped. Let rules send events to "
-                  "fewer people, wait in between, or come less often.",
+                  "fewer characters, wait in between, or come less often.",
                   rule == kNone ? 0 : m_rules[rule].id});
     }
 }

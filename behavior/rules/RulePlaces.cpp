@@ -84,18 +84,19 @@ void RuleEngine::sayNowhere(std::uint32_t rule, const model::Action& action)
     const bool isLeaving = action.kind == model::ActionKind::LeaveScene;
     if (action.choice == model::PlaceChoice::Given) {
         complainOf(rule,
-                   " sends people to a place that is not there any more. Choose another one.");
+                   " sends characters to a place that is not there any more. Choose another one.");
     } else if (action.path != 0) {
-        complainOf(rule, " sends people to places of a path that is not there any more, or has "
+        complainOf(rule, " sends characters to places of a path that is not there any more, or has "
                          "none. Choose another one.");
     } else if (action.place != 0) {
-        complainOf(rule, " sends people to places by a name that none has any more. Choose "
+        complainOf(rule, " sends characters to places by a name that none has any more. Choose "
                          "another one.");
     } else {
-        complainOf(rule, isLeaving ? " lets people leave at an exit, but there is none: they stay. "
-                                     "Paint one with the environment brush."
-                                   : " sends people to a place, but there is none. Paint one with "
-                                     "the path brush.");
+        complainOf(rule, isLeaving
+                             ? " lets characters leave at an exit, but there is none: they stay. "
+                               "Paint one with the environment brush."
+                             : " sends characters to a place, but there is none. Paint one with "
+                               "the path brush.");
     }
 }
 
@@ -189,7 +190,7 @@ bool RuleEngine::leave(RuleHost& host, std::uint32_t agent, const model::Action&
         host.leave(agent);
     } else if (m_minds[agent].isTravelling) {
         complainOf(m_minds[agent].rule,
-                   " lets people leave at \"" + m_places.find(m_minds[agent].goal)->name +
+                   " lets characters leave at \"" + m_places.find(m_minds[agent].goal)->name +
                        "\", but some do not get there: they stay. Move it, or choose another one.");
     }
     return true;

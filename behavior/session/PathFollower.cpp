@@ -53,11 +53,11 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
             const auto place = std::ranges::find(places, id, &model::Place::id);
             if (place == places.end()) {
                 problems.push_back({nameOf(path) + " names a place that is not there any more; " +
-                                        "people pass it over.",
+                                        "characters pass it over.",
                                     0, 0, path.id});
             } else if (!model::Bounds::isPlace(place->position) || !std::isfinite(place->radius)) {
                 problems.push_back({"Place \"" + place->name +
-                                        "\" has no position or size; people "
+                                        "\" has no position or size; characters "
                                         "pass it over. Give it numbers.",
                                     0, place->id, path.id});
             } else {

@@ -72,11 +72,11 @@ void Session::warnOfPlaces()
         const glm::vec3 below(place.position.x, 0.0F, place.position.z);
         if (!isOn && (m_surface->reaches(place.position, kSearchMetres) ||
                       m_surface->reaches(below, kSearchMetres))) {
-            warnOfWay(
-                {"Place \"" + place.name +
-                     "\" is not on ground that people can walk on; they go as near as they can. "
-                     "Move it.",
-                 0, place.id});
+            warnOfWay({"Place \"" + place.name +
+                           "\" is not on ground that characters can walk on; they go as near as "
+                           "they can. "
+                           "Move it.",
+                       0, place.id});
         }
     }
 }
@@ -115,7 +115,7 @@ void Session::warnOfPeople()
         return;
     }
     problem.text = std::to_string(problem.people.size()) +
-                   (problem.people.size() == 1 ? " person" : " people") +
+                   (problem.people.size() == 1 ? " character" : " characters") +
                    " who should walk stand where no way leads to or from: on roofs or trees, in "
                    "a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).";
     warnOfWay(problem);
@@ -135,13 +135,14 @@ void Session::warnOfLeg(const model::Path& path, const model::Place& from, const
     const float length = lengthOf(way, start);
     if (glm::distance(way.back(), end) > std::max(to.radius, kLeastReach)) {
         warnOfWay({between +
-                       "no way leads; people go as near as they can. Move one of them, or lead "
+                       "no way leads; characters go as near as they can. Move one of them, or lead "
                        "the path around what is between.",
                    0, 0, path.id});
     } else if (way.size() > 1 && length > straight * kDetourShare &&
                length > straight + kDetourMetres) {
-        warnOfWay({between + "something is in the way; people go around it. Add places where they "
-                             "should go.",
+        warnOfWay({between +
+                       "something is in the way; characters go around it. Add places where they "
+                       "should go.",
                    0, 0, path.id});
     }
 }
@@ -164,11 +165,11 @@ void Session::warnOfCrowding()
         }
         const float area = 3.14159265F * place->radius * place->radius;
         const bool isKnown = std::ranges::any_of(m_warnings, [id = id](const Problem& problem) {
-            return problem.place == id && problem.text.find("people want") != std::string::npos;
+            return problem.place == id && problem.text.find("characters want") != std::string::npos;
         });
         if (!isKnown && static_cast<float>(count) > area * kCrowdedPerMetre2 + kAFew) {
             warn({"Place \"" + place->name + "\": " + std::to_string(count) +
-                      " people want to stand there, " + std::to_string(model::roomOf(*place)) +
+                      " characters want to stand there, " + std::to_string(model::roomOf(*place)) +
                       " have room. Make it larger, or send them to several places.",
                   0, id});
         }
@@ -189,7 +190,7 @@ void Session::leaveOutWhoIsNowhere()
         }
     }
     if (lost > 0) {
-        warn({"People without a position, left out: " + std::to_string(lost) +
+        warn({"Characters without a position, left out: " + std::to_string(lost) +
               ". Delete them, or give them one."});
     }
 }

@@ -44,7 +44,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
 {
     const TriangleSoup soup = plan.isWorthwhile() ? soupOf(plan) : TriangleSoup();
     if (soup.triangles.empty()) {
-        return model::Error{"There is no stage to walk on; people walk on open ground."};
+        return model::Error{"There is no stage to walk on; characters walk on open ground."};
     }
     NavMeshBuilder builder(soup, plan, progress);
     if (!builder.run(plan.settings)) {
@@ -52,7 +52,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
                                 ? "The walkable surface was not built: it was cancelled."
                                 : "Nothing of the stage can be walked on; people walk on open "
                                   "ground. Check its size, which way is up, and how wide, tall and "
-                                  "steep people can walk (Environment panel)."};
+                                  "steep characters can walk (Environment panel)."};
     }
     auto data = std::make_unique<Private>();
     data->walls = wallsOf(builder.mesh(), plan.settings);

@@ -75,7 +75,7 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("Too steep to stand on");
     case StrokeReason::NotWalkable:
         return Brushes::tr("Nobody can walk there: choose “Anywhere” in the brush settings to "
-                           "create people there all the same");
+                           "create characters there all the same");
     case StrokeReason::NothingUnderBrush:
         return Brushes::tr("Nothing to stand on under the brush");
     case StrokeReason::TooNearToOthers:

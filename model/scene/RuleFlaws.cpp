@@ -437,11 +437,13 @@ std::string englishOf(const RuleFlaw& flaw, const Scene& scene)
         return text + " undoes what " + other +
                " does at the same occasion. Give one of them a condition.";
     case RuleFlawKind::NoSeats:
-        return text + " lets people sit down, but the scene has no seats. Bring a stage with seats "
-                      "along.";
+        return text +
+               " lets characters sit down, but the scene has no seats. Bring a stage with seats "
+               "along.";
     case RuleFlawKind::NoExit:
-        return text + " lets people leave at an exit, but there is none: they stay. Paint one with "
-                      "the environment brush.";
+        return text +
+               " lets characters leave at an exit, but there is none: they stay. Paint one with "
+               "the environment brush.";
     }
     return text;
 }

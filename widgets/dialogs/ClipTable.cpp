@@ -30,9 +30,9 @@ ClipTable::ClipTable(const model::Template& asset, QWidget* parent)
       m_proposed(asset.clips.size(), model::ClipRole::Other)
 {
     setHorizontalHeaderLabels({tr("Clip"), tr("Length"), tr("Ground speed"), tr("Role")});
-    horizontalHeaderItem(3)->setToolTip(
-        tr("What people stand, walk and sit with. Clips of other roles play only where a brush or "
-           "a rule asks for them."));
+    horizontalHeaderItem(3)->setToolTip(tr(
+        "What characters stand, walk and sit with. Clips of other roles play only where a brush or "
+        "a rule asks for them."));
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     setSelectionBehavior(SelectRows);

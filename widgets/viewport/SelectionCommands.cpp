@@ -70,7 +70,7 @@ void putSelectionOnGround(EditorState& state)
     }
     state.showStatus(
         moved > 0 ? SelectionCommandsText::tr("%n characters put on the ground", nullptr, moved)
-                  : SelectionCommandsText::tr("All of them stand where people can walk."));
+                  : SelectionCommandsText::tr("All of them stand where characters can walk."));
 }
 
 } // namespace crowd::widgets
