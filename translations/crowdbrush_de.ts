@@ -3557,7 +3557,7 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>Finding out where people can walk…</source>
+        <source>Finding out where characters can walk…</source>
         <translation>Herausfinden, wo man gehen kann …</translation>
     </message>
 </context>

@@ -3550,7 +3550,7 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>Finding out where people can walk…</source>
+        <source>Finding out where characters can walk…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

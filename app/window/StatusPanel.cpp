@@ -75,7 +75,7 @@ void StatusPanel::showWaiting(bool isWaiting)
         return;
     }
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    showMessage(tr("Finding out where people can walk…"));
+    showMessage(tr("Finding out where characters can walk…"));
     repaint();
 }
 
