@@ -1,64 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/GroundFinder.h"
 
-#include <atomic>
-#include <thread>
+#include <variant>
 
 namespace crowd::widgets {
-
-/// The stages as they were when it began, and the thread that looks at them.
-struct GroundFinder::Search
-{
-    model::Scene stages;
-    model::WalkableGroundPtr found; ///< of the thread, until it is done
-    std::atomic<bool> isDone{false};
-    std::jthread thread;
-
-    [[nodiscard]] bool isFor(const model::Scene& scene) const
-    {
-        const auto now = behavior::SurfacePlan::ofStages(scene);
-        const auto then = behavior::SurfacePlan::ofStages(stages);
-        return now.hasSameStages(then) && now.hasSameWays(then);
-    }
-};
 
 GroundFinder::GroundFinder(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document)
 {
+    connect(&document, &model::SceneDocument::changed, this, [this](const auto& change) {
+        if (std::holds_alternative<model::SceneReplaced>(change) ||
+            std::holds_alternative<model::StagesChanged>(change)) {
+            forget();
+        }
+    });
 }
 
 GroundFinder::~GroundFinder() = default;
 
+void GroundFinder::forget()
+{
+    m_builder.cancel();
+    m_plan = {};
+    m_isBegun = false;
+    m_found.reset();
+}
+
 void GroundFinder::begin()
 {
-    const model::Scene& scene = m_document.scene();
-    if (m_search && m_search->isFor(scene)) {
+    auto plan = behavior::SurfacePlan::ofStages(m_document.scene());
+    if (m_isBegun && plan.hasSameStages(m_plan) && plan.hasSameWays(m_plan)) {
         return;
     }
-    m_search = std::make_unique<Search>(); // waits for the former one
-    m_search->stages.stages = scene.stages;
-    m_search->stages.surface = scene.surface;
-    m_search->thread = std::jthread([this, search = m_search.get()] {
-        search->found = m_keeper.of(search->stages);
-        search->isDone = true;
-    });
+    forget();
+    m_plan = std::move(plan);
+    m_isBegun = true;
+    if (m_plan.isWorthwhile()) {
+        m_builder.start(m_plan);
+    }
+}
+
+void GroundFinder::take()
+{
+    if (const auto built = m_builder.take(); built && *built) {
+        m_found = built->value();
+    }
 }
 
 model::WalkableGroundPtr GroundFinder::soon()
 {
     begin();
-    return m_search->isDone ? m_search->found : nullptr;
+    take();
+    return m_found;
 }
 
 model::WalkableGroundPtr GroundFinder::wait()
 {
-    begin();
-    if (!m_search->isDone) {
+    if (soon() == nullptr && m_builder.isBuilding()) {
         Q_EMIT waiting(true);
-        m_search->thread.join();
+        m_builder.wait();
         Q_EMIT waiting(false);
+        take();
     }
-    return m_search->found;
+    return m_found;
 }
 
 } // namespace crowd::widgets

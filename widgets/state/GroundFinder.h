@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
-
 #include <QtCore/QObject>
 
-#include "behavior/surface/GroundKeeper.h"
 #include "model/document/SceneDocument.h"
+#include "model/pick/WalkableGround.h"
+#include "widgets/state/SurfaceBuilder.h"
 
 namespace crowd::widgets {
 
 /// Where people can walk in the document: found in the background from when somebody may soon ask
-/// for it. Main thread; the document outlives it.
+/// for it, and kept as long as the stages stay as they are. Main thread; the document outlives it.
 class GroundFinder : public QObject
 {
     Q_OBJECT
@@ -22,7 +21,8 @@ public:
 
     /// Null: it is not there yet, and is being found from now on; or there is only open ground.
     [[nodiscard]] model::WalkableGroundPtr soon();
-    /// Waits until it is there, which may take seconds: `waiting` tells. Null: there is only open ground.
+    /// Waits until it is there, which may take seconds: `waiting` tells. Null: there is only open
+    /// ground.
     [[nodiscard]] model::WalkableGroundPtr wait();
 
 Q_SIGNALS:
@@ -30,13 +30,15 @@ Q_SIGNALS:
     void waiting(bool isWaiting);
 
 private:
-    struct Search;
-
     void begin();
+    void take();
+    void forget(); ///< what belongs to other stages
 
     model::SceneDocument& m_document;
-    behavior::GroundKeeper m_keeper;
-    std::unique_ptr<Search> m_search; ///< null: nothing was asked for since the stages changed
+    behavior::SurfacePlan m_plan; ///< of what is found or being found
+    bool m_isBegun = false;
+    model::WalkableGroundPtr m_found;
+    SurfaceBuilder m_builder;
 };
 
 } // namespace crowd::widgets

@@ -2,10 +2,7 @@
 #include "widgets/state/SessionControl.h"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
-#include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -13,8 +10,8 @@
 
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
-#include "behavior/surface/WalkSurface.h"
 #include "model/document/SceneEdit.h"
+#include "widgets/state/SurfaceBuilder.h"
 
 namespace crowd::widgets {
 
@@ -23,8 +20,6 @@ namespace {
 constexpr double kAheadSeconds = 0.1; ///< at speed 1
 constexpr int kProgressMs = 150;
 constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
-
-using SurfacePtr = std::shared_ptr<const behavior::WalkSurface>;
 
 /// Whether somebody may go somewhere, so that it matters where one can walk.
 bool hasWalks(const model::Scene& scene)
@@ -65,45 +60,12 @@ bool touchesPeople(const model::SceneChange& change)
 
 } // namespace
 
-/// A surface that is being built, on a thread of its own.
-struct SurfaceJob
-{
-    behavior::WalkSurface::Progress progress;
-    std::optional<model::Result<SurfacePtr>> result; ///< of the thread, once it is done
-    std::atomic<bool> isDone{false};                 ///< the last that the thread does
-    std::vector<std::unique_ptr<SurfaceJob>> before; ///< cancelled ones: never two at work
-    std::jthread thread;                             ///< last: ends first
-
-    void build(const behavior::SurfacePlan& plan)
-    {
-        before.clear();
-        auto built = behavior::WalkSurface::build(plan, progress);
-        if (!progress.isCancelled) {
-            result.emplace(std::move(built));
-        }
-        isDone = true;
-    }
-};
-
 /// The surface in use and the one that is being built.
 struct SessionControl::Surface
 {
     SurfacePtr current;
-    std::unique_ptr<SurfaceJob> job;
-    std::vector<std::unique_ptr<SurfaceJob>> cancelled; ///< they end by themselves, soon
-    behavior::SurfacePlan plan;                         ///< of the one that is there or being built
-
-    ~Surface() { cancel(); }
-    /// Does not wait.
-    void cancel()
-    {
-        if (job) {
-            job->progress.isCancelled = true;
-            cancelled.push_back(std::move(job));
-        }
-        std::erase_if(cancelled, [](const auto& each) { return each->isDone.load(); });
-    }
-    [[nodiscard]] bool isBuilding() const { return job != nullptr; }
+    behavior::SurfacePlan plan; ///< of the one that is there or being built
+    SurfaceBuilder builder;
 };
 
 SessionControl::SessionControl(model::SceneDocument& document, Transport& transport,
@@ -145,7 +107,7 @@ void SessionControl::followScene(const model::SceneChange& change)
 {
     if (std::holds_alternative<model::SceneReplaced>(change) ||
         std::holds_alternative<model::StagesChanged>(change)) {
-        m_surface->cancel();
+        m_surface->builder.cancel();
         m_surface->current.reset();
         m_isSurfaceStale = true;
         m_progress.stop();
@@ -197,7 +159,7 @@ bool SessionControl::isReady()
     if (m_isSurfaceStale && isNeeded) {
         buildSurface();
     } else if (m_isSurfaceStale && m_surface->current && !isGroundOfInterest(scene)) {
-        m_surface->cancel();
+        m_surface->builder.cancel();
         m_surface->current.reset(); // the last area is gone, and there is no stage
         m_surface->plan = {};
         m_isSurfaceStale = false;
@@ -206,20 +168,15 @@ bool SessionControl::isReady()
         }
         Q_EMIT surfaceChanged();
     }
-    return !isNeeded || !m_surface->isBuilding();
+    return !isNeeded || !m_surface->builder.isBuilding();
 }
 
 void SessionControl::buildSurface()
 {
-    m_surface->cancel();
     m_isSurfaceStale = false;
     m_surfaceProblem.clear();
     m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
-    m_surface->job = std::make_unique<SurfaceJob>();
-    SurfaceJob& job = *m_surface->job;
-    job.before = std::exchange(m_surface->cancelled, {});
-    job.thread = std::jthread([this, plan = m_surface->plan, &job] {
-        job.build(plan);
+    m_surface->builder.start(m_surface->plan, [this] {
         QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
     });
     m_progress.start();
@@ -228,17 +185,14 @@ void SessionControl::buildSurface()
 
 void SessionControl::takeSurface()
 {
-    if (!m_surface->isBuilding() || !m_surface->job->isDone) {
+    const auto built = m_surface->builder.take();
+    if (!built) {
         return;
     }
-    const std::unique_ptr<SurfaceJob> done = std::move(m_surface->job);
-    done->thread.join();
-    if (done->result) {
-        if (*done->result) {
-            m_surface->current = done->result->value();
-        } else {
-            m_surfaceProblem = QString::fromStdString(done->result->error().message);
-        }
+    if (*built) {
+        m_surface->current = built->value();
+    } else {
+        m_surfaceProblem = QString::fromStdString(built->error().message);
     }
     m_progress.stop();
     if (isRunning()) {
@@ -249,7 +203,8 @@ void SessionControl::takeSurface()
 
 double SessionControl::surfaceProgress() const
 {
-    return m_surface->isBuilding() ? static_cast<double>(m_surface->job->progress.done) : -1.0;
+    const SurfaceBuilder& builder = m_surface->builder;
+    return builder.isBuilding() ? static_cast<double>(builder.progress()) : -1.0;
 }
 
 std::size_t SessionControl::surfacePolygons() const
