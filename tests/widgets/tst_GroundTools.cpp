@@ -33,7 +33,8 @@ struct Plaza : Hand
     }
     void setAnywhere(bool isAnywhere)
     {
-        for (const model::BrushKind kind : {model::BrushKind::Create, model::BrushKind::Path}) {
+        for (const model::BrushKind kind :
+             {model::BrushKind::Create, model::BrushKind::Path, model::BrushKind::Environment}) {
             model::BrushSettings settings = state.brush(kind);
             settings.create.anywhere = isAnywhere;
             settings.place.anywhere = isAnywhere;
@@ -66,6 +67,8 @@ class TestGroundTools : public QObject
 private Q_SLOTS:
     void nobodyIsCreatedWhereNobodyCanWalk();
     void noPlaceComesWhereNobodyCanWalk();
+    void noPlaceIsDraggedWhereNobodyCanWalk_data();
+    void noPlaceIsDraggedWhereNobodyCanWalk();
     void whoIsOnARoofComesDown();
     void anotherStageHasAnotherGround();
 };
@@ -98,6 +101,37 @@ void TestGroundTools::noPlaceComesWhereNobodyCanWalk()
     plaza.click(kRoof);
     QCOMPARE(plaza.document.scene().places.size(), std::size_t{2});
     QVERIFY(plaza.document.scene().places.back().position.y > 2.9F);
+}
+
+void TestGroundTools::noPlaceIsDraggedWhereNobodyCanWalk_data()
+{
+    QTest::addColumn<model::PlaceRole>("role");
+    QTest::newRow("a place of a path") << model::PlaceRole::Spot;
+    QTest::newRow("an attractor") << model::PlaceRole::Attractor;
+}
+
+void TestGroundTools::noPlaceIsDraggedWhereNobodyCanWalk()
+{
+    QFETCH(model::PlaceRole, role);
+    Plaza plaza;
+    {
+        const auto edit = plaza.document.beginEdit();
+        model::Place place;
+        place.position = kStreet;
+        place.role = role;
+        edit->addPlace(place);
+        edit->commit(QStringLiteral("Place"));
+    }
+    const auto place = [&plaza] { return plaza.document.scene().places.front().position; };
+    plaza.state.setTool(ToolId::Select);
+    plaza.drag(plaza.pixelOf(kStreet), plaza.pixelOf(kRoof));
+    QVERIFY2(plaza.said().contains(QStringLiteral("Anywhere")), qPrintable(plaza.said()));
+    QVERIFY2(place().y < 0.1F && place().x > 1.9F, "where it could still go");
+    plaza.drag(plaza.pixelOf(place()), plaza.pixelOf({0.0F, 0.0F, 5.0F}));
+    QVERIFY2(place().z > 4.5F, "around the corner");
+    plaza.setAnywhere(true);
+    plaza.drag(plaza.pixelOf(place()), plaza.pixelOf(kRoof));
+    QVERIFY(place().y > 2.9F);
 }
 
 void TestGroundTools::whoIsOnARoofComesDown()

@@ -24,6 +24,7 @@ constexpr double kMiddlePixels = 9.0;
 constexpr double kBorderPixels = 5.0;
 constexpr float kLeastUpright = 0.5F; ///< of a surface's normal: steeper is a wall
 constexpr double kHandleClickSlack = 4.0;
+constexpr float kBesideMetres = 0.3F; ///< a place that stood on the ground may end so far off it
 
 /// How far from the middle of a leg's band, 1 at its border; infinite on another floor.
 float offMiddle(const glm::vec3& point, const model::Place& from, const model::Place& to)
@@ -88,6 +89,11 @@ public:
             click(input);
             return;
         }
+        if (m_isRefused) {
+            m_context.state.showStatus(PlaceHandlesText::tr(
+                "Nobody can walk there: choose “Anywhere” in the settings of its brush to move a "
+                "place there all the same."));
+        }
         const auto edit = std::move(m_edit);
         edit->commit(m_hit.isBorder ? PlaceHandlesText::tr("Resize a place")
                                     : PlaceHandlesText::tr("Move %n place(s)", nullptr,
@@ -98,7 +104,9 @@ public:
 
     void show(ToolPicture& picture) const override
     {
-        picture.cursor = m_hit.isBorder ? Qt::SizeHorCursor : Qt::SizeAllCursor;
+        picture.cursor = m_hit.isBorder ? Qt::SizeHorCursor
+                         : m_isRefused  ? Qt::ForbiddenCursor
+                                        : Qt::SizeAllCursor;
         const model::Place* place = m_context.state.scene().findPlace(m_hit.place);
         if (m_edit && m_hit.isBorder && place != nullptr) {
             picture.symbolAt = m_press.position();
@@ -138,18 +146,44 @@ private:
         for (const model::PlaceId id : focus.places()) {
             m_before.push_back(*m_context.state.scene().findPlace(id));
         }
+        const model::Place* held = m_context.state.scene().findPlace(m_hit.place);
+        const auto brush = held->role == model::PlaceRole::Spot ? model::BrushKind::Path
+                                                                : model::BrushKind::Environment;
+        if (!m_hit.isBorder && !m_context.state.brush(brush).place.anywhere) {
+            m_walkable = m_context.state.ground().wait();
+        }
         m_edit = m_context.state.document().beginEdit();
     }
 
+    /// Where nobody can walk they stay where they were last.
     void move(const glm::vec3& ground)
     {
-        for (model::Place place : m_before) {
+        std::vector<model::Place> moved = m_before;
+        m_isRefused = m_walkable && !m_walkable->isWalkable(ground);
+        for (model::Place& place : moved) {
+            const bool wasOnGround = m_walkable && m_walkable->isWalkable(place.position);
             place.position += ground - m_start;
             if (m_before.size() == 1) {
                 place.position.y = ground.y;
+            } else if (wasOnGround && place.id != m_hit.place) {
+                m_isRefused = !settle(place.position) || m_isRefused;
             }
-            m_edit->changePlace(place);
         }
+        for (const model::Place& place : moved) {
+            if (!m_isRefused) {
+                m_edit->changePlace(place);
+            }
+        }
+    }
+
+    /// Onto the ground there, for those that come along with the held one. False: there is none.
+    [[nodiscard]] bool settle(glm::vec3& position) const
+    {
+        const auto ground = m_walkable->nearest(position);
+        const bool isThere = ground && glm::length((*ground - position) *
+                                                   glm::vec3(1.0F, 0.0F, 1.0F)) <= kBesideMetres;
+        position.y = isThere ? ground->y : position.y;
+        return isThere;
     }
 
     void resize(const glm::vec3& ground)
@@ -169,6 +203,8 @@ private:
     PlaceHit m_hit;
     glm::vec3 m_start{0.0F};
     std::vector<model::Place> m_before;
+    model::WalkableGroundPtr m_walkable; ///< null: they may come anywhere
+    bool m_isRefused = false;            ///< where the pointer is
     std::unique_ptr<model::SceneEdit> m_edit;
 };
 
