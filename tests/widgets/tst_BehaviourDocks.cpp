@@ -74,6 +74,7 @@ private Q_SLOTS:
     void whatIsNotChosenYetIsNotGone();
     void everyKindHasASentenceAndFields();
     void cuesAreButtonsAndKeys();
+    void aCueSaysThatTheGroundIsStillSought();
     void tagsAndNumbersGetNames();
     void tagsAreWrittenByName();
     void branchesAreAddedWeighedAndRemoved();
@@ -299,6 +300,37 @@ void TestBehaviourDocks::cuesAreButtonsAndKeys()
     desk.document.undoStack().undo();
     QVERIFY(desk.document.scene().cues.empty());
     QTRY_VERIFY(desk.window.findChildren<QShortcut*>().isEmpty());
+}
+
+void TestBehaviourDocks::aCueSaysThatTheGroundIsStillSought()
+{
+    Desk<RulesDock> desk;
+    model::Cue cue;
+    cue.id = 1;
+    cue.event = "run";
+    {
+        const auto edit = desk.document.beginEdit();
+        model::Rule rule;
+        rule.trigger.event = "run";
+        rule.actions.emplace_back().kind = model::ActionKind::Flee;
+        edit->setRules({rule});
+        edit->setCues({cue});
+        edit->commit(QStringLiteral("Rules"));
+    }
+    testing::addPeople(desk.document, 1);
+    QString said;
+    connect(&desk.state, &EditorState::statusMessage, &desk.window,
+            [&said](const QString& text) { said = text; });
+    desk.state.transport().setPlaying(true);
+    desk.state.advance(0.01); // the stage is looked at from now on
+    QVERIFY(!desk.state.session().isRunning());
+    sendCue(desk.state, cue);
+    QVERIFY2(said.contains(QStringLiteral("still being found")), qPrintable(said));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.state.session().surfaceProgress() < 0.0, 10'000);
+    desk.state.advance(0.01);
+    QVERIFY(desk.state.session().isRunning());
+    sendCue(desk.state, cue);
+    QVERIFY2(said.contains(QStringLiteral("run")), qPrintable(said));
 }
 
 void TestBehaviourDocks::tagsAndNumbersGetNames()

@@ -20,6 +20,12 @@ struct CueText
 
 void sendCue(EditorState& state, const model::Cue& cue)
 {
+    if (!state.session().isRunning() && state.transport().isPlaying() &&
+        state.session().surfaceProgress() >= 0.0) {
+        state.showStatus(CueText::tr("Where characters can walk is still being found: they hear "
+                                     "cues from when they begin to move."));
+        return;
+    }
     if (!state.session().isRunning()) {
         state.showStatus(CueText::tr("Press Play first: cues speak to characters while it plays."));
         return;
