@@ -79,6 +79,7 @@ class TestPathDrawing : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void labelsSayWhatPanelsAndRulesSay();
     void init();
     void bandGoesUpAStep();
     void bandStaysOnTheBridgeOrUnderIt();
@@ -311,6 +312,40 @@ void TestPathDrawing::changesGiveAnotherVersion()
     m_drawing->forget();
     (void)m_drawing->areas(*m_state, m_rays);
     QVERIFY(m_drawing->version() != before);
+}
+
+void TestPathDrawing::labelsSayWhatPanelsAndRulesSay()
+{
+    model::SceneDocument document;
+    EditorState state(document);
+    model::Scene scene;
+    for (model::PlaceId id = 1; id <= 4; ++id) {
+        scene.places.push_back(placeAt(id, {static_cast<float>(id), 0.0F, 0.0F}));
+        scene.places.back().name = "Place " + std::to_string(id);
+    }
+    scene.paths = {pathOver(1, {1, 2}, kOrange), pathOver(2, {3, 4}, kBlue)};
+    model::Rule rule;
+    rule.trigger.kind = model::TriggerKind::Arrived;
+    rule.trigger.place = 4;
+    scene.rules = {rule};
+    document.replaceScene(std::move(scene), {});
+    const model::View view(model::Camera::lookingAt({2.0F, 10.0F, 8.0F}, {2.0F, 0.0F, 0.0F}),
+                           {640.0F, 480.0F});
+    const auto namesOf = [&] {
+        QStringList names;
+        for (const PlaceLabel& label : PathDrawing::labels(state, view)) {
+            if (label.text.startsWith(QStringLiteral("Place "))) {
+                names << label.text;
+            }
+        }
+        return names;
+    };
+    state.setTool(ToolId::BrushCreate);
+    QCOMPARE(namesOf(), QStringList{QStringLiteral("Place 4")}); // a rule speaks of it
+    state.setTool(ToolId::Select);
+    state.paths().look(1);
+    QCOMPARE(namesOf(), (QStringList{QStringLiteral("Place 1"), QStringLiteral("Place 2"),
+                                     QStringLiteral("Place 4")}));
 }
 
 CROWD_TEST(TestPathDrawing)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/PathDrawing.h"
 
+#include <algorithm>
+
 namespace crowd::widgets {
 
 namespace {
@@ -8,6 +10,35 @@ namespace {
 QColor screenColorOf(const std::array<std::uint8_t, 3>& color)
 {
     return {color[0], color[1], color[2]};
+}
+
+/// Those that rules speak of by name.
+std::vector<model::PlaceId> placesOfRules(const model::Scene& scene)
+{
+    std::vector<model::PlaceId> named;
+    for (const model::Rule& rule : scene.rules) {
+        named.push_back(rule.trigger.place);
+        for (const model::Condition& condition : rule.conditions) {
+            named.push_back(condition.place);
+        }
+        for (const model::Action& action : rule.actions) {
+            named.push_back(action.place);
+        }
+    }
+    std::ranges::sort(named);
+    return named;
+}
+
+/// Whether the artist, who works on paths, may look for it by its name: those of other paths would
+/// hide the picture.
+bool isAtHand(const EditorState& state, model::PlaceId place)
+{
+    const auto leadsOver = [place](const model::Path& path) {
+        return std::ranges::find(path.places, place) != path.places.end();
+    };
+    const auto& paths = state.scene().paths;
+    const model::Path* current = state.scene().findPath(state.paths().path());
+    return (current != nullptr && leadsOver(*current)) || std::ranges::none_of(paths, leadsOver);
 }
 
 } // namespace
@@ -29,12 +60,14 @@ std::vector<PlaceLabel> PathDrawing::labels(const EditorState& state, const mode
                               screenColorOf(color), isSelected});
         }
     };
+    const std::vector<model::PlaceId> ofRules = placesOfRules(scene);
     for (const model::Place& place : scene.places) {
         const bool isSelected = state.paths().isSelected(place.id);
-        const bool isActing = place.role != model::PlaceRole::Spot;
-        if (isWorking || isSelected || isActing) {
-            add(place, isSelected || isActing ? place.name : std::string(), isSelected,
-                place.color);
+        const bool isNamed = place.role != model::PlaceRole::Spot ||
+                             std::ranges::binary_search(ofRules, place.id) ||
+                             (isWorking && isAtHand(state, place.id));
+        if (isWorking || isSelected || isNamed) {
+            add(place, isSelected || isNamed ? place.name : std::string(), isSelected, place.color);
         }
     }
     for (const model::Path& path : scene.paths) {

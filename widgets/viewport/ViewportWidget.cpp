@@ -91,6 +91,12 @@ void ViewportWidget::connectState()
                     redrawPaths();
                 }
             });
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::RulesChanged>(change)) {
+                    refreshPlaces(); // those that rules speak of have their names shown
+                }
+            });
     connect(&m_state.paths(), &PathFocus::changed, this, redrawPaths);
     connect(&m_state, &EditorState::viewOptionsChanged, this, redrawPaths);
     connect(&m_state, &EditorState::toolChanged, this, &ViewportWidget::refreshPlaces);
