@@ -135,6 +135,11 @@ void TestPeopleMarks::aCursorCarriesTheBrush()
     QVERIFY2(cursors.cursorFor(picture, 1.0) == cursor, "wherever it is");
     picture.circle->radius = 60.0;
     QVERIFY(cursors.cursorFor(picture, 1.0) != cursor);
+    picture.circle->radius = 280.0;
+    const auto large = cursors.cursorFor(picture, 1.0);
+    QVERIFY(large.has_value());
+    const QPoint center = large->hotSpot();
+    QVERIFY(qAlpha(large->pixmap().toImage().pixel(center.x(), center.y() - 280)) > 100);
 }
 
 void TestPeopleMarks::aLargeBrushIsNoCursor()

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::optional<QCursor> cursorFor(const ToolPicture& picture,
                                                    double devicePixelRatio);
 
-    static constexpr double kLargestRadius = 100.0; ///< logical pixels
+    static constexpr double kLargestRadius = 300.0; ///< logical pixels; 1.5 MB once a size
 
 private:
     double m_radius = -1.0;
