@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QFileInfo>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
@@ -62,6 +63,16 @@ QString modelFilter()
     return AssetController::tr("glTF models (*.glb *.gltf);;All files (*)");
 }
 
+/// With which of them it is, where several came together.
+QString titleOf(const QString& path, QueuePlace place)
+{
+    return place.count > 1 ? AssetController::tr("Import %1 (%2 of %3)")
+                                 .arg(fileName(path))
+                                 .arg(place.number)
+                                 .arg(place.count)
+                           : AssetController::tr("Import %1").arg(fileName(path));
+}
+
 /// The deepest folder on the way to a file that is still there.
 QString nearestFolder(const QString& path)
 {
@@ -87,9 +98,11 @@ void AssetController::goOn()
         return;
     }
     if (!m_waiting.isEmpty()) {
-        proposeTemplate(m_waiting.takeFirst());
+        const int count = m_proposed + static_cast<int>(m_waiting.size());
+        proposeTemplate(m_waiting.takeFirst(), {++m_proposed, count});
         return;
     }
+    m_proposed = 0;
     m_batch.clear();
     Q_EMIT becameIdle();
 }
@@ -183,35 +196,60 @@ void AssetController::importStage()
     }
 }
 
-void AssetController::bring(const QString& path, bool asks)
+std::optional<bool> AssetController::askIsStage(const QString& path, bool looksLikeStage,
+                                                QueuePlace place)
 {
+    QMessageBox box(
+        QMessageBox::Question, titleOf(path, place),
+        tr("Use “%1” as a template to paint with, or as the stage?").arg(fileName(path)),
+        QMessageBox::Cancel, m_window);
+    QPushButton* asTemplate = box.addButton(tr("&Template"), QMessageBox::AcceptRole);
+    QPushButton* asStage = box.addButton(tr("&Stage"), QMessageBox::AcceptRole);
+    box.setDefaultButton(looksLikeStage ? asStage : asTemplate);
+    const int rest = place.count - place.number;
+    if (rest > 0) {
+        box.setCheckBox(new QCheckBox(tr("The same for the %n other file(s)", nullptr, rest)));
+    }
+    box.exec();
+    if (box.clickedButton() != asTemplate && box.clickedButton() != asStage) {
+        return std::nullopt;
+    }
+    const bool isStage = box.clickedButton() == asStage;
+    if (rest > 0 && box.checkBox()->isChecked()) {
+        m_restIsStage = isStage;
+    }
+    return isStage;
+}
+
+void AssetController::bring(const QString& path, bool asks, QueuePlace place)
+{
+    if (place.number == 1) {
+        m_restIsStage.reset();
+    }
     const model::FileKind kind = model::sniffKind(path.toStdString());
     bool isStage = kind == model::FileKind::Stage;
     if (asks && kind != model::FileKind::Unknown) { // importing tells what is wrong with it
-        QMessageBox box(
-            QMessageBox::Question, tr("Import %1").arg(fileName(path)),
-            tr("Use “%1” as a template to paint with, or as the stage?").arg(fileName(path)),
-            QMessageBox::Cancel, m_window);
-        QPushButton* asTemplate = box.addButton(tr("&Template"), QMessageBox::AcceptRole);
-        QPushButton* asStage = box.addButton(tr("&Stage"), QMessageBox::AcceptRole);
-        box.setDefaultButton(isStage ? asStage : asTemplate);
-        box.exec();
-        if (box.clickedButton() != asTemplate && box.clickedButton() != asStage) {
+        const std::optional<bool> chosen =
+            m_restIsStage ? m_restIsStage : askIsStage(path, isStage, place);
+        if (!chosen) {
             return;
         }
-        isStage = box.clickedButton() == asStage;
+        isStage = *chosen;
     }
     if (isStage) {
         addStage(path);
     } else {
-        proposeTemplate(path);
+        proposeTemplate(path, place);
     }
 }
 
-void AssetController::proposeTemplate(const QString& path)
+void AssetController::proposeTemplate(const QString& path, QueuePlace place)
 {
     if (m_task.isRunning()) {
         return;
+    }
+    if (place.number == 1) {
+        m_takesProposals = false;
     }
     m_task.start(
         tr("Reading %1…").arg(fileName(path)),
@@ -219,18 +257,30 @@ void AssetController::proposeTemplate(const QString& path)
             return model::importTemplate(path.toStdString(), {},
                                          importProgress(report, fileName(path)));
         },
-        [this, path](const Result<model::TemplatePtr>& asset) {
+        [this, path, place](const Result<model::TemplatePtr>& asset) {
             if (!asset) {
                 fail(tr("The template could not be imported"), asset.error().message);
-                return;
+            } else if (m_takesProposals) {
+                addTemplate(path, model::proposeImport(*asset.value()).settings);
+            } else {
+                showProposal(path, asset.value(), place);
             }
-            auto* dialog =
-                new widgets::ImportDialog(path, asset.value(), m_state.keyframes(), m_window);
-            connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-                addTemplate(path, dialog->settings(), dialog->clipSpeeds(), dialog->clipRoles());
-            });
-            show(dialog);
         });
+}
+
+void AssetController::showProposal(const QString& path, const model::TemplatePtr& asset,
+                                   QueuePlace place)
+{
+    auto* dialog = new widgets::ImportDialog(path, asset, m_state.keyframes(), m_window);
+    dialog->setWindowTitle(titleOf(path, place));
+    if (place.number < place.count) {
+        dialog->offerRest(place.count - place.number);
+    }
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+        m_takesProposals = dialog->isForRest();
+        addTemplate(path, dialog->settings(), dialog->clipSpeeds(), dialog->clipRoles());
+    });
+    show(dialog);
 }
 
 void AssetController::addTemplate(const QString& path, const model::ImportSettings& settings,

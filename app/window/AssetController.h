@@ -21,6 +21,13 @@ class ClipsDialog;
 
 namespace crowd::app {
 
+/// Which of several files that came together one is, from 1.
+struct QueuePlace
+{
+    int number = 1;
+    int count = 1;
+};
+
 /// Brings templates and stages into the document: import with its dialog, files dropped on the
 /// window, assets that have moved. Every change is one undo step. Main thread only.
 class AssetController : public QObject
@@ -36,8 +43,9 @@ public:
     void addFromLibrary(); ///< asks which of the built-in cast
     void importStage();    ///< asks for a file
     /// A file from the artist's hands (dropped, or named on the command line): asks whether it is
-    /// to be a template or the stage when `asks`, otherwise takes what it looks like.
-    void bring(const QString& path, bool asks);
+    /// to be a template or the stage when `asks`, otherwise takes what it looks like. Of several,
+    /// the answer to one may be meant for the rest.
+    void bring(const QString& path, bool asks, QueuePlace place = {});
     void removeTemplate(model::TemplateId id); ///< refuses, saying so, while people use it
     void editClips(model::TemplateId id);      ///< asks for roles and speeds of its clips
     void locateTemplate(model::TemplateId id); ///< asks where a missing file is now
@@ -66,7 +74,11 @@ Q_SIGNALS:
     void stageAdded(std::uint8_t id);
 
 private:
-    void proposeTemplate(const QString& path);
+    void proposeTemplate(const QString& path, QueuePlace place);
+    void showProposal(const QString& path, const model::TemplatePtr& asset, QueuePlace place);
+    /// Template or stage? Nothing: neither.
+    [[nodiscard]] std::optional<bool> askIsStage(const QString& path, bool looksLikeStage,
+                                                 QueuePlace place);
     void goOn(); ///< with what waits, once nothing runs
     void addEntries(std::vector<model::TemplateEntry> entries);
     void showClips(model::TemplateId id, const model::TemplatePtr& asset);
@@ -84,7 +96,10 @@ private:
     BackgroundTask m_task;
     QPointer<QDialog> m_dialog;             ///< open now
     QStringList m_waiting;                  ///< to be proposed after it
+    int m_proposed = 0;                     ///< of those that wait together
     std::vector<model::TemplateId> m_batch; ///< imported with it so far
+    std::optional<bool> m_restIsStage;      ///< what the rest of the files are to be
+    bool m_takesProposals = false;          ///< the rest of the templates come as proposed
 };
 
 } // namespace crowd::app

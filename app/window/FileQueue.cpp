@@ -82,6 +82,7 @@ void FileQueue::drop(const QStringList& files)
 
 void FileQueue::add(const QStringList& models, bool asks)
 {
+    m_brought = m_models.empty() ? 0 : m_brought;
     for (const QString& model : models) {
         m_models.push_back({model, asks});
     }
@@ -101,9 +102,10 @@ void FileQueue::next()
         m_timer.stop();
         return;
     }
+    const int all = m_brought + static_cast<int>(m_models.size());
     const Model model = m_models.front();
     m_models.pop_front();
-    m_assets.bring(model.path, model.asks);
+    m_assets.bring(model.path, model.asks, {++m_brought, all});
 }
 
 } // namespace crowd::app

@@ -41,7 +41,8 @@ private:
     FileController& m_files;
     AssetController& m_assets;
     std::deque<Model> m_models;
-    QTimer m_timer; ///< looks whether the window is free for the next
+    int m_brought = 0; ///< of those that came together
+    QTimer m_timer;    ///< looks whether the window is free for the next
 };
 
 } // namespace crowd::app

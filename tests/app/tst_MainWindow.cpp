@@ -14,12 +14,17 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStatusBar>
+#include <QtWidgets/QTableWidget>
 #include <QtWidgets/QToolBar>
 
 #include "app/window/MainWindow.h"
@@ -69,6 +74,8 @@ private Q_SLOTS:
     void keysThatAreNoShortcutsYetStillAct();
     void severalDroppedFilesComeOneAfterTheOther();
     void severalImportedFilesAreOneMix();
+    void severalDroppedFilesNeedOneAnswer();
+    void changedClipsAreOneUndoStep();
     void libraryAddsWhomTheArtistChooses();
     void shownTagsAreRemembered();
     void unsupportedFileIsRefusedAtOnce();
@@ -342,6 +349,96 @@ void MainWindowTest::severalImportedFilesAreOneMix()
     QCOMPARE(m_window->state().brush(model::BrushKind::Create).create.mix.size(), std::size_t{2});
 }
 
+void MainWindowTest::severalDroppedFilesNeedOneAnswer()
+{
+    openScene(plainScene(4), QStringLiteral("a.crowd"));
+    QSignalSpy added(&m_window->assets(), &app::AssetController::templateAdded);
+    QStringList titles;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&titles] {
+        QDialog* dialog = openDialog();
+        if (dialog == nullptr) {
+            return;
+        }
+        titles << dialog->windowTitle();
+        if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+            box->checkBox()->setChecked(true);
+            pressing(QStringLiteral("Template"))(*box);
+        } else {
+            dialog->findChild<QPushButton*>(QStringLiteral("importAll"))->click();
+        }
+    });
+    answering.start(50);
+    m_window->queue().drop({QStringLiteral(CROWD_RESOURCES "/templates/woman.glb"),
+                            QStringLiteral(CROWD_RESOURCES "/templates/beetle.glb"),
+                            QStringLiteral(CROWD_RESOURCES "/templates/dog.glb")});
+    QTRY_COMPARE_WITH_TIMEOUT(added.count(), 3, 3 * kPatienceMs);
+    QCOMPARE(titles, (QStringList{QStringLiteral("Import woman.glb (1 of 3)"),
+                                  QStringLiteral("Import woman.glb (1 of 3)")}));
+    QCOMPARE(document().scene().templates.size(), std::size_t{4});
+    answering.stop();
+    // Those that come later are asked about again.
+    const DialogAnswer answer([](QDialog& dialog) { dialog.reject(); });
+    m_window->queue().drop({QStringLiteral(CROWD_RESOURCES "/templates/horse.glb")});
+    QTRY_VERIFY(answer.hasAnswered());
+    QCOMPARE(answer.title(), QStringLiteral("Import horse.glb"));
+}
+
+void MainWindowTest::changedClipsAreOneUndoStep()
+{
+    openScene(plainScene(4), QStringLiteral("a.crowd"));
+    const auto entry = [this]() -> const model::TemplateEntry& {
+        return document().scene().templates.front();
+    };
+    const auto roleOf = [&entry](std::size_t clip) {
+        const auto& chosen = entry().clipRoles;
+        return clip < chosen.size() && chosen[clip] ? *chosen[clip]
+                                                    : entry().asset->clips[clip].role;
+    };
+    const auto lastClip = entry().asset->clips.size() - 1;
+    const model::ClipRole before = roleOf(lastClip);
+    const auto chosen =
+        before == model::ClipRole::Fly ? model::ClipRole::Run : model::ClipRole::Fly;
+    const DialogAnswer answer([&](QDialog& dialog) {
+        auto* clips = dialog.findChild<QTableWidget*>();
+        const int row = static_cast<int>(lastClip);
+        auto* role = qobject_cast<QComboBox*>(clips->cellWidget(row, 3));
+        role->setCurrentIndex(role->findData(static_cast<int>(chosen)));
+        qobject_cast<QDoubleSpinBox*>(clips->cellWidget(row, 2))->setValue(2.5);
+        dialog.accept();
+    });
+    QUndoStack& history = document().undoStack();
+    const int steps = history.count();
+    m_window->assets().editClips(entry().id);
+    QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered() && history.count() > steps, 3 * kPatienceMs);
+    QCOMPARE(history.count(), steps + 1);
+    QCOMPARE(roleOf(lastClip), chosen);
+    QCOMPARE(entry().asset->clips[lastClip].speed, 2.5F);
+    history.undo();
+    QCOMPARE(roleOf(lastClip), before);
+    QVERIFY(entry().clipRoles.empty());
+    QVERIFY(entry().clipSpeeds.empty());
+    QVERIFY(!document().isModified());
+    history.redo();
+    QCOMPARE(roleOf(lastClip), chosen);
+    QCOMPARE(document().scene().population.size(), std::size_t{4});
+    // What was chosen is there again, and going back to what the file says is a choice too.
+    const DialogAnswer back([&](QDialog& dialog) {
+        auto* clips = dialog.findChild<QTableWidget*>();
+        auto* role = qobject_cast<QComboBox*>(clips->cellWidget(static_cast<int>(lastClip), 3));
+        QCOMPARE(role->currentData().toInt(), static_cast<int>(chosen));
+        role->setCurrentIndex(role->findData(static_cast<int>(before)));
+        dialog.accept();
+    });
+    m_window->assets().editClips(entry().id);
+    QTRY_VERIFY_WITH_TIMEOUT(back.hasAnswered() && history.count() > steps + 1, 3 * kPatienceMs);
+    QCOMPARE(roleOf(lastClip), before);
+    QCOMPARE(entry().asset->clips[lastClip].speed, 2.5F);
+    history.undo();
+    QCOMPARE(roleOf(lastClip), chosen);
+    document().undoStack().setClean(); // nothing to ask about
+}
+
 void MainWindowTest::libraryAddsWhomTheArtistChooses()
 {
     openScene(plainScene(4), QStringLiteral("a.crowd"));
@@ -585,7 +682,7 @@ void MainWindowTest::controlSpacePlaysOverThePicture()
     const bool wasPlaying = transport.isPlaying();
     QTest::keyClick(m_window->windowHandle(), Qt::Key_Space, Qt::ControlModifier);
     QCOMPARE(transport.isPlaying(), !wasPlaying);
-    QTest::keyClick(m_window->windowHandle(), Qt::Key_Space);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Space, Qt::ControlModifier);
     QCOMPARE(transport.isPlaying(), wasPlaying);
 }
 

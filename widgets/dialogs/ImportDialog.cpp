@@ -151,13 +151,13 @@ void ImportDialog::buildLayout()
     form->addRow(tr("Root motion"), m_rootMotion);
     m_remarks->setWordWrap(true);
     m_remarks->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_import = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_import = m_buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
     m_import->setDefault(true);
-    QPushButton* proposal = buttons->addButton(tr("As &Proposed"), QDialogButtonBox::ResetRole);
+    QPushButton* proposal = m_buttons->addButton(tr("As &Proposed"), QDialogButtonBox::ResetRole);
     connect(proposal, &QPushButton::clicked, this, &ImportDialog::propose);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* right = new QVBoxLayout;
     right->addLayout(form);
     right->addWidget(m_remarks);
@@ -167,8 +167,21 @@ void ImportDialog::buildLayout()
     columns->addLayout(right, 1);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(columns, 1);
-    layout->addWidget(buttons);
+    layout->addWidget(m_buttons);
     resize(960, 560);
+}
+
+void ImportDialog::offerRest(int count)
+{
+    m_importAll = m_buttons->addButton(tr("Import &All"), QDialogButtonBox::ActionRole);
+    m_importAll->setObjectName(QStringLiteral("importAll"));
+    m_importAll->setAutoDefault(false);
+    m_importAll->setToolTip(
+        tr("This one as it is here, and the %n other file(s) as proposed", nullptr, count));
+    connect(m_importAll, &QPushButton::clicked, this, [this] {
+        m_isForRest = true;
+        accept();
+    });
 }
 
 QString ImportDialog::remarks() const
@@ -267,6 +280,9 @@ void ImportDialog::take(const model::Result<model::TemplatePtr>& asset,
 {
     stopWorker();
     m_import->setEnabled(asset.isOk());
+    if (m_importAll != nullptr) {
+        m_importAll->setEnabled(asset.isOk());
+    }
     if (!asset) {
         m_remarks->setText(QString::fromStdString(asset.error().message));
         return;

@@ -16,6 +16,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QDialogButtonBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
@@ -44,6 +45,10 @@ public:
     [[nodiscard]] std::vector<float> clipSpeeds() const;
     /// One per clip, nothing where the proposed role stands; empty when none was chosen.
     [[nodiscard]] std::vector<std::optional<model::ClipRole>> clipRoles() const;
+    /// More files are to come after this one: a button takes them all as they are proposed.
+    void offerRest(int count);
+    /// It was pressed.
+    [[nodiscard]] bool isForRest() const { return m_isForRest; }
     /// The preview shows the present settings.
     [[nodiscard]] bool isSettled() const { return !m_worker.joinable() && !m_refresh.isActive(); }
 
@@ -78,6 +83,9 @@ private:
     QLabel* m_remarks;
     ClipTable* m_clips;
     QPushButton* m_import = nullptr;
+    QPushButton* m_importAll = nullptr; ///< where more files are to come
+    QDialogButtonBox* m_buttons = nullptr;
+    bool m_isForRest = false;
 };
 
 } // namespace crowd::widgets
