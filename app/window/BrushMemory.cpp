@@ -190,6 +190,7 @@ void describe(Archive& archive, Settings& brush)
     case model::BrushKind::Colour:
         archive.list("colours", brush.colour.colors);
         archive.number("strength", brush.colour.strength, 0.0F, 1.0F);
+        archive.flag("replaces", brush.colour.replaces);
         archive.flag("blends", brush.colour.blends);
         archive.flag("eachSlotApart", brush.colour.eachSlotApart);
         break;
@@ -223,6 +224,7 @@ void describe(Archive& archive, Settings& brush)
         archive.number("placeRadius", brush.place.radiusMetres, 0.1F, 50.0F);
         archive.choice("pathKind", brush.place.kind, model::PathKind::Teleport);
         archive.choice("role", brush.place.role, model::PlaceRole::Preferred);
+        archive.flag("anywhere", brush.place.anywhere);
         break;
     case model::BrushKind::Tag:
     case model::BrushKind::Untag:
