@@ -6,7 +6,6 @@
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QMimeData>
-#include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QShortcut>
@@ -26,6 +25,7 @@
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
 #include "app/window/StepMenu.h"
+#include "app/window/ViewMemory.h"
 #include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
 #include "widgets/dialogs/WelcomePage.h"
@@ -40,7 +40,6 @@ namespace {
 constexpr int kToolIconSize = 22;
 constexpr int kLeftWidth = 280;
 constexpr int kConsoleHeight = 170;
-const QString kShowTagsKey = QStringLiteral("view/showTags");
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -87,6 +86,7 @@ MainWindow::MainWindow()
     arrangeDocks();
     m_layout.restore();
     applyPreferences(Preferences::load());
+    rememberView(m_state);
     refreshActions();
     refreshTitle();
     WelcomeHint::showOnce(m_viewport, m_document);
@@ -250,10 +250,6 @@ void MainWindow::connectParts()
     connect(&m_state, &widgets::EditorState::toolChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::brushChanged, this, refresh);
     connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
-    connect(&m_state, &widgets::EditorState::viewOptionsChanged, this,
-            [](const widgets::ViewOptions& options) {
-                QSettings().setValue(kShowTagsKey, options.showTags);
-            });
     connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
     connect(&m_state.paths(), &widgets::PathFocus::changed, this, refresh);
     connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, refresh);
@@ -391,7 +387,6 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     m_state.keyframes().setBudget(static_cast<std::size_t>(preferences.keyframeMegabytes) << 20U);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
-    options.showTags = QSettings().value(kShowTagsKey, options.showTags).toBool();
     m_state.setViewOptions(options);
     m_viewport->update(); // a larger budget lets more people move
 }

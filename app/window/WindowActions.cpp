@@ -9,6 +9,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "app/window/ViewMemory.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/tools/PlaceHandles.h"
@@ -256,8 +257,12 @@ const WindowAction kOtherActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Set all brushes as they were in the beginning")},
      [](MainWindow& w, bool) { w.brushes().reset(); }},
     {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
-      QT_TRANSLATE_NOOP("Actions", "Put all panels back to their places")},
-     [](MainWindow& w, bool) { w.dockLayout().reset(); }},
+      QT_TRANSLATE_NOOP("Actions", "Put all panels back, and show in the picture "
+                                   "what was shown at first")},
+     [](MainWindow& w, bool) {
+         w.dockLayout().reset();
+         resetView(w.state());
+     }},
     {{"welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome Page"), "crowdbrush", "Ctrl+F1",
       QT_TRANSLATE_NOOP("Actions", "Ready-made scenes, new scenes, and what was open before")},
      [](MainWindow& w, bool) { w.showWelcome(); }},
