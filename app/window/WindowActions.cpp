@@ -82,7 +82,7 @@ const WindowAction kFileActions[] = {
     {{"import-template", QT_TRANSLATE_NOOP("Actions", "&Import Templates…"), "import", "Ctrl+I",
       QT_TRANSLATE_NOOP("Actions", "Bring in an animated glTF model to paint with")},
      [](MainWindow& w, bool) { w.assets().importTemplate(); }},
-    {{"import-stage", QT_TRANSLATE_NOOP("Actions", "Import Sta&ge…"), "stage", "Ctrl+Shift+I",
+    {{"import-stage", QT_TRANSLATE_NOOP("Actions", "I&mport Stage…"), "stage", "Ctrl+Shift+I",
       QT_TRANSLATE_NOOP("Actions", "Bring in a glTF model to stand on")},
      [](MainWindow& w, bool) { w.assets().importStage(); }},
     {{"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", "Ctrl+Q",
@@ -171,7 +171,7 @@ const WindowAction kViewActions[] = {
          options.showGroundGrid = on;
          w.state().setViewOptions(options);
      }},
-    {{"shadows", QT_TRANSLATE_NOOP("Actions", "S&hadows"), "shadows", "Ctrl+H",
+    {{"shadows", QT_TRANSLATE_NOOP("Actions", "Sha&dows"), "shadows", "Ctrl+H",
       QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
@@ -250,10 +250,10 @@ const WindowAction kOtherActions[] = {
     {{"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Larger Brush"), "larger", "]",
       QT_TRANSLATE_NOOP("Actions", "Make the brush larger")},
      [](MainWindow& w, bool) { resizeBrush(w.state(), 1.0); }},
-    {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "&Smaller Brush"), "smaller", "[",
+    {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "S&maller Brush"), "smaller", "[",
       QT_TRANSLATE_NOOP("Actions", "Make the brush smaller")},
      [](MainWindow& w, bool) { resizeBrush(w.state(), -1.0); }},
-    {{"brush-reset", QT_TRANSLATE_NOOP("Actions", "Rese&t Brushes"), "reset", "Ctrl+Alt+B",
+    {{"brush-reset", QT_TRANSLATE_NOOP("Actions", "Reset &Brushes"), "reset", "Ctrl+Alt+B",
       QT_TRANSLATE_NOOP("Actions", "Set all brushes as they were in the beginning")},
      [](MainWindow& w, bool) { w.brushes().reset(); }},
     {{"reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset Layout"), "reset", "Ctrl+Shift+R",
@@ -338,8 +338,8 @@ constexpr Submenu kSubmenus[] = {
     {"@recent", QT_TRANSLATE_NOOP("Menus", "Open &Recent")},
     {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
     {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
-    {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View &as Camera")},
-    {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "Make &Path of Places")},
+    {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera")},
+    {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places")},
     {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 
@@ -410,7 +410,7 @@ void addTools(MainWindow& window)
         QT_TRANSLATE_NOOP("Actions", "&Event"),
         QT_TRANSLATE_NOOP("Actions", "&Tag"),
         QT_TRANSLATE_NOOP("Actions", "&Untag"),
-        QT_TRANSLATE_NOOP("Actions", "Scri&pt"),
+        QT_TRANSLATE_NOOP("Actions", "Scr&ipt"),
     };
     std::size_t i = 0;
     for (const widgets::ToolInfo& info : widgets::toolTable()) {
