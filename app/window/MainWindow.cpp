@@ -40,6 +40,7 @@ namespace {
 constexpr int kToolIconSize = 22;
 constexpr int kLeftWidth = 280;
 constexpr int kConsoleHeight = 170;
+constexpr int kTwoRowsHeight = 320; ///< of templates, with tabs, title and weight
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -376,7 +377,7 @@ void MainWindow::arrangeDocks()
     const auto& docks = m_layout.docks();
     resizeDocks({docks[1]}, {kLeftWidth}, Qt::Horizontal);
     resizeDocks({docks[0], docks[1]}, {130, 500}, Qt::Vertical);
-    resizeDocks({docks[2], docks[3], docks[4]}, {160, 235, 380}, Qt::Vertical);
+    resizeDocks({docks[2], docks[3], docks[4]}, {kTwoRowsHeight, 235, 300}, Qt::Vertical);
     resizeDocks({m_console}, {kConsoleHeight}, Qt::Vertical);
 }
 
