@@ -428,6 +428,8 @@ void MainWindow::showWelcome()
     connect(page, &widgets::WelcomePage::newTheatreChosen, &m_files, &FileController::newTheatre);
     connect(page, &widgets::WelcomePage::newGroundChosen, &m_files, &FileController::newGround);
     connect(page, &widgets::WelcomePage::openChosen, &m_files, &FileController::open);
+    connect(page, &widgets::WelcomePage::libraryChosen, &m_assets,
+            &AssetController::addFromLibrary);
     connect(page, &widgets::WelcomePage::sceneChosen, &m_files, &FileController::openPath);
     connect(page, &widgets::WelcomePage::showAtStartChanged, this, [](bool isShown) {
         Preferences changed = Preferences::load();

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void keyboardReachesEveryChoice();
     void escapeLeavesAnEmptyTheatre();
     void newGroundAndRecentScenes();
+    void libraryIsOneClickAway();
     void staysAwayWhenItIsNotWanted();
     void filesComeWithoutIt();
     void menuBringsItBackOnce();
@@ -91,7 +92,7 @@ void WelcomeTest::keyboardReachesEveryChoice()
         QTest::keyClick(page(), Qt::Key_Tab);
     }
     for (const char* name : {"theatre", "city", "stadium", "meadow", "newTheatre", "newGround",
-                             "open", "showAtStart"}) {
+                             "open", "library", "showAtStart"}) {
         QVERIFY2(seen.contains(QLatin1String(name)), name);
     }
     auto* meadow = page()->findChild<QToolButton*>(QStringLiteral("meadow"));
@@ -128,6 +129,17 @@ void WelcomeTest::newGroundAndRecentScenes()
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, kPatienceMs);
     QCOMPARE(document().scene().population.size(), std::size_t{3});
     QCOMPARE(document().path(), pathOf(QStringLiteral("three & more.crowd")));
+}
+
+void WelcomeTest::libraryIsOneClickAway()
+{
+    startAndWait();
+    const DialogAnswer answer([](QDialog& dialog) { dialog.reject(); });
+    page()->findChild<QPushButton*>(QStringLiteral("library"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), 3 * kPatienceMs);
+    QVERIFY2(answer.title().contains(QStringLiteral("Library"), Qt::CaseInsensitive),
+             qPrintable(answer.title()));
+    QVERIFY(page() == nullptr);
 }
 
 void WelcomeTest::staysAwayWhenItIsNotWanted()

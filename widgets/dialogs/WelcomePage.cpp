@@ -157,7 +157,11 @@ QBoxLayout* WelcomePage::makeStarts(const QStringList& recent)
     connect(ground, &QPushButton::clicked, this,
             [this] { closeThen(&WelcomePage::newGroundChosen); });
     connect(open, &QPushButton::clicked, this, [this] { closeThen(&WelcomePage::openChosen); });
-    for (QPushButton* button : {theatre, ground, open}) {
+    QPushButton* library = makeStart("add", tr("Characters from the &Library…"), "library");
+    library->setToolTip(tr("Choose whom to paint with in the scene behind this page"));
+    connect(library, &QPushButton::clicked, this,
+            [this] { closeThen(&WelcomePage::libraryChosen); });
+    for (QPushButton* button : {theatre, ground, open, library}) {
         layout->addWidget(button);
     }
     layout->addSpacing(10);

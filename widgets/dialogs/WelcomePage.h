@@ -31,6 +31,7 @@ Q_SIGNALS:
     void newTheatreChosen();
     void newGroundChosen();
     void openChosen();
+    void libraryChosen();
     void sceneChosen(const QString& path);
     void showAtStartChanged(bool isShown);
 
