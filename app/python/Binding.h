@@ -22,6 +22,8 @@ namespace crowd::app {
 namespace py = pybind11;
 
 class ScriptSession;
+struct ScriptBrush;
+struct ScriptCreateSettings;
 
 /// crowdbrush.Error, with the message the editor would show.
 class ScriptError : public std::runtime_error
@@ -132,13 +134,13 @@ inline constexpr bool kIsBound<model::Lighting> = true;
 template<>
 inline constexpr bool kIsBound<model::StrokeOutcome> = true;
 template<>
-inline constexpr bool kIsBound<model::BrushSettings> = true;
+inline constexpr bool kIsBound<ScriptBrush> = true;
 template<>
 inline constexpr bool kIsBound<model::HeadingSettings> = true;
 template<>
 inline constexpr bool kIsBound<model::SeatGridSettings> = true;
 template<>
-inline constexpr bool kIsBound<model::CreateSettings> = true;
+inline constexpr bool kIsBound<ScriptCreateSettings> = true;
 template<>
 inline constexpr bool kIsBound<model::DeleteSettings> = true;
 template<>

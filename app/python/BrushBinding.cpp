@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include <pybind11/operators.h>
-
 #include "app/python/Binding.h"
-#include "model/brush/BrushSettings.h"
+#include "app/python/ScriptBrush.h"
 #include "model/scene/NearestPath.h"
 
 namespace crowd::app {
@@ -15,19 +13,29 @@ namespace {
 
 using Range = std::pair<float, float>;
 
-/// A range as the pair that scripts see.
-template<class Owner>
-auto rangeGetter(ValueRange Owner::*member)
+/// A range as the pair that scripts see. Owner: the bound class, where it is not the member's.
+template<class Owner, class Base>
+auto rangeGetter(ValueRange Base::*member)
 {
     return
         [member](const Owner& owner) { return Range((owner.*member).low, (owner.*member).high); };
 }
-template<class Owner>
-auto rangeSetter(ValueRange Owner::*member)
+template<class Owner, class Base>
+auto rangeSetter(ValueRange Base::*member)
 {
     return [member](Owner& owner, const Range& range) {
         owner.*member = {range.first, range.second};
     };
+}
+template<class Owner>
+auto rangeGetter(ValueRange Owner::*member)
+{
+    return rangeGetter<Owner, Owner>(member);
+}
+template<class Owner>
+auto rangeSetter(ValueRange Owner::*member)
+{
+    return rangeSetter<Owner, Owner>(member);
 }
 
 /// Weighted clips as the dict of name → weight that scripts see.
@@ -62,7 +70,7 @@ std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
     return weights;
 }
 
-py::dict mixOf(const CreateSettings& create)
+py::dict mixOf(const ScriptCreateSettings& create)
 {
     py::dict mix;
     for (const TemplateWeight& each : create.mix) {
@@ -71,15 +79,20 @@ py::dict mixOf(const CreateSettings& create)
     return mix;
 }
 
-void setMix(CreateSettings& create, const py::dict& mix)
+void setMix(ScriptCreateSettings& create, const py::dict& mix)
 {
     std::vector<TemplateWeight> weights;
+    std::vector<std::weak_ptr<ScriptScene>> owners;
     for (const auto& [key, weight] : mix) {
-        const ScenePtr owner =
-            py::isinstance<TemplateHandle>(key) ? key.cast<const TemplateHandle&>().owner : nullptr;
+        ScenePtr owner;
+        if (py::isinstance<TemplateHandle>(key)) {
+            owner = key.cast<const TemplateHandle&>().owner;
+            owners.push_back(owner);
+        }
         weights.push_back({templateIdOf(owner, key), weightFrom(weight)});
     }
     create.mix = std::move(weights);
+    create.owners = std::move(owners);
 }
 
 void bindEnums(py::module_& module)
@@ -133,13 +146,15 @@ void bindParts(py::module_& module)
         .def_readwrite("is_on", &SeatGridSettings::isOn, "Create on free seats only.")
         .def_readwrite("ranks", &SeatGridSettings::ranks, "Empty: all. Assign a whole list.")
         .def_readwrite("wedges", &SeatGridSettings::wedges, "Empty: all. Assign a whole list.");
-    py::class_<CreateSettings>(module, "CreateSettings", "Who is created, and how.")
+    py::class_<ScriptCreateSettings>(module, "CreateSettings", "Who is created, and how.")
         .def_property("mix", &mixOf, &setMix, "Template (or its id) → weight.")
         .def_readwrite("minimal_distance", &CreateSettings::minimalDistance, "Metres.")
-        .def_property("height", rangeGetter(&CreateSettings::height),
-                      rangeSetter(&CreateSettings::height), "Scale, (lowest, highest).")
-        .def_property("girth", rangeGetter(&CreateSettings::girth),
-                      rangeSetter(&CreateSettings::girth), "Scale, (lowest, highest).")
+        .def_property("height", rangeGetter<ScriptCreateSettings>(&CreateSettings::height),
+                      rangeSetter<ScriptCreateSettings>(&CreateSettings::height),
+                      "Scale, (lowest, highest).")
+        .def_property("girth", rangeGetter<ScriptCreateSettings>(&CreateSettings::girth),
+                      rangeSetter<ScriptCreateSettings>(&CreateSettings::girth),
+                      "Scale, (lowest, highest).")
         .def_readwrite("palette", &CreateSettings::palette,
                        "List of (red, green, blue), 0–255. Assign a whole list.")
         .def_readwrite("palette_strength", &CreateSettings::paletteStrength, "0–1.")
@@ -149,11 +164,11 @@ void bindParts(py::module_& module)
                        "Any skin, hair and face; None: as varies_outfit.")
         .def_readwrite("varies_parts", &CreateSettings::variesParts,
                        "Each part worn or not, else as the template has them.")
-        .def_property("phase", rangeGetter(&CreateSettings::phase),
-                      rangeSetter(&CreateSettings::phase))
+        .def_property("phase", rangeGetter<ScriptCreateSettings>(&CreateSettings::phase),
+                      rangeSetter<ScriptCreateSettings>(&CreateSettings::phase))
         .def_property(
-            "clips", [](const CreateSettings& owner) { return clipsAsDict(owner.clips); },
-            [](CreateSettings& owner, const py::dict& clips) {
+            "clips", [](const ScriptCreateSettings& owner) { return clipsAsDict(owner.clips); },
+            [](ScriptCreateSettings& owner, const py::dict& clips) {
                 owner.clips = clipsFromDict(clips);
             },
             "Name → weight; empty: what suits the place.")
@@ -220,11 +235,11 @@ void bindWalk(py::module_& module)
                       rangeSetter(&StyleSettings::speed), "m/s, (lowest, highest).");
 }
 
-BrushSettings brushOf(BrushKind kind)
+ScriptBrush brushOf(BrushKind kind)
 {
-    BrushSettings settings;
-    settings.kind = kind;
-    return settings;
+    ScriptBrush brush;
+    brush.kind = kind;
+    return brush;
 }
 
 } // namespace
@@ -235,12 +250,15 @@ void bindBrushes(py::module_& module)
     bindParts(module);
     bindChanges(module);
     bindWalk(module);
-    py::class_<BrushSettings>(module, "Brush", "A brush with the editor's own settings.")
+    py::class_<ScriptBrush>(module, "Brush", "A brush with the editor's own settings.")
         .def(py::init(&brushOf), py::arg("kind"))
         .def(
-            "copy", [](const BrushSettings& brush) { return BrushSettings(brush); },
+            "copy", [](const ScriptBrush& brush) { return ScriptBrush(brush); },
             "Another one, set the same.")
-        .def(py::self == py::self)
+        .def(
+            "__eq__",
+            [](const ScriptBrush& a, const ScriptBrush& b) { return a.settings() == b.settings(); },
+            py::is_operator())
         .def_readwrite("kind", &BrushSettings::kind)
         .def_readwrite("selection", &BrushSettings::selection)
         .def_readwrite("operator", &BrushSettings::op)
@@ -252,12 +270,12 @@ void bindBrushes(py::module_& module)
         .def_readwrite("pressure_size", &BrushSettings::pressureSize)
         .def_readwrite("pressure_rate", &BrushSettings::pressureRate)
         .def_property(
-            "distribution", [](const BrushSettings& b) { return b.distribution.weights; },
-            [](BrushSettings& b, const std::array<float, 16>& weights) {
+            "distribution", [](const ScriptBrush& b) { return b.distribution.weights; },
+            [](ScriptBrush& b, const std::array<float, 16>& weights) {
                 b.distribution.weights = weights;
             },
             "16 weights over the range, for the random operator.")
-        .def_readwrite("create", &BrushSettings::create)
+        .def_readwrite("create", &ScriptBrush::creation)
         .def_readwrite("removal", &BrushSettings::removal)
         .def_readwrite("colour", &BrushSettings::colour)
         .def_readwrite("orientation", &BrushSettings::orientation)
@@ -265,8 +283,8 @@ void bindBrushes(py::module_& module)
         .def_readwrite("walk", &BrushSettings::walk)
         .def_readwrite("style", &BrushSettings::style)
         .def_property(
-            "tag", [](const BrushSettings& b) { return b.tag.tag; },
-            [](BrushSettings& b, std::uint8_t tag) { b.tag.tag = tag; },
+            "tag", [](const ScriptBrush& b) { return b.tag.tag; },
+            [](ScriptBrush& b, std::uint8_t tag) { b.tag.tag = tag; },
             "Of the tag brushes: the bit, 0–63.");
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
+#include "app/python/ScriptBrush.h"
 
 namespace crowd::app {
 
@@ -50,18 +52,24 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
 }
 
 /// The editor's own brush as it is; one that a script brings along with the area that it asks for.
-BrushSettings settingsOf(const py::object& brush)
+BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 {
-    if (py::isinstance<BrushSettings>(brush)) {
-        const auto settings = brush.cast<BrushSettings>();
-        if (settings.kind == BrushKind::Script) {
+    if (py::isinstance<ScriptBrush>(brush)) {
+        const auto& given = brush.cast<const ScriptBrush&>();
+        if (given.kind == BrushKind::Script) {
             throw ScriptError("Give the brush itself, the object with apply(selection).");
         }
-        return settings;
+        const auto& owners = given.creation.owners;
+        if (given.kind == BrushKind::Create &&
+            std::ranges::any_of(owners, [&](const auto& each) { return each.lock() != scene; })) {
+            throw ScriptError("brush.create.mix holds a template of another scene: take those of "
+                              "scene.templates, or add it here with add_template.");
+        }
+        return given.settings();
     }
     const py::module_ module = py::module_::import("crowdbrush");
     module.attr("_check")(brush);
-    auto settings = module.attr("_area_of")(brush).cast<BrushSettings>();
+    BrushSettings settings = module.attr("_area_of")(brush).cast<const ScriptBrush&>().settings();
     settings.script.brush = module.attr("_known_name")(brush).cast<std::string>();
     return settings;
 }
@@ -78,7 +86,7 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
         throw ScriptError("time must be a finite number of seconds.");
     }
     ScriptStroke request;
-    request.settings = settingsOf(brush);
+    request.settings = settingsOf(scene, brush);
     request.inputs = inputsFrom(points, time);
     request.camera = cameraOf(*scene, camera);
     request.viewSize = {size.first, size.second};

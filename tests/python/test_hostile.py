@@ -284,6 +284,14 @@ class Hostile(unittest.TestCase):
         self.assertIn("another scene", self.said(lambda: other.change([1], template=man)))
         self.assertIn("another scene", self.said(lambda: other.change_template(man, name="x")))
         self.assertIn("another scene", self.said(lambda: other.remove_template(man)))
+        other.set_camera("Here", crowdbrush.Camera((0, 5, 20), (0, 0, 0)))
+        brush = Brush(BrushKind.CREATE)
+        brush.create.mix = {man: 1.0}
+        self.assertIn("another scene", self.said(lambda: other.stroke(brush, [(640, 360)])))
+        self.assertIn("another scene", self.said(lambda: other.stroke(brush.copy(), [(640, 360)])))
+        scene.stroke(brush, [(640, 360)])
+        brush.create.mix = {man.id: 1.0}  # a number is a number
+        other.stroke(brush, [(640, 360)])
         self.assertIn("another scene", self.said(lambda: scene.change_stage(stage, scale=2)))
         self.assertIn("another scene", self.said(lambda: scene.remove_stage(stage)))
 
