@@ -95,7 +95,7 @@ py::array copied(const py::dtype& type, std::vector<py::ssize_t> extents,
                  std::span<const std::byte> bytes)
 {
     py::array array(type, std::move(extents));
-    std::memcpy(array.mutable_data(), bytes.data(), bytes.size());
+    std::ranges::copy(bytes, static_cast<std::byte*>(array.mutable_data()));
     return array;
 }
 
@@ -186,7 +186,7 @@ std::uint16_t clipNamed(const TemplateEntry& entry, const std::string& name)
 std::vector<TemplateId> templatesIn(const ColumnValues& values)
 {
     std::vector<TemplateId> ids(values.bytes.size() / sizeof(TemplateId));
-    std::memcpy(ids.data(), values.bytes.data(), values.bytes.size());
+    std::ranges::copy(values.bytes, std::as_writable_bytes(std::span(ids)).begin());
     return ids;
 }
 
