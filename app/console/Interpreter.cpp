@@ -168,6 +168,11 @@ Interpreter::Interpreter(widgets::EditorState& state, QObject* parent)
     : QObject(parent), m_state(state)
 {
     connect(this, &Interpreter::brushRegistered, &state, &widgets::EditorState::putScriptBrush);
+    connect(&state.document(), &model::SceneDocument::changed, this, [this](const auto& change) {
+        if (std::holds_alternative<model::SceneReplaced>(change)) {
+            m_stage.setStages({}); // the old scene's memory is wanted back
+        }
+    });
     qRegisterMetaType<crowd::app::ScriptOutcome>();
 }
 

@@ -42,6 +42,7 @@ struct SessionPlayer::Run
 
     void serve(const std::stop_token& token);
     void publish(double stepMs);
+    void release();
 };
 
 void SessionPlayer::Run::serve(const std::stop_token& token)
@@ -76,6 +77,15 @@ void SessionPlayer::Run::serve(const std::stop_token& token)
             published();
         }
     }
+}
+
+/// Whoever ended it may not ask again for long: it holds the scene's characters and stages.
+void SessionPlayer::Run::release()
+{
+    session.reset();
+    const std::scoped_lock lock(mutex);
+    orders.clear();
+    poses.clear();
 }
 
 void SessionPlayer::Run::publish(double stepMs)
@@ -122,6 +132,7 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     run.tally = run.session->tally();
     run.thread = std::jthread([&run](const std::stop_token& token) {
         run.serve(token);
+        run.release();
         run.isOver = true;
     });
 }

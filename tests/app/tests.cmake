@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_Interruptions
     tst_MainWindow
+    tst_MemoryRelease
     tst_Panels
     tst_SceneFiles
     tst_StepMenu

@@ -65,7 +65,6 @@ private Q_SLOTS:
 
     void savesAndReopensIdentically();
     void asksBeforeClosing();
-    void anotherSceneReleasesTheOneBefore();
     void unreadableFileLeavesTheSceneAlone();
     void missingAssetsAreNamed();
     void locatesMissingAssetsAndTheirNeighbours();
@@ -133,44 +132,6 @@ void SceneFilesTest::asksBeforeClosing()
     const auto saved = model::readProject(pathOf(QStringLiteral("a.crowd")));
     QVERIFY(saved.isOk());
     QCOMPARE(saved.value().population.column(model::columns::position)[0].x, 3.0F);
-}
-
-/// What it was drawn, picked and simulated from is held by many.
-void SceneFilesTest::anotherSceneReleasesTheOneBefore()
-{
-    model::Scene scene = plainScene(3);
-    scene.places = {{1, "near", {0.0F, 0.0F, 3.0F}, 0.5F}, {2, "far", {0.0F, 0.0F, 9.0F}, 0.5F}};
-    scene.paths = {{1, "away", model::PathKind::Simple, {1, 2}}};
-    const auto present = scene.population.ids();
-    const std::vector<model::IndividualId> ids(present.begin(), present.end());
-    const std::vector<model::PathId> walks(ids.size(), 1);
-    scene.population.setValues<model::PathId>(model::columns::path, ids, walks);
-    model::StageEntry stage;
-    stage.id = 1;
-    stage.name = "theatre";
-    stage.path = "builtin:stages/theatre.glb";
-    scene.stages.push_back(stage);
-    openScene(scene, QStringLiteral("a.crowd"));
-    model::KeyframeStore& keyframes = m_window->state().keyframes();
-    m_window->state().transport().setPlaying(true);
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->state().session().isRunning(), 4 * kPatienceMs);
-    model::TemplatePtr asset = document().scene().templates.front().asset;
-    const int idle = asset->clipIndex("idle");
-    QTRY_VERIFY_WITH_TIMEOUT(keyframes.clip(asset, idle).isComplete, 4 * kPatienceMs);
-    m_window->state().setTool(widgets::ToolId::Select);
-    QTest::mouseMove(&m_window->viewport(), m_window->viewport().rect().center());
-    QTest::mouseClick(&m_window->viewport(), Qt::LeftButton);
-    QTest::qWait(500); // pictures
-    const std::weak_ptr<const model::Template> oldTemplate = asset;
-    const std::weak_ptr<const model::StageAsset> oldStage = document().scene().stages.front().asset;
-    const std::weak_ptr<const model::BakedClip> oldClip = keyframes.clip(asset, idle).clip;
-    asset.reset();
-    model::Scene other = plainScene(1);
-    other.templates.front().path = "builtin:templates/woman.glb";
-    openScene(other, QStringLiteral("b.crowd"));
-    QTRY_VERIFY_WITH_TIMEOUT(oldStage.expired(), 2 * kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(oldClip.expired(), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(oldTemplate.expired(), kPatienceMs);
 }
 
 void SceneFilesTest::unreadableFileLeavesTheSceneAlone()
