@@ -137,6 +137,10 @@ void tst_Pictures::looksAsBefore_data()
     const QString theatre = QStringLiteral("/scenes/theatre.crowd");
     QTest::newRow("theatre_audience") << theatre << QStringLiteral("Audience") << lit;
     QTest::newRow("theatre_close") << theatre << QStringLiteral("Close") << lit;
+    for (const char* name : {"city", "meadow", "stadium"}) {
+        QTest::newRow(name) << QStringLiteral("/scenes/%1.crowd").arg(QLatin1String(name))
+                            << QString() << lit;
+    }
     QTest::newRow("stage_alone") << QStringLiteral("/stages/theatre.glb") << QString() << lit;
     QTest::newRow("man") << QStringLiteral("/templates/man.glb") << QString() << lit;
     QTest::newRow("box_people") << QString() << QString() << lit;
