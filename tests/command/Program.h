@@ -26,6 +26,8 @@ inline QProcessEnvironment withoutDisplay()
     return environment;
 }
 
+inline constexpr int kPatienceMs = 200'000; ///< under the sanitizers, on a busy machine
+
 /// `inProgram` is run in the new process, before the program.
 inline Outcome run(const QStringList& arguments, const std::function<void()>& inProgram = {})
 {
@@ -35,7 +37,7 @@ inline Outcome run(const QStringList& arguments, const std::function<void()>& in
         program.setChildProcessModifier(inProgram);
     }
     program.start(QStringLiteral(CROWD_PROGRAM), arguments);
-    if (!program.waitForFinished(60'000) || program.exitStatus() != QProcess::NormalExit) {
+    if (!program.waitForFinished(kPatienceMs) || program.exitStatus() != QProcess::NormalExit) {
         return {};
     }
     return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};

@@ -208,7 +208,12 @@ void RenderCommandTest::aFrameIsTheSameFromAnyRangeAndThreads_data()
 {
     QTest::addColumn<QString>("scene"); ///< empty: walkers
     QTest::newRow("people who begin to walk") << QString();
-    for (const char* name : {"theatre", "city", "meadow", "stadium"}) {
+#ifdef __SANITIZE_ADDRESS__ // which finds nothing more in larger ones
+    const auto names = {"meadow"};
+#else
+    const auto names = {"theatre", "city", "meadow", "stadium"};
+#endif
+    for (const char* name : names) {
         QTest::newRow(name) << QStringLiteral("builtin:scenes/%1.crowd").arg(QLatin1String(name));
     }
 }
