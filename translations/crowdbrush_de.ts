@@ -56,7 +56,7 @@
         <translation>Ein animiertes glTF-Modell zum Malen hereinholen</translation>
     </message>
     <message>
-        <source>Import Sta&amp;ge…</source>
+        <source>I&amp;mport Stage…</source>
         <translation>Büh&amp;ne importieren …</translation>
     </message>
     <message>
@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>Leave Crowdbrush</source>
@@ -177,18 +177,18 @@
     </message>
     <message>
         <source>Seat &amp;Grid</source>
-        <translation>Sitz&amp;raster</translation>
+        <translation>S&amp;itzraster</translation>
     </message>
     <message>
         <source>Gr&amp;ound Grid</source>
-        <translation>B&amp;odenraster</translation>
+        <translation>Bo&amp;denraster</translation>
     </message>
     <message>
         <source>Show a grid of metres on the ground</source>
         <translation>Ein Meterraster am Boden zeigen</translation>
     </message>
     <message>
-        <source>S&amp;hadows</source>
+        <source>Sha&amp;dows</source>
         <translation>Sc&amp;hatten</translation>
     </message>
     <message>
@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>F&amp;ull Screen</source>
-        <translation>Voll&amp;bild</translation>
+        <translation>Vollb&amp;ild</translation>
     </message>
     <message>
         <source>Fill the screen with the window</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation>Ab&amp;spielen</translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Play or pause</source>
@@ -221,14 +221,14 @@
     </message>
     <message>
         <source>&amp;Larger Brush</source>
-        <translation>&amp;Größerer Pinsel</translation>
+        <translation>G&amp;rößerer Pinsel</translation>
     </message>
     <message>
         <source>Make the brush larger</source>
         <translation>Den Pinsel vergrößern</translation>
     </message>
     <message>
-        <source>&amp;Smaller Brush</source>
+        <source>S&amp;maller Brush</source>
         <translation>&amp;Kleinerer Pinsel</translation>
     </message>
     <message>
@@ -238,10 +238,6 @@
     <message>
         <source>&amp;Reset Layout</source>
         <translation>Anordnung &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Put all panels back to their places</source>
-        <translation>Alle Tafeln an ihren Platz zurückstellen</translation>
     </message>
     <message>
         <source>&amp;About Crowdbrush</source>
@@ -257,7 +253,7 @@
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation>Aus&amp;wählen</translation>
+        <translation>&amp;Auswählen</translation>
     </message>
     <message>
         <source>&amp;Navigate</source>
@@ -277,11 +273,11 @@
     </message>
     <message>
         <source>O&amp;rientation</source>
-        <translation>&amp;Richtung</translation>
+        <translation>Ri&amp;chtung</translation>
     </message>
     <message>
         <source>&amp;Animation</source>
-        <translation>A&amp;nimation</translation>
+        <translation>Animati&amp;on</translation>
     </message>
     <message>
         <source>Go to Camera &amp;1</source>
@@ -409,7 +405,7 @@
     </message>
     <message>
         <source>&amp;End Path</source>
-        <translation>Weg be&amp;enden</translation>
+        <translation>Weg been&amp;den</translation>
     </message>
     <message>
         <source>End the path that is being painted</source>
@@ -493,7 +489,7 @@
     </message>
     <message>
         <source>&amp;Event</source>
-        <translation>&amp;Ereignis</translation>
+        <translation>Ereigni&amp;s</translation>
     </message>
     <message>
         <source>&amp;Tag</source>
@@ -501,7 +497,7 @@
     </message>
     <message>
         <source>&amp;Untag</source>
-        <translation>Marke &amp;nehmen</translation>
+        <translation>Marke ne&amp;hmen</translation>
     </message>
     <message>
         <source>R&amp;ecord Script</source>
@@ -516,7 +512,7 @@
         <translation>Mit einem Pinsel malen, den ein Skript mitgebracht hat</translation>
     </message>
     <message>
-        <source>Scri&amp;pt</source>
+        <source>Scr&amp;ipt</source>
         <translation>Skri&amp;pt</translation>
     </message>
     <message>
@@ -525,7 +521,7 @@
     </message>
     <message>
         <source>Walking St&amp;yle</source>
-        <translation>&amp;Gangart</translation>
+        <translation>Gangar&amp;t</translation>
     </message>
     <message>
         <source>One step, then pause</source>
@@ -568,10 +564,6 @@
         <translation>Auf den &amp;Boden stellen</translation>
     </message>
     <message>
-        <source>Put those of the selected people, or of all, who stand where nobody can walk on the nearest ground</source>
-        <translation>Ausgewählte Figuren, sonst alle, die stehen, wo niemand gehen kann, auf den nächsten Boden stellen</translation>
-    </message>
-    <message>
         <source>A path over the selected places, in order; characters stop there</source>
         <translation>Ein Weg über die gewählten Orte, der Reihe nach; Figuren bleiben am Ende stehen</translation>
     </message>
@@ -588,8 +580,8 @@
         <translation>Figuren nur auf freie Sitze setzen</translation>
     </message>
     <message>
-        <source>Rese&amp;t Brushes</source>
-        <translation>Pinsel zurücks&amp;etzen</translation>
+        <source>Reset &amp;Brushes</source>
+        <translation>Pinsel &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>Set all brushes as they were in the beginning</source>
@@ -638,6 +630,14 @@
     <message>
         <source>Take a tag off the characters under the brush</source>
         <translation>Den Figuren unter dem Pinsel eine Marke nehmen</translation>
+    </message>
+    <message>
+        <source>Put those of the selected characters, or of all, who stand where nobody can walk on the nearest ground</source>
+        <translation>Ausgewählte Figuren, sonst alle, die stehen, wo niemand gehen kann, auf den nächsten Boden stellen</translation>
+    </message>
+    <message>
+        <source>Put all panels back, and show in the picture what was shown at first</source>
+        <translation>Alle Tafeln zurückstellen und im Bild zeigen, was am Anfang gezeigt wurde</translation>
     </message>
 </context>
 <context>
@@ -1188,12 +1188,12 @@
         </translation>
     </message>
     <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create people there all the same</source>
-        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem Figuren zu erschaffen</translation>
-    </message>
-    <message>
         <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
         <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Figuren einen Weg geben und auf Abspielen drücken</translation>
+    </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
+        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem Figuren zu erschaffen</translation>
     </message>
 </context>
 <context>
@@ -1261,6 +1261,10 @@
         <source>Press Play first: cues speak to characters while it plays.</source>
         <translation>Erst abspielen: Stichworte wirken, während es läuft.</translation>
     </message>
+    <message>
+        <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
+        <translation>Es wird noch herausgefunden, wo Figuren gehen können: Stichworte hören sie, sobald sie sich bewegen.</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -1320,7 +1324,7 @@
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation>Ab&amp;spielen</translation>
+        <translation>Abspie&amp;len</translation>
     </message>
     <message>
         <source>&amp;Window</source>
@@ -1340,23 +1344,23 @@
     </message>
     <message>
         <source>Open &amp;Example</source>
-        <translation>&amp;Beispiel öffnen</translation>
+        <translation>Be&amp;ispiel öffnen</translation>
     </message>
     <message>
         <source>Go to &amp;Camera</source>
         <translation>Zu &amp;Kamera</translation>
     </message>
     <message>
-        <source>Keep View &amp;as Camera</source>
-        <translation>Ansicht &amp;als Kamera merken</translation>
+        <source>Keep View as Ca&amp;mera</source>
+        <translation>Ansicht als Kamera &amp;merken</translation>
     </message>
     <message>
         <source>Len&amp;gth of a Step</source>
-        <translation>&amp;Länge eines Schritts</translation>
+        <translation>Län&amp;ge eines Schritts</translation>
     </message>
     <message>
-        <source>Make &amp;Path of Places</source>
-        <translation>Aus Orten einen &amp;Weg machen</translation>
+        <source>&amp;Make Path of Places</source>
+        <translation>Aus Orten einen Weg &amp;machen</translation>
     </message>
 </context>
 <context>
@@ -1417,6 +1421,10 @@
     <message>
         <source>%1: characters jump from its last place to its first.</source>
         <translation>%1: Figuren springen vom letzten Ort zum ersten.</translation>
+    </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the settings of its brush to move a place there all the same.</source>
+        <translation>Dort kann niemand gehen: „Überall“ in den Einstellungen seines Pinsels wählen, um einen Ort trotzdem dorthin zu ziehen.</translation>
     </message>
 </context>
 <context>
@@ -2522,7 +2530,7 @@
         <translation>Figuren ändern</translation>
     </message>
     <message>
-        <source>Put people on the ground</source>
+        <source>Put characters on the ground</source>
         <translation>Figuren auf den Boden stellen</translation>
     </message>
 </context>
@@ -2575,8 +2583,8 @@
         </translation>
     </message>
     <message>
-        <source>All of them stand where people can walk.</source>
-        <translation>Alle stehen, wo man gehen kann.</translation>
+        <source>All of them stand where characters can walk.</source>
+        <translation>Alle stehen, wo Figuren gehen können.</translation>
     </message>
 </context>
 <context>
@@ -2809,6 +2817,17 @@
     <message>
         <source>Change clips</source>
         <translation>Clips ändern</translation>
+    </message>
+    <message>
+        <source>Import %1 (%2 of %3)</source>
+        <translation>%1 importieren (%2 von %3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>The same for the %n other file(s)</source>
+        <translation>
+            <numerusform>Dasselbe für die andere Datei</numerusform>
+            <numerusform>Dasselbe für die %n anderen Dateien</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4183,12 +4202,12 @@ Verworfen ist sie fort.</translation>
         <translation>Rolle</translation>
     </message>
     <message>
-        <source>What people stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
-        <translation>Womit Figuren stehen, gehen und sitzen. Clips anderer Rollen spielen nur, wo ein Pinsel oder eine Regel danach verlangt.</translation>
-    </message>
-    <message>
         <source>Role of %1</source>
         <translation>Rolle von %1</translation>
+    </message>
+    <message>
+        <source>What characters stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
+        <translation>Womit Figuren stehen, gehen und sitzen. Clips anderer Rollen spielen nur, wo ein Pinsel oder eine Regel danach verlangt.</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4340,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>with number</source>
+        <translation>mit Zahl</translation>
     </message>
 </context>
 <context>
@@ -4606,6 +4629,17 @@ Verworfen ist sie fort.</translation>
             <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Import &amp;All</source>
+        <translation>&amp;Alle importieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>This one as it is here, and the %n other file(s) as proposed</source>
+        <translation>
+            <numerusform>Diese, wie sie hier ist, und die andere Datei wie vorgeschlagen</numerusform>
+            <numerusform>Diese, wie sie hier ist, und die %n anderen Dateien wie vorgeschlagen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::IndividualDock</name>
@@ -4778,6 +4812,26 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change character</source>
         <translation>Figur ändern</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Mode of the tint of %1</source>
+        <translation>Modus der Tönung von %1</translation>
+    </message>
+    <message>
+        <source>Whether the tint multiplies the colour that is there or replaces it</source>
+        <translation>Ob die Tönung die Farbe darunter multipliziert oder ersetzt</translation>
+    </message>
+    <message>
+        <source>Change the mode of a tint</source>
+        <translation>Modus einer Tönung ändern</translation>
     </message>
 </context>
 <context>
@@ -5247,6 +5301,10 @@ Verworfen ist sie fort.</translation>
         <source>by</source>
         <translation>um</translation>
     </message>
+    <message>
+        <source>how often</source>
+        <translation>wie oft</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::RulesDock</name>
@@ -5364,7 +5422,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Log only the selected characters</source>
-        <translation>Nur die ausgewählten Figuren aufschreiben</translation>
+        <translation>Nur Ausgewählte aufschreiben</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -5752,6 +5810,14 @@ C drücken und Figuren auf den Boden malen.</translation>
     <message>
         <source>No scenes yet</source>
         <translation>Noch keine Szenen</translation>
+    </message>
+    <message>
+        <source>Choose whom to paint with in the scene behind this page</source>
+        <translation>Wählen, wer in der Szene hinter dieser Seite gemalt wird</translation>
+    </message>
+    <message>
+        <source>Character &amp;Library…</source>
+        <translation>Figuren&amp;bibliothek …</translation>
     </message>
 </context>
 </TS>

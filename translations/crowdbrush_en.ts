@@ -56,7 +56,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import Sta&amp;ge…</source>
+        <source>I&amp;mport Stage…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -188,7 +188,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>S&amp;hadows</source>
+        <source>Sha&amp;dows</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -228,7 +228,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Smaller Brush</source>
+        <source>S&amp;maller Brush</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -237,10 +237,6 @@
     </message>
     <message>
         <source>&amp;Reset Layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Put all panels back to their places</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -516,7 +512,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scri&amp;pt</source>
+        <source>Scr&amp;ipt</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -568,10 +564,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put those of the selected people, or of all, who stand where nobody can walk on the nearest ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A path over the selected places, in order; characters stop there</source>
         <translation type="unfinished"></translation>
     </message>
@@ -588,7 +580,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rese&amp;t Brushes</source>
+        <source>Reset &amp;Brushes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -637,6 +629,14 @@
     </message>
     <message>
         <source>Take a tag off the characters under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put those of the selected characters, or of all, who stand where nobody can walk on the nearest ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put all panels back, and show in the picture what was shown at first</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1188,11 +1188,11 @@
         </translation>
     </message>
     <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create people there all the same</source>
+        <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
+        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1259,6 +1259,10 @@
     </message>
     <message>
         <source>Press Play first: cues speak to characters while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1347,7 +1351,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep View &amp;as Camera</source>
+        <source>Keep View as Ca&amp;mera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1355,7 +1359,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make &amp;Path of Places</source>
+        <source>&amp;Make Path of Places</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1416,6 +1420,10 @@
     </message>
     <message>
         <source>%1: characters jump from its last place to its first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody can walk there: choose “Anywhere” in the settings of its brush to move a place there all the same.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2522,7 +2530,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put people on the ground</source>
+        <source>Put characters on the ground</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2575,7 +2583,7 @@
         </translation>
     </message>
     <message>
-        <source>All of them stand where people can walk.</source>
+        <source>All of them stand where characters can walk.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2809,6 +2817,17 @@
     <message>
         <source>Change clips</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1 (%2 of %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The same for the %n other file(s)</source>
+        <translation>
+            <numerusform>The same for the other file</numerusform>
+            <numerusform>The same for the %n other files</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4176,11 +4195,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What people stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
+        <source>Role of %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Role of %1</source>
+        <source>What characters stand, walk and sit with. Clips of other roles play only where a brush or a rule asks for them.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4313,6 +4332,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with number</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4599,6 +4622,17 @@ Thrown away, it is gone.</source>
             <numerusform>and %n more</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Import &amp;All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This one as it is here, and the %n other file(s) as proposed</source>
+        <translation>
+            <numerusform>This one as it is here, and the other file as proposed</numerusform>
+            <numerusform>This one as it is here, and the %n other files as proposed</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::IndividualDock</name>
@@ -4770,6 +4804,26 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode of the tint of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the tint multiplies the colour that is there or replaces it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mode of a tint</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5238,6 +5292,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how often</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5741,6 +5799,14 @@ Press C and paint characters on the ground.</source>
     </message>
     <message>
         <source>No scenes yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose whom to paint with in the scene behind this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character &amp;Library…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,16 +4,25 @@
 #include <string>
 
 #include <QtCore/QSettings>
+#include <QtCore/QTranslator>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStatusBar>
+#include <QtWidgets/QStyleOptionComboBox>
 
 #include "app/window/MainWindow.h"
 #include "model/pick/StageRays.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/docks/RuleEditor.h"
 
 using namespace crowd;
 using namespace crowd::testing;
@@ -33,6 +42,95 @@ Layout layoutOf(const app::MainWindow& window)
     return layout;
 }
 
+/// Those that two entries of the same menu have, in the menus below too.
+QStringList sharedMnemonics(const QList<QAction*>& actions)
+{
+    QStringList shared;
+    std::map<QChar, QString> owners;
+    for (const QAction* action : actions) {
+        const QKeySequence mnemonic = QKeySequence::mnemonic(action->text());
+        if (!mnemonic.isEmpty()) {
+            const QChar key = mnemonic.toString().back();
+            const auto [owner, isFirst] = owners.emplace(key, action->text());
+            if (!isFirst) {
+                shared << owner->second + QStringLiteral(" / ") + action->text();
+            }
+        }
+        if (action->menu() != nullptr) {
+            Q_EMIT action->menu()->aboutToShow(); // some are filled then
+            shared += sharedMnemonics(action->menu()->actions());
+        }
+    }
+    return shared;
+}
+
+/// A rule with one of everything that can be chosen.
+model::Rule ruleOfEverything()
+{
+    model::Rule rule;
+    rule.id = 1;
+    rule.trigger.kind = model::TriggerKind::TagNear;
+    for (int kind = 0; kind <= static_cast<int>(model::ConditionKind::Property); ++kind) {
+        model::Condition& condition = rule.conditions.emplace_back();
+        condition.kind = static_cast<model::ConditionKind>(kind);
+        condition.isNot = true;
+        condition.value = -12.5F;
+    }
+    for (int kind = 0; kind <= static_cast<int>(model::ActionKind::OneOf); ++kind) {
+        model::Action& action = rule.actions.emplace_back();
+        action.kind = static_cast<model::ActionKind>(kind);
+        action.choice = model::PlaceChoice::NearestFree;
+        action.reach = model::EventReach::Near;
+        action.aim = model::ActionAim::Tagged;
+    }
+    return rule;
+}
+
+int roomFor(const QComboBox& box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    return box.style()
+        ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box)
+        .width();
+}
+
+/// What of a widget's words cannot be read; empty: nothing.
+QString cutText(QWidget& widget)
+{
+    const auto beyond = [&widget](const QString& text, int room) {
+        return widget.fontMetrics().horizontalAdvance(text) > room ? text : QString();
+    };
+    if (const auto* box = qobject_cast<QComboBox*>(&widget)) {
+        return beyond(box->currentText(), roomFor(*box));
+    }
+    if (const auto* line = qobject_cast<QLineEdit*>(&widget)) {
+        return beyond(line->text(), line->contentsRect().width());
+    }
+    if (const auto* label = qobject_cast<QLabel*>(&widget)) {
+        return label->wordWrap() ? QString() : beyond(label->text(), label->width());
+    }
+    const auto* button = qobject_cast<QAbstractButton*>(&widget);
+    const bool isCut = button != nullptr && button->width() < button->sizeHint().width();
+    return isCut ? button->text() : QString();
+}
+
+QStringList cutTexts(const QDockWidget& dock)
+{
+    QStringList cut;
+    for (QWidget* each : dock.findChildren<QWidget*>()) {
+        if (each->isVisible() && !cutText(*each).isEmpty()) {
+            cut << cutText(*each);
+        }
+    }
+    if (const QString folder = qEnvironmentVariable("CROWD_PICTURES"); !folder.isEmpty()) {
+        dock.findChild<QScrollArea*>()->widget()->grab().save(
+            QStringLiteral("%1/%2_%3.png")
+                .arg(folder, dock.objectName(), QLatin1String(QTest::currentDataTag())));
+    }
+    return cut;
+}
+
 } // namespace
 
 /// What lies around the picture, and whose the keys are.
@@ -47,20 +145,33 @@ private Q_SLOTS:
     {
         document().undoStack().setClean();
         m_window.reset();
+        m_translator.reset();
     }
 
     void cueKeysActThoughTheWindowIsNotTheActiveOne();
+    void cueKeysWorkThoughTheRulesWereNeverShown();
     void endedTypingGivesTheKeysBack_data();
     void endedTypingGivesTheKeysBack();
     void returnIsTheFieldsEvenWhileAPathIsPainted();
     void nothingTellsHowToBringBackWhatIsBack();
     void brushesAreRemembered();
     void damagedMemoryOfBrushesDoesNoHarm();
+    void viewIsRememberedUntilTheLayoutIsReset();
+    void mnemonicsOfAMenuAreUnique_data();
+    void mnemonicsOfAMenuAreUnique();
+    void rulesFitANarrowPanel_data();
+    void rulesFitANarrowPanel();
+    void placesFitANarrowPanel_data();
+    void placesFitANarrowPanel();
     void resetLayoutIsThatOfTheFirstStart();
     void everythingOfAnEmptyTheatreShowsItsSeats();
 
 private:
     [[nodiscard]] QLineEdit* eventField();
+    /// The window in a language; with it, its panels speak it.
+    void openWindowIn(const QString& language);
+
+    std::unique_ptr<QTranslator> m_translator;
 };
 
 /// Of the event brush: the name of the event.
@@ -77,6 +188,15 @@ QLineEdit* PanelsTest::eventField()
     return found;
 }
 
+void PanelsTest::openWindowIn(const QString& language)
+{
+    m_window.reset();
+    m_translator = std::make_unique<QTranslator>();
+    QVERIFY(m_translator->load(QStringLiteral(":/translations/crowdbrush_%1.qm").arg(language)));
+    QCoreApplication::installTranslator(m_translator.get());
+    openWindow();
+}
+
 void PanelsTest::cueKeysActThoughTheWindowIsNotTheActiveOne()
 {
     model::Scene scene = plainScene(1);
@@ -87,6 +207,25 @@ void PanelsTest::cueKeysActThoughTheWindowIsNotTheActiveOne()
     QApplication::sendEvent(&m_window->viewport(), &press);
     QVERIFY2(m_window->statusBar()->currentMessage().contains(QStringLiteral("Play")),
              qPrintable(m_window->statusBar()->currentMessage()));
+}
+
+void PanelsTest::cueKeysWorkThoughTheRulesWereNeverShown()
+{
+    model::Scene scene = plainScene(1);
+    scene.cues.push_back({1, {}, "clap", 0.0F, "F3"});
+    model::Rule rule;
+    rule.id = 1;
+    rule.trigger.event = "clap";
+    rule.actions.emplace_back().kind = model::ActionKind::AddTag;
+    scene.rules = {rule};
+    openScene(scene, QStringLiteral("a.crowd"));
+    QVERIFY(m_window->docks()[7]->visibleRegion().isEmpty());
+    m_window->state().transport().setPlaying(true);
+    QTRY_VERIFY(m_window->state().session().isRunning());
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_F3);
+    QVERIFY2(m_window->statusBar()->currentMessage().contains(QStringLiteral("clap")),
+             qPrintable(m_window->statusBar()->currentMessage()));
+    QTRY_COMPARE(m_window->state().session().firedCount(1), std::uint64_t{1});
 }
 
 void PanelsTest::endedTypingGivesTheKeysBack_data()
@@ -161,6 +300,10 @@ void PanelsTest::brushesAreRemembered()
     walk.walk.speed = {2.0F, 3.5F};
     walk.walk.path = 7;
     state.setBrush(walk);
+    model::BrushSettings exits = state.brush(BrushKind::Environment);
+    exits.place.anywhere = true;
+    exits.place.role = model::PlaceRole::Exit;
+    state.setBrush(exits);
     const model::BrushSettings untouched = state.brush(BrushKind::Orientation);
     QVERIFY(m_window->close());
     openWindow();
@@ -171,6 +314,8 @@ void PanelsTest::brushesAreRemembered()
     const model::WalkSettings& walking = m_window->state().brush(BrushKind::Walk).walk;
     QCOMPARE(walking.speed, (model::ValueRange{2.0F, 3.5F}));
     QVERIFY2(walking.path != 7, "paths are of a scene");
+    QVERIFY(m_window->state().brush(BrushKind::Environment).place.anywhere);
+    QVERIFY(!m_window->state().brush(BrushKind::Path).place.anywhere);
     QVERIFY(m_window->state().brush(BrushKind::Orientation) == untouched);
     m_window->actions().action("brush-reset")->trigger();
     QCOMPARE(m_window->state().brush(BrushKind::Create).radiusPixels,
@@ -194,6 +339,126 @@ void PanelsTest::damagedMemoryOfBrushesDoesNoHarm()
     colour.radiusPixels = before.radiusPixels;
     colour.colour = before.colour;
     QVERIFY(colour == before);
+}
+
+void PanelsTest::viewIsRememberedUntilTheLayoutIsReset()
+{
+    const widgets::ViewOptions fresh = m_window->state().viewOptions();
+    for (const char* id : {"ground-grid", "shadows", "paths", "tags", "look-lit"}) {
+        m_window->actions().action(id)->trigger();
+    }
+    const widgets::ViewOptions chosen = m_window->state().viewOptions();
+    QVERIFY(chosen.showTags && !chosen.showGroundGrid && !chosen.showShadows && !chosen.showPaths);
+    QVERIFY(chosen.look == render::Look::Plain);
+    QVERIFY(m_window->close());
+    openWindow();
+    QVERIFY(m_window->state().viewOptions() == chosen);
+    QVERIFY(!m_window->actions().action("paths")->isChecked());
+    m_window->actions().action("reset-layout")->trigger();
+    QVERIFY(m_window->state().viewOptions() == fresh);
+    QVERIFY(m_window->actions().action("paths")->isChecked());
+    QVERIFY(m_window->close());
+    openWindow();
+    QVERIFY(m_window->state().viewOptions() == fresh);
+}
+
+void PanelsTest::mnemonicsOfAMenuAreUnique_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QStringLiteral("en");
+    QTest::newRow("German") << QStringLiteral("de");
+}
+
+void PanelsTest::mnemonicsOfAMenuAreUnique()
+{
+    QFETCH(QString, language);
+    openWindowIn(language);
+    const QStringList shared = sharedMnemonics(m_window->menuBar()->actions());
+    QVERIFY2(shared.isEmpty(), qPrintable(shared.join(QStringLiteral("; "))));
+}
+
+void PanelsTest::rulesFitANarrowPanel_data()
+{
+    mnemonicsOfAMenuAreUnique_data();
+}
+
+void PanelsTest::rulesFitANarrowPanel()
+{
+    QFETCH(QString, language);
+    openWindowIn(language);
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    {
+        const auto edit = document().beginEdit();
+        model::Place place;
+        place.name = "Place 3";
+        place.id = edit->addPlace(place);
+        edit->changePlace(place);
+        edit->setRules({ruleOfEverything()});
+        edit->setNumbers({{1, "patience"}});
+        edit->setCues({{1, {}, "clap", 0.0F, "F3"}});
+        edit->commit(QStringLiteral("Rules"));
+    }
+    QDockWidget* dock = m_window->docks()[7];
+    QCOMPARE(dock->objectName(), QStringLiteral("rules"));
+    dock->raise();
+    m_window->resizeDocks({dock}, {10}, Qt::Horizontal); // as narrow as it goes
+    auto* list = dock->findChild<QListWidget*>(QStringLiteral("ruleList"));
+    QTRY_COMPARE(list->count(), 1);
+    list->setCurrentRow(0);
+    QTRY_VERIFY(dock->findChild<widgets::RuleEditor*>() != nullptr);
+    QTest::qWait(100);
+    QStringList widths; // whose fault it is
+    for (const QDockWidget* each : m_window->docks()) {
+        widths
+            << QStringLiteral("%1 %2").arg(each->objectName()).arg(each->minimumSizeHint().width());
+    }
+    QVERIFY2(dock->width() <= 290, qPrintable(widths.join(QStringLiteral(", "))));
+    const QStringList cut = cutTexts(*dock);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
+}
+
+void PanelsTest::placesFitANarrowPanel_data()
+{
+    mnemonicsOfAMenuAreUnique_data();
+}
+
+void PanelsTest::placesFitANarrowPanel()
+{
+    QFETCH(QString, language);
+    openWindowIn(language);
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    model::PathId path = 0;
+    model::PlaceId slow = 0;
+    {
+        const auto edit = document().beginEdit();
+        model::Place place;
+        place.name = "Place 3";
+        place.position = {-12.25F, 0.0F, 105.5F};
+        place.role = model::PlaceRole::Slow;
+        slow = edit->addPlace(place);
+        model::Path way;
+        way.name = "Path 1";
+        way.places = {slow};
+        path = edit->addPath(way);
+        edit->commit(QStringLiteral("Path"));
+    }
+    QDockWidget* dock = m_window->docks()[6];
+    QCOMPARE(dock->objectName(), QStringLiteral("environment"));
+    dock->raise();
+    m_window->resizeDocks({dock}, {10}, Qt::Horizontal);
+    for (QAbstractButton* fold : dock->findChildren<QAbstractButton*>()) {
+        if (fold->objectName() == QLatin1String("foldSurface")) {
+            fold->click();
+        }
+    }
+    for (const bool isPlace : {true, false}) {
+        m_window->state().paths().look(path);
+        m_window->state().paths().select(isPlace ? std::vector{slow}
+                                                 : std::vector<model::PlaceId>());
+        QTest::qWait(100);
+        const QStringList cut = cutTexts(*dock);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
+    }
 }
 
 void PanelsTest::resetLayoutIsThatOfTheFirstStart()

@@ -11,6 +11,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/RuleFields.h"
+#include "widgets/docks/WrapRow.h"
 
 namespace crowd::widgets {
 
@@ -116,7 +117,7 @@ void BranchList::addRow(const model::Path& path, std::size_t index)
 {
     auto* rows = static_cast<QVBoxLayout*>(m_rows->layout());
     const auto addLine = [rows] {
-        auto* line = new QHBoxLayout;
+        auto* line = new WrapRow;
         line->setSpacing(4);
         rows->addLayout(line);
         return line;

@@ -14,6 +14,7 @@
 #include "model/scene/RuleSets.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/WrapRow.h"
 #include "widgets/state/Cues.h"
 
 namespace crowd::widgets {
@@ -55,7 +56,7 @@ CueForm::CueForm(const model::Scene& scene, const Cue& cue,
 
 QHBoxLayout* CueForm::labelledRow(QVBoxLayout* layout, const QString& label)
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new WrapRow;
     row->setSpacing(4);
     auto* text = new QLabel(label, this);
     text->setMinimumWidth(fontMetrics().horizontalAdvance(tr("sends")) + 4);
@@ -80,6 +81,7 @@ void CueForm::addEvent(QVBoxLayout* layout)
     auto* line = qobject_cast<QLineEdit*>(lastIn(row));
     line->setObjectName(QStringLiteral("cueEvent"));
     line->setCompleter(new QCompleter(events, line));
+    row->addWidget(new QLabel(tr("with number"), this));
     addNumberField(row, static_cast<double>(m_cue.payload), -1e6, 1e6, {}, [this](double payload) {
         m_apply([&](Cue& each) { each.payload = static_cast<float>(payload); });
     });

@@ -13,6 +13,7 @@
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/RuleFields.h"
+#include "widgets/docks/WrapRow.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -21,7 +22,7 @@ namespace {
 
 QHBoxLayout* nameRowIn(QVBoxLayout* layout)
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new WrapRow;
     row->setSpacing(4);
     layout->addLayout(row);
     return row;

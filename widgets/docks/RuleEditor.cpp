@@ -10,6 +10,7 @@
 
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/WrapRow.h"
 
 namespace crowd::widgets {
 
@@ -64,7 +65,7 @@ RuleEditor::RuleEditor(const model::Scene& scene, const Rule& rule,
 
 QHBoxLayout* RuleEditor::rowIn(QVBoxLayout* layout) const
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new WrapRow;
     row->setSpacing(4);
     if (m_depth > 0) {
         row->addSpacing(kIndent * m_depth);
@@ -179,6 +180,7 @@ void RuleEditor::addTriggerFields(QHBoxLayout* row)
         addTagField(row, m_scene, trigger.tag, [this](std::uint8_t tag) {
             setTrigger([&](Trigger& each) { each.tag = tag; });
         });
+        row->addWidget(new QLabel(tr("within")));
         addFloat(&Trigger::metres, 0.1, 100.0, tr(" m"));
         break;
     case TriggerKind::SpeedLimit:

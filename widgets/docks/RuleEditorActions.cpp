@@ -103,6 +103,7 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
         auto* button = new QToolButton(this);
         button->setArrowType(arrow);
         button->setAutoRaise(true);
+        button->setFixedWidth(kSmallButton);
         button->setToolTip(tip);
         button->setEnabled(moved != m_rule.actions);
         row->addWidget(button);
@@ -133,6 +134,7 @@ void RuleEditor::addBlockFields(QVBoxLayout* layout, std::size_t index)
             },
             tr("for ever"));
     } else {
+        row->addWidget(new QLabel(tr("how often")));
         addNumber(row, index, &Action::weight, 0.0, 1000.0, tr(" ×"));
         row->itemAt(row->count() - 1)
             ->widget()
@@ -280,11 +282,16 @@ void RuleEditor::addPropertyFields(QVBoxLayout* layout, std::size_t index)
                        });
                    });
     QHBoxLayout* row = indentedRowIn(layout);
+    const auto addTo = [row] { row->addWidget(new QLabel(tr("to"))); };
+    if (action.property != SettableProperty::Tint) {
+        addTo();
+    }
     switch (action.property) {
     case SettableProperty::Tint:
         addSlotField(row, m_scene, action.slot, [this, index](const std::string& slot) {
             setAction(index, [&](Action& each) { each.slot = slot; });
         });
+        addTo();
         addTintField(row, action.tint, [this, index](const model::Tint& tint) {
             setAction(index, [&](Action& each) { each.tint = tint; });
         });
@@ -330,7 +337,7 @@ void RuleEditor::addActionFields(QVBoxLayout* layout, std::size_t index)
                            setAction(index, [&](Action& each) { each.isLooped = choice == 1; });
                        });
         if (action.isLooped) {
-            addNumber(indentedRowIn(layout), index, &Action::seconds, 0.0, 3600.0, tr(" s"));
+            addNumber(row, index, &Action::seconds, 0.0, 3600.0, tr(" s"));
         }
         addClipWeights(layout, action.clips, setClips);
         break;

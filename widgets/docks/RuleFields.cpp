@@ -6,6 +6,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QMouseEvent>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -16,11 +17,14 @@
 #include <QtWidgets/QToolButton>
 
 #include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/WrapRow.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
 namespace {
+
+constexpr int kWidestClips = 150; ///< a narrow panel has room for so much, logical pixels
 
 struct RuleFieldsText
 {
@@ -56,6 +60,14 @@ void addEntryField(QHBoxLayout* row, const std::vector<Entry>& entries, std::uin
                    [ids, changed](int index) { changed(ids[static_cast<std::size_t>(index)]); });
 }
 
+/// What is chosen and what can be, where the panel is narrower than the words.
+void showWhole(QComboBox& box)
+{
+    constexpr int kListMargin = 28; ///< with a scroll bar
+    box.setToolTip(box.currentText());
+    box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) + kListMargin);
+}
+
 } // namespace
 
 void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
@@ -67,6 +79,7 @@ void addChoiceField(QHBoxLayout* row, const QStringList& names, int index,
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(2);
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    showWhole(*box);
     row->addWidget(box, 1);
     if (changed) {
         QObject::connect(box, &QComboBox::activated, box, changed);
@@ -89,6 +102,7 @@ void addGroupedField(QHBoxLayout* row, const QStringList& names,
     }
     box->setCurrentIndex(box->findData(index));
     box->setMaxVisibleItems(box->count());
+    showWhole(*box);
     QObject::connect(box, &QComboBox::activated, box,
                      [box, changed](int at) { changed(box->itemData(at).toInt()); });
 }
@@ -249,8 +263,10 @@ void addClipField(QHBoxLayout* row, const model::Scene& scene,
     });
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setText(chosen.isEmpty() ? RuleFieldsText::tr("choose clips…")
-                                     : chosen.join(RuleFieldsText::tr(" or ")));
+    const QString text = chosen.isEmpty() ? RuleFieldsText::tr("choose clips…")
+                                          : chosen.join(RuleFieldsText::tr(" or "));
+    button->setText(button->fontMetrics().elidedText(text, Qt::ElideRight, kWidestClips));
+    button->setToolTip(text);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(button, 1);
 }
@@ -259,7 +275,7 @@ void addClipWeights(QVBoxLayout* layout, const std::vector<model::ClipWeight>& c
                     const std::function<void(const std::vector<model::ClipWeight>&)>& changed)
 {
     for (std::size_t i = 0; clips.size() > 1 && i < clips.size(); ++i) {
-        auto* row = new QHBoxLayout;
+        auto* row = new WrapRow;
         row->setSpacing(4);
         row->addSpacing(40);
         layout->addLayout(row);
@@ -368,6 +384,7 @@ void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<v
     auto* button = new QToolButton;
     button->setIcon(iconNamed("remove"));
     button->setAutoRaise(true);
+    button->setFixedWidth(kSmallButton);
     button->setToolTip(tip);
     row->addWidget(button);
     QObject::connect(button, &QToolButton::clicked, button, pressed);

@@ -52,6 +52,8 @@ void addSlotField(QHBoxLayout* row, const model::Scene& scene, const std::string
                   const std::function<void(const std::string&)>& changed);
 void addTintField(QHBoxLayout* row, const model::Tint& tint,
                   const std::function<void(const model::Tint&)>& changed);
+/// Of the buttons beside a field, logical pixels.
+inline constexpr int kSmallButton = 20;
 void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed);
 
 } // namespace crowd::widgets
