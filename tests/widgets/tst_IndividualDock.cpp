@@ -92,6 +92,7 @@ private Q_SLOTS:
     void standingUpFreesTheSeats();
     void anOutfitIsChosenForAll();
     void aRightClickTakesTheTintOff();
+    void aTintMultipliesOrReplaces();
     void partsAreHiddenAndShown();
 };
 
@@ -325,6 +326,34 @@ void IndividualDockTest::aRightClickTakesTheTintOff()
              "what is not tintable is not offered");
     Q_EMIT top->customContextMenuRequested({});
     QCOMPARE(valuesOf(desk, model::columns::tint(1)), std::vector<model::Tint>(2));
+}
+
+void IndividualDockTest::aTintMultipliesOrReplaces()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 3);
+    {
+        const std::uint16_t other = 1U << 2U; // of another slot: it stays
+        const auto edit = desk.document.beginEdit();
+        edit->setColumn(model::columns::tintReplaces, std::span(ids).first(1),
+                        std::span<const std::uint16_t>(&other, 1));
+        edit->commit(QStringLiteral("Mode"));
+    }
+    desk.state.selection().set(std::span(ids).first(2));
+    const auto mode = [&desk] {
+        return named<QComboBox>(desk, QStringLiteral("Mode of the tint of top"));
+    };
+    QTRY_VERIFY(mode() != nullptr);
+    QCOMPARE(mode()->currentText(), QStringLiteral("Multiply"));
+    choose(*mode(), QStringLiteral("Replace"));
+    QCOMPARE(valuesOf(desk, model::columns::tintReplaces),
+             (std::vector<std::uint16_t>{0b110, 0b010, 0}));
+    desk.state.selection().set(ids);
+    QTRY_COMPARE(mode()->currentIndex(), -1); // mixed
+    desk.document.undoStack().undo();
+    QCOMPARE(valuesOf(desk, model::columns::tintReplaces),
+             (std::vector<std::uint16_t>{0b100, 0, 0}));
 }
 
 void IndividualDockTest::partsAreHiddenAndShown()

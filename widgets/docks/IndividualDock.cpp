@@ -23,6 +23,7 @@ namespace {
 constexpr int kRefreshMs = 60;
 constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
+constexpr int kShortWord = 3; ///< letters of a box that may be narrow
 constexpr double kMostSeats = 16777216.0;
 
 /// The colour in a frame; a stroke through the frame says that there is no tint, or no common one.
@@ -299,22 +300,33 @@ void IndividualDock::rebuild(const SelectedPeople& selected)
 void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
                              const std::string& slot)
 {
-    SlotRow row{slot, new QToolButton(m_slotArea), narrowBox(m_slotArea)};
+    SlotRow row{slot, new QToolButton(m_slotArea), narrowBox(m_slotArea), narrowBox(m_slotArea)};
     row.color->setToolTip(tr("Tint; a click chooses a colour, a right click takes it off"));
     row.color->setAccessibleName(QString::fromStdString(slot));
     row.color->setEnabled(selected.isTintable(slot));
     row.color->setContextMenuPolicy(Qt::CustomContextMenu);
+    row.mode->setObjectName(QStringLiteral("tintMode"));
+    row.mode->addItems({tr("Multiply"), tr("Replace")});
+    row.mode->setAccessibleName(tr("Mode of the tint of %1").arg(QString::fromStdString(slot)));
+    row.mode->setToolTip(tr("Whether the tint multiplies the colour that is there or replaces it"));
+    row.mode->setMinimumContentsLength(kShortWord);
+    row.mode->setEnabled(selected.isTintable(slot));
     const std::vector<std::string> choices = selected.choices(slot);
     fill(*row.choice, choices);
     row.choice->setVisible(choices.size() > 1);
-    auto* line = new QHBoxLayout;
-    line->addWidget(row.color);
-    line->addWidget(row.choice, 1);
-    line->addStretch(0);
+    auto* tint = new QHBoxLayout;
+    tint->addWidget(row.color);
+    tint->addWidget(row.mode, 1);
+    auto* line = new QVBoxLayout; // beside each other they would not fit a narrow panel
+    line->setSpacing(3);
+    line->addLayout(tint);
+    line->addWidget(row.choice);
     form->addRow(QString::fromStdString(slot), line);
     connect(row.color, &QToolButton::clicked, this, [this, slot] { chooseTint(slot); });
     connect(row.color, &QToolButton::customContextMenuRequested, this,
             [this, slot] { setTint(slot, {}); });
+    connect(row.mode, &QComboBox::activated, this,
+            [this, slot](int index) { setTintMode(slot, index == 1); });
     connect(row.choice, &QComboBox::textActivated, this,
             [this, slot](const QString& choice) { setChoice(slot, choice); });
     m_slots.push_back(row);
@@ -350,6 +362,11 @@ void IndividualDock::refreshSlots(const SelectedPeople& selected)
                                                return all.column(model::columns::tint(slot))[row];
                                            }),
             palette().color(QPalette::Mid)));
+        const auto replacing = all.column(model::columns::tintReplaces);
+        const auto isReplacing = selected.commonOf<bool>(slotOf, [&](std::size_t row, int slot) {
+            return (replacing[row] >> static_cast<unsigned>(slot) & 1U) != 0;
+        });
+        item.mode->setCurrentIndex(isReplacing ? static_cast<int>(*isReplacing) : -1);
         const auto choices = all.column(model::columns::materialChoices);
         const auto choice = selected.commonOf<std::string_view>(
             slotOf, [&](std::size_t row, int slot) -> std::string_view {

@@ -39,6 +39,7 @@ private:
     {
         std::string slot;
         QToolButton* color;
+        QComboBox* mode; ///< multiplies, or replaces
         QComboBox* choice;
     };
     struct PartRow
@@ -83,6 +84,7 @@ private:
     void standUp();
     void chooseTint(const std::string& slot);
     void setTint(const std::string& slot, const model::Tint& tint);
+    void setTintMode(const std::string& slot, bool isReplacing);
     void setChoice(const std::string& slot, const QString& choice);
     void setPart(const std::string& part, bool isShown);
     template<class T>

@@ -172,6 +172,31 @@ void IndividualDock::setTint(const std::string& slot, const model::Tint& tint)
     edit->commit(tr("Change tint"));
 }
 
+void IndividualDock::setTintMode(const std::string& slot, bool isReplacing)
+{
+    if (!mayWrite()) {
+        return;
+    }
+    const SelectedPeople selected = people();
+    const auto edit = m_state.document().beginEdit();
+    for (const SelectedPeople::Group& group : selected.groups()) {
+        const int index = group.slotIndex(slot);
+        if (index < 0) {
+            continue;
+        }
+        const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(index));
+        std::vector<std::uint16_t> values;
+        for (const std::size_t row : group.rows) {
+            const std::uint16_t old =
+                m_state.scene().population.column(model::columns::tintReplaces)[row];
+            values.push_back(static_cast<std::uint16_t>(isReplacing ? old | bit : old & ~bit));
+        }
+        edit->setColumn(model::columns::tintReplaces, selected.ids(group),
+                        std::span<const std::uint16_t>(values));
+    }
+    edit->commit(tr("Change the mode of a tint"));
+}
+
 void IndividualDock::setChoice(const std::string& slot, const QString& choice)
 {
     if (!mayWrite()) {
