@@ -157,7 +157,7 @@ QBoxLayout* WelcomePage::makeStarts(const QStringList& recent)
     connect(ground, &QPushButton::clicked, this,
             [this] { closeThen(&WelcomePage::newGroundChosen); });
     connect(open, &QPushButton::clicked, this, [this] { closeThen(&WelcomePage::openChosen); });
-    QPushButton* library = makeStart("add", tr("Characters from the &Library…"), "library");
+    QPushButton* library = makeStart("add", tr("Character &Library…"), "library");
     library->setToolTip(tr("Choose whom to paint with in the scene behind this page"));
     connect(library, &QPushButton::clicked, this,
             [this] { closeThen(&WelcomePage::libraryChosen); });
