@@ -38,7 +38,8 @@ ClipTable::ClipTable(const model::Template& asset, QWidget* parent)
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setColumnWidth(1, fontMetrics().horizontalAdvance(QStringLiteral("0000.00 s")) + 12);
-    setColumnWidth(2, fontMetrics().horizontalAdvance(QStringLiteral("000.00 m/s")) + 44);
+    setColumnWidth(2, std::max(fontMetrics().horizontalAdvance(QStringLiteral("000.00 m/s")) + 44,
+                               horizontalHeader()->sectionSizeHint(2)));
     int widest = 0;
     for (const model::ClipRoleInfo& role : model::clipRoles()) {
         widest = std::max(widest, fontMetrics().horizontalAdvance(labelOf(role)));

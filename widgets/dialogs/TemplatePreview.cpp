@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QtCore/QLocale>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 
@@ -121,7 +122,7 @@ void TemplatePreview::paintGuides(QPainter& painter, const render::ThumbnailRequ
     if (const auto at = view.project(head)) {
         painter.setPen(kGuideText);
         painter.drawText(QPointF(at->x + 6.0F, at->y + 12.0F),
-                         tr("%1 m").arg(static_cast<double>(measure)));
+                         tr("%1 m").arg(QLocale().toString(static_cast<double>(measure))));
     }
 }
 
