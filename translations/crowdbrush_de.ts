@@ -5259,7 +5259,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>within</source>
-        <translation>binnen</translation>
+        <translation>im Umkreis</translation>
     </message>
     <message>
         <source>Whoever is nearer hears it</source>
