@@ -7,13 +7,17 @@ only where a change is wanted and somebody has looked at what it changes.
 strokes/   what each brush leaves behind, for every selection and operator: whole scenes, so that a
            difference can be read.
 sessions/  where people are, and what they do, second by second: a digest of each column.
+window/    sessions with mouse and keys, as they were recorded in the window, and what they made:
+           tests/gui/tst_Recording writes new ones where CROWD_KEEP_RECORDINGS names this folder.
 files/     project files that open and are saved as the same bytes.
 """
 import argparse
 import difflib
 import pathlib
+import runpy
 import sys
 import tempfile
+import unittest.mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -53,6 +57,12 @@ def saved(scene):
         return path.read_bytes().decode("utf-8")
 
 
+def replayed(script):
+    """What a script that was recorded in the window makes, as the text of a project file."""
+    with unittest.mock.patch.object(sys, "argv", [str(script)]):  # it saves where an argument says
+        return saved(runpy.run_path(str(script))["scene"])
+
+
 def stale(made):
     """Recordings that no case makes any more."""
     kept = {path for folder in ("strokes", "sessions") for path in (HERE / folder).glob("*.*")}
@@ -67,6 +77,8 @@ def main():
     passed, wrong, made = 0, [], set()
     cases = [(f"strokes/{name}.crowd", lambda run=run: saved(run())) for name, run in strokes.cases()]
     cases += [(f"sessions/{name}.txt", run) for name, run in sessions.cases()]
+    cases += [(f"window/{path.stem}.crowd", lambda path=path: replayed(path))
+              for path in sorted((HERE / "window").glob("*.py"))]
     cases += [(f"files/{path.name}", lambda path=path: saved(crowdbrush.open(path)))
               for path in sorted((HERE / "files").glob("*.crowd"))]
     for name, run in cases:

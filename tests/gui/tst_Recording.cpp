@@ -65,6 +65,24 @@ QString replay(const QString& script, const QString& scene)
 #endif
 }
 
+/// A recording, what it begins with and what it makes, for tests/golden/window, where
+/// CROWD_KEEP_RECORDINGS names a folder.
+void keepWhereWanted(const QString& script, const QString& scene)
+{
+    const QString folder = qEnvironmentVariable("CROWD_KEEP_RECORDINGS");
+    if (folder.isEmpty()) {
+        return;
+    }
+    const QString base = script.chopped(3);
+    const QString kept = folder + u'/' + QFileInfo(base).fileName();
+    for (const auto& [from, ending] : {std::pair{script, ".py"},
+                                       {base + QStringLiteral("-start.crowd"), "-start.crowd"},
+                                       {scene, ".crowd"}}) {
+        QFile::remove(kept + QLatin1String(ending));
+        QVERIFY2(QFile::copy(from, kept + QLatin1String(ending)), qPrintable(from));
+    }
+}
+
 /// A session with mouse and keys: every kind of brush, some of it while it plays, the selection,
 /// the individual panel, undo and redo.
 class Session
@@ -238,6 +256,7 @@ void TestRecording::aSessionIsReplayedToTheSameBytesAndPicture()
     const QString own = m_folder.filePath(QStringLiteral("own.crowd"));
     QCOMPARE(replayInProgram(script, own), QString());
     QVERIFY2(contentsOf(own) == wanted, "crowdbrush script gives another scene");
+    keepWhereWanted(script, own);
     Editor replayed;
     QVERIFY(replayed.open(plain));
     replayed.state().setTool(ToolId::BrushCreate);
@@ -369,6 +388,7 @@ void TestRecording::everyKindOfEditHasItsLines()
     const QString plain = m_folder.filePath(QStringLiteral("edits.crowd"));
     QCOMPARE(replay(script, plain), QString());
     QVERIFY(contentsOf(plain) == contentsOf(path));
+    keepWhereWanted(script, plain);
 }
 
 void TestRecording::undoingWhatCameBeforeStartsAnew()
