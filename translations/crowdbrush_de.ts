@@ -1080,8 +1080,8 @@
         <translation>Ziehen, um die Richtung zu zeigen</translation>
     </message>
     <message>
-        <source>No free seat of the chosen ranks and wedges under the brush</source>
-        <translation>Kein freier Sitz der gewählten Ränge und Keile unter dem Pinsel</translation>
+        <source>No free seat of the chosen rows and wedges under the brush</source>
+        <translation>Kein freier Sitz der gewählten Reihen und Keile unter dem Pinsel</translation>
     </message>
     <message>
         <source>So small a share of them is nobody</source>
@@ -4739,8 +4739,8 @@ Verworfen ist sie fort.</translation>
         </translation>
     </message>
     <message>
-        <source>rank %1, wedge %2</source>
-        <translation>Rang %1, Keil %2</translation>
+        <source>row %1, wedge %2</source>
+        <translation>Reihe %1, Keil %2</translation>
     </message>
     <message>
         <source>Tint; a click chooses a colour, a right click takes it off</source>

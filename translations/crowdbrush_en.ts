@@ -1080,7 +1080,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No free seat of the chosen ranks and wedges under the brush</source>
+        <source>No free seat of the chosen rows and wedges under the brush</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4732,7 +4732,7 @@ Thrown away, it is gone.</source>
         </translation>
     </message>
     <message>
-        <source>rank %1, wedge %2</source>
+        <source>row %1, wedge %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -66,7 +66,7 @@ QString reasonText(StrokeReason reason)
     case StrokeReason::NoFreeSeat:
         return Brushes::tr("No free seat under the brush");
     case StrokeReason::NoChosenSeat:
-        return Brushes::tr("No free seat of the chosen ranks and wedges under the brush");
+        return Brushes::tr("No free seat of the chosen rows and wedges under the brush");
     case StrokeReason::NoTemplateChosen:
         return Brushes::tr("Choose a template to create first");
     case StrokeReason::TemplateNotLoaded:

@@ -264,7 +264,7 @@ void IndividualDock::refreshSeat(const SelectedPeople& selected)
         m_state.scene().findStage(static_cast<std::uint8_t>(id >> 24U));
     if (stage != nullptr && stage->asset && (id & 0xFFFFFFU) < stage->asset->seats.size()) {
         const model::Seat& seat = stage->asset->seats[id & 0xFFFFFFU];
-        m_seatPlace->setText(tr("rank %1, wedge %2").arg(seat.rank + 1).arg(seat.wedge + 1));
+        m_seatPlace->setText(tr("row %1, wedge %2").arg(seat.rank + 1).arg(seat.wedge + 1));
     }
 }
 
