@@ -50,7 +50,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     if (!builder.run(plan.settings)) {
         return model::Error{progress.isOver()
                                 ? "The walkable surface was not built: it was cancelled."
-                                : "Nothing of the stage can be walked on; people walk on open "
+                                : "Nothing of the stage can be walked on; characters walk on open "
                                   "ground. Check its size, which way is up, and how wide, tall and "
                                   "steep characters can walk (Environment panel)."};
     }
