@@ -270,11 +270,12 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     const glm::vec2 left = glm::vec2(target.x, target.z) - at;
     const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
     const float near = std::max(isPast ? kPassedMetres : kArrivalMetres, brakingMetres(walk, body));
-    // A way that ends where nothing leads on ends there.
+    // A way that ends where nothing leads on ends there; that to an aim he had before says nothing.
+    const glm::vec2 aimed(target.x, target.z);
     const glm::vec2 end = walk.corners.size() == 1
                               ? glm::vec2(walk.corners.front().x, walk.corners.front().z)
                               : walk.cornersFor;
-    const bool isStuck = m_surface && end != walk.cornersFor &&
+    const bool isStuck = m_surface && walk.cornersFor == aimed && end != aimed &&
                          glm::length2(end - at) < kArrivalMetres * kArrivalMetres;
     const bool isOnLevel =
         walk.hasErrand || !walk.point->isOnSurface || std::fabs(target.y - height) < kLevelMetres;
