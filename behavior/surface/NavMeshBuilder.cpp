@@ -15,7 +15,9 @@ namespace {
 
 constexpr float kFinestCell = 0.2F;
 constexpr double kMaxCells = 1.5e6; ///< of the height field
+constexpr float kMostCellsASide = 30000.0F;
 constexpr float kMostLevels = 8000.0F;
+constexpr float kWidestArea = 1e6F;
 constexpr int kVerticesAPolygon = 6;
 constexpr float kAreaBelow = 1.0F; ///< metres under a place's height that belong to it
 constexpr float kAreaHeight = 2.5F;
@@ -32,7 +34,8 @@ rcConfig configFor(const TriangleSoup& soup, const SurfaceSettings& settings)
     rcConfig config{};
     const glm::vec3 size = soup.bounds.high - soup.bounds.low;
     const double area = static_cast<double>(size.x) * static_cast<double>(size.z);
-    config.cs = std::max(kFinestCell, static_cast<float>(std::sqrt(area / kMaxCells)));
+    config.cs = std::max({kFinestCell, static_cast<float>(std::sqrt(area / kMaxCells)),
+                          std::max(size.x, size.z) / kMostCellsASide});
     config.ch = std::max({0.05F, config.cs * 0.2F, size.y / kMostLevels});
     config.walkableSlopeAngle = settings.slopeDegrees;
     config.walkableHeight = static_cast<int>(std::ceil(settings.height / config.ch));
@@ -50,6 +53,8 @@ rcConfig configFor(const TriangleSoup& soup, const SurfaceSettings& settings)
         config.bmax[axis] = soup.bounds.high[axis];
     }
     rcCalcGridSize(config.bmin, config.bmax, config.cs, &config.width, &config.height);
+    config.width = std::max(config.width, 1);
+    config.height = std::max(config.height, 1);
     return config;
 }
 
@@ -120,8 +125,18 @@ bool NavMeshBuilder::filter()
 
 void NavMeshBuilder::mark(const model::Place& place, float margin, unsigned char area)
 {
-    const float foot[3] = {place.position.x, place.position.y - kAreaBelow, place.position.z};
-    rcMarkCylinderArea(&m_context, foot, place.radius + margin, kAreaHeight, area, *m_compact);
+    const float radius = std::min(place.radius, kWidestArea) + margin;
+    // It counts cells from the corner, as whole numbers: none that is far off may come to it.
+    for (const int axis : {0, 2}) {
+        if (!(place.position[axis] + radius > m_config.bmin[axis] &&
+              place.position[axis] - radius < m_config.bmax[axis])) {
+            return;
+        }
+    }
+    const float y = std::clamp(place.position.y - kAreaBelow, m_config.bmin[1] - kAreaHeight,
+                               m_config.bmax[1] + kAreaHeight);
+    const float foot[3] = {place.position.x, y, place.position.z};
+    rcMarkCylinderArea(&m_context, foot, radius, kAreaHeight, area, *m_compact);
 }
 
 /// Liked ground first, what nobody may walk on last: where they meet, the stricter one counts.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -17,6 +18,7 @@ constexpr float kSearchReach[3] = {3.0F, 4.0F, 3.0F};
 constexpr float kReachedMetres = 0.1F;
 constexpr float kReachedShare = 0.025F; ///< of the way
 constexpr float kOnLevelMetres = 1.0F;
+constexpr float kOtherLevelMetres = 2.0F; ///< places may lie a little above or below their ground
 constexpr float kOffEdge = 0.1F;
 constexpr float kLeastTurn = 0.05F; ///< of unit vectors: less is no bend
 
@@ -110,6 +112,29 @@ std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
         way.back() = {to.x, way.back().y, to.z};
     }
     return way;
+}
+
+std::optional<float> WalkSurface::wayMetres(const glm::vec3& from, const glm::vec3& to,
+                                            float within) const
+{
+    const auto flat = [](const glm::vec3& a, const glm::vec3& b) {
+        return glm::distance(glm::vec2(a.x, a.z), glm::vec2(b.x, b.z));
+    };
+    const std::optional<bool> isClear = isStraight(from, to);
+    if (!isClear) {
+        return std::nullopt;
+    }
+    if (*isClear) {
+        return flat(from, to); // no search, which takes far longer
+    }
+    float metres = 0.0F;
+    glm::vec3 at = from;
+    for (const glm::vec3& corner : way(from, to, Lane())) {
+        metres += flat(at, corner);
+        at = corner;
+    }
+    const bool isThere = flat(at, to) <= within && std::fabs(at.y - to.y) < kOtherLevelMetres;
+    return isThere ? metres : std::numeric_limits<float>::infinity();
 }
 
 std::optional<bool> WalkSurface::isStraight(const glm::vec3& from, const glm::vec3& to) const

@@ -13,19 +13,37 @@ namespace {
 
 constexpr float kAround = 15.0F;     ///< open ground about the stages and all others, metres
 constexpr float kFarthest = 2000.0F; ///< of places to reach, from the middle of the world
+constexpr float kOnEarth = 1e7F;     ///< of what stages are made of
+
+/// Coordinates that Recast can reckon with.
+bool isOnEarth(const glm::vec3& point)
+{
+    return std::fabs(point.x) < kOnEarth && std::fabs(point.y) < kOnEarth &&
+           std::fabs(point.z) < kOnEarth;
+}
 
 void addStage(const model::StageEntry& entry, TriangleSoup& soup)
 {
     const glm::mat4 matrix = entry.worldFromStage();
     for (const model::StageMesh& mesh : entry.asset->meshes) {
         const auto first = static_cast<int>(soup.vertices.size() / 3);
+        std::vector<bool> isSound;
         for (const glm::vec3& position : mesh.positions) {
             const glm::vec3 point = glm::vec3(matrix * glm::vec4(position, 1.0F));
-            soup.add(point);
-            soup.stages.add(point);
+            isSound.push_back(isOnEarth(point));
+            soup.add(isSound.back() ? point : glm::vec3(0.0F));
+            if (isSound.back()) {
+                soup.stages.add(point);
+            }
         }
-        for (const std::uint32_t index : mesh.indices) {
-            soup.triangles.push_back(first + static_cast<int>(index));
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const std::uint32_t* corners = &mesh.indices[i];
+            const bool isWhole = std::all_of(corners, corners + 3, [&](std::uint32_t corner) {
+                return corner < isSound.size() && isSound[corner];
+            });
+            for (int corner = 0; corner < 3 && isWhole; ++corner) {
+                soup.triangles.push_back(first + static_cast<int>(corners[corner]));
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "behavior/surface/WalkSurface.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <recastnavigation/DetourNavMeshQuery.h>
@@ -34,14 +35,31 @@ void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)
     }
 }
 
+/// Recast counts in small whole numbers, and ends the program where they run over.
+SurfaceSettings tamed(const SurfaceSettings& settings)
+{
+    const SurfaceSettings usual;
+    const auto within = [](float value, float low, float high, float otherwise) {
+        return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
+    };
+    SurfaceSettings tame = settings;
+    tame.radius = within(settings.radius, 0.05F, 5.0F, usual.radius);
+    tame.height = within(settings.height, 0.2F, 20.0F, usual.height);
+    tame.climb = within(settings.climb, 0.0F, 5.0F, usual.climb);
+    tame.slopeDegrees = within(settings.slopeDegrees, 0.0F, 85.0F, usual.slopeDegrees);
+    return tame;
+}
+
 } // namespace
 
 WalkSurface::WalkSurface(std::unique_ptr<Private> data) : m_private(std::move(data)) {}
 WalkSurface::~WalkSurface() = default;
 
-model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const SurfacePlan& plan,
+model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const SurfacePlan& given,
                                                                      Progress& progress)
 {
+    SurfacePlan plan = given;
+    plan.settings = tamed(plan.settings);
     const TriangleSoup soup = plan.isWorthwhile() ? soupOf(plan) : TriangleSoup();
     if (soup.triangles.empty()) {
         return model::Error{"There is no stage to walk on; characters walk on open ground."};
@@ -61,7 +79,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     data->radius = plan.settings.radius;
     data->climb = plan.settings.climb;
     data->covered = soup.bounds;
-    data->isGround = groundOf(builder.mesh(), soup.stages);
+    data->isGround = groundOf(builder.mesh(), soup);
     data->rays.setStages(plan.stages);
     data->mesh = builder.take();
     data->filter.setIncludeFlags(kOpen);
@@ -88,7 +106,7 @@ std::optional<glm::vec3> WalkSurface::straight(const glm::vec3& from, const glm:
     const dtQueryFilter& filter = m_private->filter;
     dtPolyRef start = 0;
     float at[3];
-    if (query == nullptr ||
+    if (query == nullptr || !model::Bounds::isPlace(to) ||
         dtStatusFailed(query->findNearestPoly(&from.x, kReach, &filter, &start, at)) ||
         start == 0) {
         return std::nullopt;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include <QtTest/QTest>
 
 #include "behavior/session/Session.h"
@@ -99,6 +103,8 @@ private Q_SLOTS:
     void bodiesAndSlopesAreAsSet();
     void nothingToWalkOnIsSaid();
     void canBeCancelled();
+    void noStageEndsTheProgram_data();
+    void noStageEndsTheProgram();
 };
 
 void TestWalkSurface::waysGoAroundAHouse()
@@ -348,6 +354,76 @@ void TestWalkSurface::canBeCancelled()
     const auto built = WalkSurface::build({{house()}, {}, {}, {}}, progress);
     QVERIFY(!built.isOk());
     QVERIFY(built.error().message.find("cancelled") != std::string::npos);
+}
+
+void TestWalkSurface::noStageEndsTheProgram_data()
+{
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    QTest::addColumn<std::vector<glm::vec3>>("corners"); // of triangles beside a house
+    QTest::addColumn<bool>("isHouseThere");
+    const auto row = [](const char* name, std::vector<glm::vec3> corners,
+                        bool isHouseThere = true) {
+        QTest::newRow(name) << std::move(corners) << isHouseThere;
+    };
+    row("no triangle", {}, false);
+    row("no number", {{kNone, 0.0F, 0.0F}, {1.0F, kNone, 0.0F}, {0.0F, 0.0F, kNone}});
+    row("infinities", {{kInfinity, 0.0F, 0.0F}, {0.0F, -kInfinity, 0.0F}, {0.0F, 1.0F, 1.0F}});
+    row("the largest numbers", {{3e38F, 0.0F, 0.0F}, {0.0F, 3e38F, 0.0F}, {0.0F, 0.0F, -3e38F}});
+    row("light years", {{1e13F, 0.0F, 1e13F}, {-1e13F, 0.0F, 1e13F}, {0.0F, 0.0F, -1e13F}});
+    row("a strip around the earth", {{-9e6F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {9e6F, 0.0F, 0.0F}});
+    row("a tower into the sky", {{0.0F, -9e6F, 0.0F}, {1.0F, 9e6F, 0.0F}, {0.0F, 9e6F, 1.0F}});
+    row("points", {glm::vec3(8.0F), glm::vec3(8.0F), glm::vec3(8.0F)});
+    row("nothing but a point", {glm::vec3(0.0F), glm::vec3(0.0F), glm::vec3(0.0F)}, false);
+    row("a line", {{8.0F, 1.0F, 8.0F}, {9.0F, 1.0F, 8.0F}, {10.0F, 1.0F, 8.0F}});
+    std::vector<glm::vec3> many;
+    for (int i = 0; i < 600; ++i) {
+        const auto at = static_cast<float>(i);
+        many.emplace_back(std::fmod(at * 7.31F, 90.0F), std::fmod(at * 3.77F, 40.0F),
+                          std::fmod(at * 5.93F, 80.0F));
+    }
+    row("a heap of splinters", many);
+}
+
+/// Recast asserts: what it cannot reckon with must not come to it.
+void TestWalkSurface::noStageEndsTheProgram()
+{
+    QFETCH(const std::vector<glm::vec3>, corners);
+    QFETCH(const bool, isHouseThere);
+    model::StageMesh mesh;
+    if (isHouseThere) {
+        addBox(mesh, {-5.0F, 0.0F, -5.0F}, {5.0F, 6.0F, 5.0F});
+    }
+    for (const glm::vec3& corner : corners) {
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.push_back(corner);
+    }
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    behavior::SurfacePlan plan{{stageOf(mesh)}, {{kNone, 0.0F, kInfinity}}, {}, {}};
+    for (const float odd : {0.35F, kNone, kInfinity, -3e38F}) {
+        plan.settings = {odd, 5.0F * odd, odd, 100.0F * odd};
+        plan.areas = {area(1, 8.0F, 8.0F, std::fabs(odd), model::PlaceRole::Slow),
+                      area(2, 1e12F, -1e12F, 2.0F, model::PlaceRole::Obstacle)};
+        WalkSurface::Progress progress;
+        const auto built = WalkSurface::build(plan, progress);
+        QVERIFY(built.isOk() || !built.error().message.empty());
+        if (!built) {
+            continue;
+        }
+        const WalkSurface& surface = *built.value();
+        for (const glm::vec3& at : {glm::vec3(-9.0F, 0.0F, 0.0F), glm::vec3(kNone),
+                                    glm::vec3(kInfinity), glm::vec3(0.0F, 3e38F, -3e38F)}) {
+            (void)surface.way({-9.0F, 0.0F, 0.0F}, at);
+            (void)surface.way(at, {-9.0F, 0.0F, 0.0F});
+            (void)surface.wayMetres(at, {9.0F, 0.0F, 0.0F}, 1.0F);
+            (void)surface.height(at.x, at.z, at.y);
+            (void)surface.isWalkable(at);
+            (void)surface.nearest(at);
+            const auto reached = surface.straight({-9.0F, 0.0F, 0.0F}, at);
+            QVERIFY(!reached || model::Bounds::isPlace(*reached));
+        }
+    }
 }
 
 CROWD_TEST(TestWalkSurface)
