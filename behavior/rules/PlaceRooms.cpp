@@ -2,9 +2,16 @@
 #include "behavior/rules/PlaceRooms.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace crowd::behavior {
+
+namespace {
+
+constexpr std::size_t kMostWays = 6; ///< looked for, of those who want to know the nearest place
+
+} // namespace
 
 void PlaceRooms::setPlaces(std::vector<model::Place> places, std::vector<model::Path> paths)
 {
@@ -158,13 +165,49 @@ std::optional<model::PlaceId> PlaceRooms::behindTheLast(const std::vector<model:
     return behind;
 }
 
+/// No way is shorter than straight on: those further away than the best one are not asked about.
+std::optional<model::PlaceId> PlaceRooms::nearest(const std::vector<model::PlaceId>& ids,
+                                                  const glm::vec3& near,
+                                                  const WayLength& wayTo) const
+{
+    struct Candidate
+    {
+        float metres = 0.0F; ///< straight on
+        const model::Place* place = nullptr;
+    };
+    std::vector<Candidate> candidates;
+    for (const model::PlaceId id : ids) {
+        if (const model::Place* place = find(id)) {
+            candidates.push_back({flatDistance(place->position, near), place});
+        }
+    }
+    if (candidates.empty()) {
+        return std::nullopt;
+    }
+    std::ranges::stable_sort(candidates, {}, &Candidate::metres);
+    const model::Place* best = candidates.front().place; // where no way leads to any
+    float shortest = std::numeric_limits<float>::infinity();
+    const std::size_t asked = wayTo && candidates.size() > 1 ? kMostWays : 0;
+    for (std::size_t i = 0; i < std::min(asked, candidates.size()); ++i) {
+        if (candidates[i].metres >= shortest) {
+            break;
+        }
+        const float metres = wayTo(*candidates[i].place);
+        if (metres < shortest) {
+            shortest = metres;
+            best = candidates[i].place;
+        }
+    }
+    return best->id;
+}
+
 std::optional<model::PlaceId> PlaceRooms::choose(const PlaceWish& wish, const glm::vec3& near,
-                                                 model::PlaceId holds) const
+                                                 model::PlaceId holds, const WayLength& wayTo) const
 {
     if (wish.choice == model::PlaceChoice::Given) {
         return find(wish.place) != nullptr ? std::optional(wish.place) : std::nullopt;
     }
-    const std::vector<model::PlaceId> ids = candidates(wish);
+    std::vector<model::PlaceId> ids = candidates(wish);
     if (wish.choice == model::PlaceChoice::Ahead) {
         const auto own = std::ranges::find(ids, holds);
         const bool canMove = own != ids.end() && own != ids.begin() && hasRoomInLine(*(own - 1));
@@ -174,22 +217,13 @@ std::optional<model::PlaceId> PlaceRooms::choose(const PlaceWish& wish, const gl
     if (isInLine && isLine(wish)) {
         return behindTheLast(ids, holds);
     }
-    std::optional<model::PlaceId> best;
-    float nearest = 0.0F;
-    for (const model::PlaceId id : ids) {
-        const model::Place* each = find(id);
-        const bool isMeant = each != nullptr && (wish.choice == model::PlaceChoice::Nearest ||
-                                                 isFree(id, holds, isInLine));
-        const float away = isMeant ? flatDistance(each->position, near) : 0.0F;
-        if (isMeant && (!best || away < nearest)) {
-            best = id;
-            nearest = away;
-            if (isInLine) {
-                break;
-            }
-        }
+    if (wish.choice != model::PlaceChoice::Nearest) {
+        std::erase_if(ids, [&](model::PlaceId id) { return !isFree(id, holds, isInLine); });
     }
-    return best;
+    if (isInLine) {
+        return ids.empty() ? std::nullopt : std::optional(ids.front());
+    }
+    return nearest(ids, near, wayTo);
 }
 
 } // namespace crowd::behavior

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,6 +32,9 @@ struct PlaceWish
     /// Of the places that are meant where no path and no place says which.
     model::PlaceRole role = model::PlaceRole::Spot;
 };
+
+/// Metres of somebody's way to a place, no fewer than straight on; infinite: he does not get there.
+using WayLength = std::function<float(const model::Place&)>;
 
 /// Places that people ask for by what they are, and how many have taken each: whoever is on his
 /// way to one, or in one and on his way to no other. A place without stated room has room for as
@@ -65,10 +69,12 @@ public:
     /// As last counted.
     [[nodiscard]] bool isFull(model::PlaceId id) const;
     [[nodiscard]] std::uint32_t inside(model::PlaceId id) const;
-    /// See model::PlaceChoice; `near` is where he is, `holds` what he has. Nothing: there is no
-    /// such place now.
+    /// See model::PlaceChoice; `near` is where he is, `holds` what he has. The nearest one is that
+    /// with the shortest way, where `wayTo` says how long they are: asked of few, and of none where
+    /// there is no choice. Nothing: there is no such place now.
     [[nodiscard]] std::optional<model::PlaceId> choose(const PlaceWish& wish, const glm::vec3& near,
-                                                       model::PlaceId holds) const;
+                                                       model::PlaceId holds,
+                                                       const WayLength& wayTo = {}) const;
     /// Whether there is a place that could be meant, free or not.
     [[nodiscard]] bool hasAny(const PlaceWish& wish) const;
     /// Whether people move up on those places.
@@ -90,6 +96,9 @@ private:
     [[nodiscard]] bool hasRoomInLine(model::PlaceId id) const;
     [[nodiscard]] std::optional<model::PlaceId>
     behindTheLast(const std::vector<model::PlaceId>& line, model::PlaceId holds) const;
+    [[nodiscard]] std::optional<model::PlaceId> nearest(const std::vector<model::PlaceId>& ids,
+                                                        const glm::vec3& near,
+                                                        const WayLength& wayTo) const;
     [[nodiscard]] std::size_t indexOf(model::PlaceId id) const;
 
     std::vector<model::Place> m_places; ///< ascending ids

@@ -49,6 +49,10 @@ public:
     /// `point`, or as near to it as one gets straight on from `from`.
     [[nodiscard]] virtual glm::vec3 reached(const glm::vec3& from,
                                             const glm::vec3& point) const = 0;
+    /// Of the way from one point to another, metres; infinite where it ends further than `within`
+    /// from there.
+    [[nodiscard]] virtual float wayMetres(const glm::vec3& from, const glm::vec3& to,
+                                          float within) const = 0;
     /// At his own pace, or at `atLeast` (m/s) where that is faster.
     virtual void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) = 0;
     virtual void stop(std::uint32_t agent) = 0;
@@ -304,7 +308,7 @@ private:
     [[nodiscard]] bool leave(RuleHost& host, std::uint32_t agent, const model::Action& action);
     void goToPlace(RuleHost& host, std::uint32_t agent, model::PlaceId place);
     void closeUp(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool isAtGoal(RuleHost& host, std::uint32_t agent) const;
+    [[nodiscard]] bool isAtGoal(RuleHost& host, std::uint32_t agent, float ahead) const;
     void sayNowhere(std::uint32_t rule, const model::Action& action);
     [[nodiscard]] bool isHisTurn(std::uint32_t agent, const model::Action& action);
     [[nodiscard]] bool isWaiting(const Turn& turn) const;

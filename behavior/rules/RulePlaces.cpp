@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "behavior/rules/RuleEngine.h"
+#include "behavior/session/StrideKernel.h"
 #include "model/base/Random.h"
 
 /// Where rules send people, in whose turn, and how they leave.
@@ -115,8 +116,12 @@ bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action
     }
     const bool mayChoose =
         !isForFree || m_places.isAmong(wish, mind.holds) || isHisTurn(agent, action);
-    const auto place = mayChoose ? m_places.choose(wish, host.position(agent), mind.holds)
-                                 : std::optional<model::PlaceId>();
+    const glm::vec3 at = host.position(agent);
+    const auto wayTo = [&](const model::Place& to) {
+        return host.wayMetres(at, to.position, to.radius + kThereMetres);
+    };
+    const auto place =
+        mayChoose ? m_places.choose(wish, at, mind.holds, wayTo) : std::optional<model::PlaceId>();
     if (!place) {
         if (isForFree) {
             waitForPlace(agent, action);
@@ -184,10 +189,15 @@ bool RuleEngine::leave(RuleHost& host, std::uint32_t agent, const model::Action&
     if (!isHere && !travel(host, agent, action)) {
         return false;
     }
-    const bool isThere = isHere || host.isGone(agent) || isAtGoal(host, agent);
+    const bool isThere = isHere || host.isGone(agent) || isAtGoal(host, agent, 0.0F);
+    const float speed = host.speed(agent);
     if (isThere) {
         hold(agent, 0);
         host.leave(agent);
+    } else if (isAtGoal(host, agent, speed * speed / (2.0F * kUsualBraking))) {
+        // Who runs begins to come to rest before he is there: on, up to its middle.
+        sendTo(host, agent, m_places.find(m_minds[agent].goal)->position, 0.0F);
+        return false;
     } else if (m_minds[agent].isTravelling) {
         complainOf(m_minds[agent].rule,
                    " lets characters leave at \"" + m_places.find(m_minds[agent].goal)->name +
@@ -196,13 +206,13 @@ bool RuleEngine::leave(RuleHost& host, std::uint32_t agent, const model::Action&
     return true;
 }
 
-/// As near to it as others let him.
-bool RuleEngine::isAtGoal(RuleHost& host, std::uint32_t agent) const
+/// As near to it as others let him, or so many metres before that.
+bool RuleEngine::isAtGoal(RuleHost& host, std::uint32_t agent, float ahead) const
 {
     const Mind& mind = m_minds[agent];
     const model::Place* place = mind.isTravelling ? m_places.find(mind.goal) : nullptr;
-    return place != nullptr &&
-           flatDistance(place->position, host.position(agent)) <= place->radius + kThereMetres;
+    return place != nullptr && flatDistance(place->position, host.position(agent)) <=
+                                   place->radius + kThereMetres + ahead;
 }
 
 /// How many have taken the places, as of now.

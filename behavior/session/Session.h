@@ -161,6 +161,8 @@ private:
     void endClip(std::uint32_t agent) override;
     bool follow(std::uint32_t agent, model::PathId path) override;
     [[nodiscard]] glm::vec3 reached(const glm::vec3& from, const glm::vec3& point) const override;
+    [[nodiscard]] float wayMetres(const glm::vec3& from, const glm::vec3& to,
+                                  float within) const override;
     void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) override;
     void stop(std::uint32_t agent) override;
     void goOn(std::uint32_t agent) override;

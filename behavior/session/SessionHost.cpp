@@ -97,6 +97,12 @@ glm::vec3 Session::reached(const glm::vec3& from, const glm::vec3& point) const
     return m_surface ? m_surface->straight(from, point).value_or(point) : point;
 }
 
+float Session::wayMetres(const glm::vec3& from, const glm::vec3& to, float within) const
+{
+    const auto metres = m_surface ? m_surface->wayMetres(from, to, within) : std::nullopt;
+    return metres.value_or(flatDistance(from, to)); // also where he is off the surface
+}
+
 void Session::sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast)
 {
     leaveSeat(agent);

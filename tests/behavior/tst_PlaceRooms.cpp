@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <QtTest/QTest>
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void roomThatIsNotStatedIsThatOfTheArea();
     void freePlacesAreTakenByOneEach();
     void aQueueMovesUpAndIsServed();
+    void theNearestIsThatWithTheShortestWay();
 };
 
 void TestPlaceRooms::aFullPlaceIsFull()
@@ -165,6 +167,37 @@ void TestPlaceRooms::aQueueMovesUpAndIsServed()
     // Each time that one has been served all behind him move up by one, and nothing else is logged.
     QCOMPARE(session.rules().count(3), std::uint64_t{4 + 3 + 2 + 1});
     QCOMPARE(session.rules().takeLog().size(), std::size_t{5 + 5 + 10});
+}
+
+/// Beside a place behind a wall, the way to which is long.
+void TestPlaceRooms::theNearestIsThatWithTheShortestWay()
+{
+    behavior::PlaceRooms rooms;
+    std::vector<model::Place> places;
+    for (const float x : {4.0F, 6.0F, 9.0F, 30.0F, 60.0F}) {
+        model::Place exit{static_cast<model::PlaceId>(places.size() + 1), "exit", {x, 0.0F, 0.0F}};
+        exit.role = model::PlaceRole::Exit;
+        places.push_back(exit);
+    }
+    rooms.setPlaces(places, {});
+    const behavior::PlaceWish wish{model::PlaceChoice::Nearest, 0, 0, model::PlaceRole::Exit};
+    const auto chosen = [&](const std::vector<float>& ways, std::vector<model::PlaceId>& asked) {
+        asked.clear();
+        return rooms.choose(wish, glm::vec3(0.0F), 0, [&](const model::Place& place) {
+            asked.push_back(place.id);
+            return ways[place.id - 1];
+        });
+    };
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    std::vector<model::PlaceId> asked;
+    QCOMPARE(chosen({40.0F, 50.0F, 12.0F, 30.0F, 60.0F}, asked), std::optional(model::PlaceId{3}));
+    QCOMPARE(asked, (std::vector<model::PlaceId>{1, 2, 3})); // no other can be nearer
+    QCOMPARE(chosen({kNone, kNone, kNone, 80.0F, 90.0F}, asked), std::optional(model::PlaceId{4}));
+    QCOMPARE(chosen({kNone, kNone, kNone, kNone, kNone}, asked), std::optional(model::PlaceId{1}));
+    QCOMPARE(rooms.choose(wish, glm::vec3(0.0F), 0), std::optional(model::PlaceId{1}));
+    rooms.setPlaces({places[3]}, {});
+    QCOMPARE(chosen({kNone, kNone, kNone, kNone}, asked), std::optional(model::PlaceId{4}));
+    QVERIFY(asked.empty()); // there is no choice
 }
 
 CROWD_TEST(TestPlaceRooms)

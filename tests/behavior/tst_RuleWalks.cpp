@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QTest>
 
+#include "behavior/surface/WalkSurface.h"
+#include "tests/behavior/BoxStage.h"
 #include "tests/behavior/RuleScenes.h"
 #include "tests/program/Test.h"
 
@@ -44,6 +46,22 @@ float nearestTo(Session& session, std::size_t row, const glm::vec3& point, int s
     return nearest;
 }
 
+/// A wall along Z at x = 4.
+model::StageEntry wallBeside(float low, float high)
+{
+    model::StageMesh mesh;
+    addBox(mesh, {4.0F, 0.0F, low}, {4.5F, 3.0F, high});
+    return stageOf(mesh);
+}
+
+void letPeopleStandOn(Session& session, const model::Scene& scene)
+{
+    behavior::WalkSurface::Progress progress;
+    auto built = behavior::WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
+    QVERIFY(built.isOk());
+    session.setSurface(built.value());
+}
+
 } // namespace
 
 /// Rules that send people from one place to the next, and out.
@@ -60,6 +78,9 @@ private Q_SLOTS:
     void whoHasNowhereToLeaveAtStays_data();
     void whoHasNowhereToLeaveAtStays();
     void exitsAreTakenByNoMoreThanHaveRoom();
+    void theNearestExitIsThatWithTheShortestWay();
+    void whoWasStoppedByAWallGoesWhereHeIsSentNext();
+    void whoRunsToAnExitGetsOut();
 };
 
 void TestRuleWalks::walksFollowEachOther()
@@ -207,6 +228,62 @@ void TestRuleWalks::exitsAreTakenByNoMoreThanHaveRoom()
     run(session, 900);
     for (std::size_t row = 0; row < 4; ++row) {
         QVERIFY(isGone(session, row));
+    }
+}
+
+void TestRuleWalks::theNearestExitIsThatWithTheShortestWay()
+{
+    model::Scene scene = rowOf(1);
+    scene.stages = {wallBeside(-30.0F, 30.0F)};
+    scene.places = {{1, "behind the wall", {7.0F, 0.0F, 0.0F}, 0.5F},
+                    {2, "down the street", {-14.0F, 0.0F, 0.0F}, 0.5F}};
+    for (model::Place& place : scene.places) {
+        place.role = PlaceRole::Exit;
+    }
+    scene.rules = {onEvent("home", {leaveAt(PlaceChoice::Nearest)})};
+    Session session(scene);
+    letPeopleStandOn(session, scene);
+    session.send("home", 0.0F, {1});
+    const float nearest = nearestTo(session, 0, scene.places[1].position, 900);
+    QVERIFY2(nearest < 1.2F, QByteArray::number(static_cast<double>(nearest)));
+    QVERIFY(isGone(session, 0));
+}
+
+/// The end of the way that led nowhere is not that of the next one.
+void TestRuleWalks::whoWasStoppedByAWallGoesWhereHeIsSentNext()
+{
+    model::Scene scene = rowOf(1);
+    model::StageMesh house;
+    addBox(house, {4.0F, 0.0F, -6.0F}, {16.0F, 8.0F, 6.0F});
+    scene.stages = {stageOf(house)};
+    scene.places = {{1, "in the house", {10.0F, 0.0F, 0.0F}, 0.3F},
+                    {2, "beside it", {0.0F, 0.0F, 12.0F}, 0.3F}};
+    scene.rules = {onEvent("go", {goTo(1), goTo(2), tagWith(1)})};
+    Session session(scene);
+    letPeopleStandOn(session, scene);
+    session.send("go", 0.0F, {1});
+    run(session, 900);
+    QVERIFY(hasTag(session, 0, 1));
+    const float away = behavior::flatDistance(placeOf(session, 0), scene.places[1].position);
+    QVERIFY2(away < 1.0F, QByteArray::number(static_cast<double>(away)));
+}
+
+/// He begins to slow down before he is in it.
+void TestRuleWalks::whoRunsToAnExitGetsOut()
+{
+    for (const float speed : {1.3F, 3.0F, 6.0F}) {
+        model::Scene scene = rowOf(1);
+        scene.places = {{1, "exit", {0.0F, 0.0F, 30.0F}, 0.3F}};
+        scene.places[0].role = PlaceRole::Exit;
+        Action pace = action(ActionKind::SetSpeed);
+        pace.value = speed;
+        scene.rules = {onEvent("home", {pace, leaveAt(PlaceChoice::Nearest)})};
+        Session session(scene);
+        session.send("home", 0.0F, {1});
+        const float nearest = nearestTo(session, 0, scene.places[0].position, 900);
+        QVERIFY(isGone(session, 0));
+        QVERIFY2(nearest < 2.1F, QByteArray::number(static_cast<double>(nearest)));
+        QVERIFY(session.problems().empty());
     }
 }
 
