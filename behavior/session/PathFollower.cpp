@@ -268,6 +268,13 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
     touchAll();
 }
 
+glm::vec2 PathFollower::nextAim(std::uint32_t agent) const
+{
+    const std::vector<glm::vec3>& corners = m_walks[agent].corners;
+    return !m_surface || corners.empty() ? glm::vec2(m_aims.x[agent], m_aims.z[agent])
+                                         : glm::vec2(corners.back().x, corners.back().z);
+}
+
 bool PathFollower::isWalking(std::uint32_t agent) const
 {
     const Walk& walk = m_walks[agent];

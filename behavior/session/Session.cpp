@@ -337,6 +337,7 @@ void Session::step()
     m_follower.steer(m_crowd);
     m_rules.step(*this, m_steps);
     actPlaces();
+    goAroundParked();
     brake();
     turnLongBodies();
     m_crowd.step(m_stepSeconds);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/crowd/ParkedBodies.h"
 #include "behavior/rules/RuleEngine.h"
 #include "behavior/session/Bearings.h"
 #include "behavior/session/Gait.h"
@@ -231,6 +232,7 @@ private:
     void adoptLooks(const model::Population& now);
     void adoptPaths(const model::Scene& scene);
     void actPlaces();
+    void goAroundParked();
     void brake();
     /// Something happens to somebody: the next step looks at him.
     Shown& touch(std::uint32_t agent);
@@ -278,6 +280,7 @@ private:
     std::vector<Standing> m_standing;
     Bearings m_bearings;
     CrowdSimulation m_crowd;
+    ParkedBodies m_parked;
     PathFollower m_follower;
     RuleEngine m_rules;
     std::shared_ptr<const WalkSurface> m_surface;

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include <QtTest/QTest>
 
@@ -10,8 +12,11 @@
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/session/Session.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/base/Parallel.h"
 #include "model/project/SceneAssets.h"
+#include "tests/behavior/Actors.h"
+#include "tests/behavior/BoxStage.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -35,6 +40,8 @@ private Q_SLOTS:
     void longBodiesKeepOutOfWalls();
     void sameBitsForAnyNumberOfThreads();
     void aHerdDoesNotOverlap();
+    void walkersGoAroundWhatIsParked_data();
+    void walkersGoAroundWhatIsParked();
 };
 
 namespace {
@@ -53,6 +60,17 @@ float awayFrom(const glm::vec2& point, const Body& own, const LongBody& body)
 glm::vec2 placeOf(const Body& body)
 {
     return {body.x, body.z};
+}
+
+/// Somebody 0.8 m wide and so long, beside the people of Actors.h.
+model::TemplateEntry horseTemplate(float metres)
+{
+    model::TemplateEntry entry = testing::actorTemplate();
+    auto asset = std::make_shared<model::Template>(*entry.asset);
+    asset->footprint = {0.4F, 0.5F * metres - 0.4F, 0.5F * metres - 0.4F};
+    entry.asset = asset;
+    entry.id = 2;
+    return entry;
 }
 
 void turnAsTheyGo(CrowdSimulation& crowd)
@@ -253,6 +271,78 @@ void LongBodiesTest::aHerdDoesNotOverlap()
     }
     QVERIFY2(least > body.radius, qPrintable(QString::number(least)));
     QVERIFY(session.pose()->z.front() > 20.0F);
+}
+
+void LongBodiesTest::walkersGoAroundWhatIsParked_data()
+{
+    QTest::addColumn<std::vector<glm::vec3>>("parked"); // x, heading, z
+    QTest::addColumn<float>("wallTo");                  // a wall from there to x = 6
+    constexpr float kAcross = 1.5707963F;
+    const auto row = [](const char* name, std::vector<glm::vec3> parked, float wallTo = 6.0F) {
+        QTest::newRow(name) << std::move(parked) << wallTo;
+    };
+    row("one across the way", {{0.0F, kAcross, 0.0F}});
+    row("one along the way", {{0.0F, 0.0F, 0.0F}});
+    row("one aslant", {{0.3F, 0.8F, 0.0F}});
+    row("two between which nobody gets through", {{-1.7F, kAcross, 0.0F}, {1.7F, kAcross, 0.0F}});
+    row("two with a gap", {{-2.4F, kAcross, 0.0F}, {2.4F, kAcross, 0.0F}});
+    row("one behind the other", {{0.0F, kAcross, 0.0F}, {0.8F, kAcross, 3.0F}});
+    row("one beside a wall", {{1.0F, kAcross, 0.0F}}, 2.2F);
+}
+
+/// Thirty people in a stream, and those who stand in the middle of it.
+void LongBodiesTest::walkersGoAroundWhatIsParked()
+{
+    QFETCH(const std::vector<glm::vec3>, parked);
+    QFETCH(const float, wallTo);
+    constexpr std::size_t kPeople = 30;
+    model::Scene scene;
+    scene.templates = {testing::actorTemplate(), horseTemplate(3.0F)};
+    if (wallTo < 6.0F) {
+        model::StageMesh wall;
+        testing::addBox(wall, {wallTo, 0.0F, -3.0F}, {6.0F, 3.0F, 3.0F});
+        scene.stages = {testing::stageOf(wall)};
+    }
+    scene.places = {{.id = 1, .name = "end", .position = {0.0F, 0.0F, 14.0F}, .radius = 2.0F}};
+    scene.paths = {{.id = 1, .name = "way", .places = {1}}};
+    std::vector<model::IndividualId> ids(kPeople + parked.size());
+    std::iota(ids.begin(), ids.end(), 1U);
+    auto rows = model::IndividualRows::withDefaults(ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const bool isParked = i >= kPeople;
+        const glm::vec3 at = isParked ? parked[i - kPeople] : glm::vec3(0.0F);
+        rows.column(model::columns::templateId)[i] = isParked ? 2 : 1;
+        rows.column(model::columns::path)[i] = isParked ? 0 : 1;
+        rows.column(model::columns::heading)[i] = at.y;
+        rows.column(model::columns::position)[i] =
+            isParked ? glm::vec3(at.x, 0.0F, at.z)
+                     : glm::vec3(static_cast<float>(i % 3) - 1.0F, 0.0F,
+                                 -6.0F - 1.2F * static_cast<float>(i / 3));
+    }
+    scene.population.add(rows);
+    Session session(scene);
+    if (!scene.stages.empty()) {
+        behavior::WalkSurface::Progress progress;
+        const auto built = behavior::WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
+        QVERIFY(built.isOk());
+        session.setSurface(built.value());
+    }
+    float least = 100.0F;
+    for (int step = 0; step < 30 * 45; ++step) {
+        session.step();
+        const std::span<const Body> bodies = std::as_const(session.crowd()).bodies();
+        for (const LongBody& horse : session.crowd().longBodies()) {
+            for (std::size_t i = 0; i < kPeople; ++i) {
+                least = std::min(least, awayFrom(placeOf(bodies[i]), bodies[horse.agent], horse));
+            }
+        }
+    }
+    std::size_t past = 0;
+    for (const Body& body : session.crowd().bodies().first(kPeople)) {
+        past += body.z > 8.0F ? 1 : 0;
+    }
+    QCOMPARE(past, kPeople);
+    QVERIFY2(least > 0.5F, qPrintable(QString::number(least)));
 }
 
 CROWD_TEST(LongBodiesTest)
