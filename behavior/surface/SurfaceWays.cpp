@@ -20,6 +20,7 @@ constexpr float kReachedShare = 0.025F; ///< of the way
 constexpr float kOnLevelMetres = 1.0F;
 constexpr float kOtherLevelMetres = 2.0F; ///< places may lie a little above or below their ground
 constexpr float kOffEdge = 0.1F;
+constexpr float kKeepsRight = 0.5F; ///< of a lane's width, of those to whose right there is room
 constexpr float kLeastTurn = 0.05F; ///< of unit vectors: less is no bend
 
 glm::vec2 flatUnit(const glm::vec3& from, const glm::vec3& to)
@@ -50,7 +51,11 @@ glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& from, const Bend& 
     }
     const glm::vec2 outwards = bend / length;
     const float share = 0.5F * (1.0F + std::clamp(glm::dot(lane.side, outwards), -1.0F, 1.0F));
-    const glm::vec2 aside = outwards * (share * lane.width);
+    // Where both directions of a flow come by on one side, those keep further out who keep to the
+    // right by that.
+    const glm::vec2 ahead = flatUnit(of.before, of.after);
+    const bool isRight = glm::dot(outwards, glm::vec2(-ahead.y, ahead.x)) > 0.0F;
+    const glm::vec2 aside = outwards * ((share + (isRight ? kKeepsRight : 0.0F)) * lane.width);
     // From a little off the edge: on it, the ray might begin in a polygon that ends there.
     const glm::vec2 off = outwards * kOffEdge;
     const auto reached =

@@ -113,6 +113,7 @@ private Q_SLOTS:
     void nobodyGetsUnderABridgeThatHeIsToCross();
     void whoIsInANewObstacleLeavesAtAWalk();
     void aFlowStaysWideAroundAPillar();
+    void opposingFlowsGetPastEachOtherAtAFountain();
     void whoeverCannotWalkAwayIsNamed();
 };
 
@@ -124,6 +125,8 @@ void TestGround::onlyWhatIsLinkedIsGround_data()
     QTest::addColumn<bool>("isGround");
     QTest::newRow("the street before a house") << 0 << -8.0F << 0.0F << true;
     QTest::newRow("the roof of a house") << 0 << 0.0F << 6.0F << false;
+    QTest::newRow("the inside of a house that has none") << 0 << 0.0F << 0.0F << false;
+    QTest::newRow("the floor of a hall without doors") << 4 << 0.0F << 0.0F << true;
     QTest::newRow("in the air") << 0 << -8.0F << 5.5F << false;
     QTest::newRow("far out on open ground") << 0 << -300.0F << 0.0F << true;
     QTest::newRow("far out in the air") << 0 << -300.0F << 2.0F << false;
@@ -141,7 +144,7 @@ void TestGround::onlyWhatIsLinkedIsGround()
     QFETCH(const int, stage);
     QFETCH(const float, x);
     QFETCH(const float, y);
-    model::StageMesh meshes[3];
+    model::StageMesh meshes[5];
     addBox(meshes[0], {-5.0F, 0.0F, -5.0F}, {5.0F, 6.0F, 5.0F});
     addBox(meshes[1], {-3.0F, 0.0F, -3.0F}, {3.0F, 0.3F, 3.0F});
     for (const float side : {-3.2F, 3.2F}) {
@@ -150,8 +153,10 @@ void TestGround::onlyWhatIsLinkedIsGround()
     }
     addBox(meshes[1], {-0.5F, 0.0F, -40.0F}, {0.5F, 4.0F, -39.0F}); // it is not the whole stage
     addBox(meshes[2], {-10.0F, 0.0F, -10.0F}, {10.0F, 1.0F, 10.0F});
-    const SurfacePtr surface =
-        surfaceFor(SurfacePlan::ofStages(sceneOn(stage == 3 ? bridge() : meshes[stage])));
+    meshes[3] = bridge();
+    addBox(meshes[4], {-5.0F, 0.0F, -5.0F}, {5.0F, 6.0F, 5.0F});
+    std::ranges::reverse(meshes[4].indices); // made to be seen from inside
+    const SurfacePtr surface = surfaceFor(SurfacePlan::ofStages(sceneOn(meshes[stage])));
     QVERIFY(surface);
     QTEST(surface->isWalkable({x, y, 0.0F}), "isGround");
 }
@@ -370,6 +375,38 @@ void TestGround::aFlowStaysWideAroundAPillar()
     }
     QVERIFY2(farthest - nearest > 1.5F && farthest < 7.0F,
              qPrintable(QStringLiteral("%1 to %2").arg(nearest).arg(farthest)));
+}
+
+/// Three hundred to and fro, on a path 3 m wide that passes by the middle: nearly all on one side.
+void TestGround::opposingFlowsGetPastEachOtherAtAFountain()
+{
+    model::Scene scene;
+    std::vector<glm::vec3> points;
+    const auto part = [](float value) { return value - std::floor(value); };
+    for (int i = 0; i < 300; ++i) {
+        const auto at = static_cast<float>(i);
+        points.emplace_back((i % 2 == 0 ? -1.0F : 1.0F) * (8.0F + 22.0F * part(at * 0.618F)), 0.0F,
+                            1.0F + 3.0F * part(at * 0.381F) - 1.5F);
+    }
+    addPeople(scene, points);
+    addPath(scene, 1, {{-25.0F, 0.0F, 1.0F}, {25.0F, 0.0F, 1.0F}}, 1.5F);
+    scene.paths.front().kind = model::PathKind::Cyclic;
+    model::Place fountain{3, "fountain", {0.0F, 0.0F, 0.0F}, 5.0F};
+    fountain.role = model::PlaceRole::Obstacle;
+    scene.places.push_back(fountain);
+    Session session(scene);
+    session.setSurface(surfaceFor(SurfacePlan::of(scene)));
+    std::size_t slow = 0;
+    for (int second = 0; second < 90; ++second) {
+        for (int step = 0; step < 30; ++step) {
+            session.step();
+        }
+        for (const behavior::Body& body : session.crowd().bodies()) {
+            const float squared = body.velocityX * body.velocityX + body.velocityZ * body.velocityZ;
+            slow += second >= 30 && squared < 0.2F * 0.2F ? 1 : 0;
+        }
+    }
+    QVERIFY2(slow < 300 * 60 * 6 / 100, QByteArray::number(static_cast<qulonglong>(slow)));
 }
 
 void TestGround::whoeverCannotWalkAwayIsNamed()
