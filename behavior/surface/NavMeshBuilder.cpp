@@ -46,8 +46,9 @@ rcConfig configFor(const TriangleSoup& soup, const SurfaceSettings& settings)
     config.minRegionArea = static_cast<int>(1.0F / (config.cs * config.cs));
     config.mergeRegionArea = static_cast<int>(9.0F / (config.cs * config.cs));
     config.maxVertsPerPoly = kVerticesAPolygon;
-    config.detailSampleDist = 1.5F;
-    config.detailSampleMaxError = 0.06F;
+    // In metres, both: on ground from pole to pole samples as close as on a square would never end.
+    config.detailSampleDist = std::max(1.5F, 3.0F * config.cs);
+    config.detailSampleMaxError = std::max(0.06F, 0.6F * config.ch);
     for (int axis = 0; axis < 3; ++axis) {
         config.bmin[axis] = soup.bounds.low[axis];
         config.bmax[axis] = soup.bounds.high[axis];

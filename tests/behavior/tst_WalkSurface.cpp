@@ -371,6 +371,7 @@ void TestWalkSurface::noStageEndsTheProgram_data()
     row("infinities", {{kInfinity, 0.0F, 0.0F}, {0.0F, -kInfinity, 0.0F}, {0.0F, 1.0F, 1.0F}});
     row("the largest numbers", {{3e38F, 0.0F, 0.0F}, {0.0F, 3e38F, 0.0F}, {0.0F, 0.0F, -3e38F}});
     row("light years", {{1e13F, 0.0F, 1e13F}, {-1e13F, 0.0F, 1e13F}, {0.0F, 0.0F, -1e13F}});
+    row("from pole to pole", {{-9e6F, 0.0F, -9e6F}, {-9e6F, 0.0F, 9e6F}, {9e6F, 0.0F, 0.0F}});
     row("a strip around the earth", {{-9e6F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {9e6F, 0.0F, 0.0F}});
     row("a tower into the sky", {{0.0F, -9e6F, 0.0F}, {1.0F, 9e6F, 0.0F}, {0.0F, 9e6F, 1.0F}});
     row("points", {glm::vec3(8.0F), glm::vec3(8.0F), glm::vec3(8.0F)});
