@@ -42,6 +42,7 @@ private Q_SLOTS:
     void aHerdDoesNotOverlap();
     void walkersGoAroundWhatIsParked_data();
     void walkersGoAroundWhatIsParked();
+    void detoursAreTheSameForAnyNumberOfThreads();
 };
 
 namespace {
@@ -343,6 +344,42 @@ void LongBodiesTest::walkersGoAroundWhatIsParked()
     }
     QCOMPARE(past, kPeople);
     QVERIFY2(least > 0.5F, qPrintable(QString::number(least)));
+}
+
+/// A field of parked ones, with as many people as are worth several threads.
+void LongBodiesTest::detoursAreTheSameForAnyNumberOfThreads()
+{
+    model::Scene scene;
+    scene.templates = {testing::actorTemplate(), horseTemplate(3.0F)};
+    scene.places = {{.id = 1, .name = "end", .position = {40.0F, 0.0F, 200.0F}, .radius = 30.0F}};
+    scene.paths = {{.id = 1, .name = "way", .places = {1}}};
+    std::vector<model::IndividualId> ids(4000);
+    std::iota(ids.begin(), ids.end(), 1U);
+    auto rows = model::IndividualRows::withDefaults(ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const bool isParked = i % 20 == 0;
+        rows.column(model::columns::templateId)[i] = isParked ? 2 : 1;
+        rows.column(model::columns::path)[i] = isParked ? 0 : 1;
+        rows.column(model::columns::heading)[i] = 1.3F;
+        rows.column(model::columns::position)[i] = {static_cast<float>(i % 80) * 1.1F, 0.0F,
+                                                    static_cast<float>(i / 80) * 1.3F};
+    }
+    scene.population.add(rows);
+    const auto run = [&scene](int threads) {
+        const model::ThreadLimit limit(threads);
+        Session session(scene);
+        for (int step = 0; step < 60; ++step) {
+            session.step();
+        }
+        std::vector<std::uint32_t> bits;
+        for (const Body& body : session.crowd().bodies()) {
+            for (const float value : {body.x, body.z, body.velocityX, body.velocityZ}) {
+                bits.push_back(std::bit_cast<std::uint32_t>(value));
+            }
+        }
+        return bits;
+    };
+    QCOMPARE(run(1), run(4));
 }
 
 CROWD_TEST(LongBodiesTest)
