@@ -11,6 +11,7 @@
 #include "app/commands/BenchReport.h"
 #include "app/python/Binding.h"
 #include "app/python/EmbeddedPython.h"
+#include "app/python/PythonBrush.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -171,7 +172,7 @@ Pair columnTimes(const py::dict& names, int count, int rounds)
 RecordedStroke recordedOf(const py::dict& names)
 {
     RecordedStroke recorded;
-    recorded.settings = names["brush"]().cast<BrushSettings>();
+    recorded.settings = names["brush"]().cast<const PythonBrush&>().settings();
     recorded.seed = 1;
     recorded.camera = names["camera"].cast<Camera>();
     recorded.viewSize = {1280.0F, 720.0F};

@@ -13,6 +13,7 @@
 #include "app/python/Binding.h"
 #include "app/python/EmbeddedPython.h"
 #include "app/python/OutsidePython.h"
+#include "app/python/PythonBrush.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
@@ -61,11 +62,11 @@ widgets::ScriptField fieldOf(const py::tuple& said)
 /// What brushes.py tells of a brush, on its way to the main thread.
 py::cpp_function brushListener(Interpreter& owner)
 {
-    return [&owner](const std::string& name, const std::string& tip,
-                    const model::BrushSettings& area, const py::list& fields) {
+    return [&owner](const std::string& name, const std::string& tip, const PythonBrush& area,
+                    const py::list& fields) {
         widgets::ScriptBrush brush;
         brush.tip = QString::fromStdString(tip);
-        brush.settings = area;
+        brush.settings = area.settings();
         brush.settings.script.brush = name;
         for (const py::handle& each : fields) {
             const auto said = each.cast<py::tuple>();

@@ -22,8 +22,8 @@ namespace crowd::app {
 namespace py = pybind11;
 
 class ScriptSession;
-struct ScriptBrush;
-struct ScriptCreateSettings;
+struct PythonBrush;
+struct PythonCreateSettings;
 
 /// crowdbrush.Error, with the message the editor would show.
 class ScriptError : public std::runtime_error
@@ -134,13 +134,13 @@ inline constexpr bool kIsBound<model::Lighting> = true;
 template<>
 inline constexpr bool kIsBound<model::StrokeOutcome> = true;
 template<>
-inline constexpr bool kIsBound<ScriptBrush> = true;
+inline constexpr bool kIsBound<PythonBrush> = true;
 template<>
 inline constexpr bool kIsBound<model::HeadingSettings> = true;
 template<>
 inline constexpr bool kIsBound<model::SeatGridSettings> = true;
 template<>
-inline constexpr bool kIsBound<ScriptCreateSettings> = true;
+inline constexpr bool kIsBound<PythonCreateSettings> = true;
 template<>
 inline constexpr bool kIsBound<model::DeleteSettings> = true;
 template<>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/python/Binding.h"
-#include "app/python/ScriptBrush.h"
+#include "app/python/PythonBrush.h"
 #include "model/scene/NearestPath.h"
 
 namespace crowd::app {
@@ -70,7 +70,7 @@ std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
     return weights;
 }
 
-py::dict mixOf(const ScriptCreateSettings& create)
+py::dict mixOf(const PythonCreateSettings& create)
 {
     py::dict mix;
     for (const TemplateWeight& each : create.mix) {
@@ -79,7 +79,7 @@ py::dict mixOf(const ScriptCreateSettings& create)
     return mix;
 }
 
-void setMix(ScriptCreateSettings& create, const py::dict& mix)
+void setMix(PythonCreateSettings& create, const py::dict& mix)
 {
     std::vector<TemplateWeight> weights;
     std::vector<std::weak_ptr<ScriptScene>> owners;
@@ -146,14 +146,14 @@ void bindParts(py::module_& module)
         .def_readwrite("is_on", &SeatGridSettings::isOn, "Create on free seats only.")
         .def_readwrite("ranks", &SeatGridSettings::ranks, "Empty: all. Assign a whole list.")
         .def_readwrite("wedges", &SeatGridSettings::wedges, "Empty: all. Assign a whole list.");
-    py::class_<ScriptCreateSettings>(module, "CreateSettings", "Who is created, and how.")
+    py::class_<PythonCreateSettings>(module, "CreateSettings", "Who is created, and how.")
         .def_property("mix", &mixOf, &setMix, "Template (or its id) → weight.")
         .def_readwrite("minimal_distance", &CreateSettings::minimalDistance, "Metres.")
-        .def_property("height", rangeGetter<ScriptCreateSettings>(&CreateSettings::height),
-                      rangeSetter<ScriptCreateSettings>(&CreateSettings::height),
+        .def_property("height", rangeGetter<PythonCreateSettings>(&CreateSettings::height),
+                      rangeSetter<PythonCreateSettings>(&CreateSettings::height),
                       "Scale, (lowest, highest).")
-        .def_property("girth", rangeGetter<ScriptCreateSettings>(&CreateSettings::girth),
-                      rangeSetter<ScriptCreateSettings>(&CreateSettings::girth),
+        .def_property("girth", rangeGetter<PythonCreateSettings>(&CreateSettings::girth),
+                      rangeSetter<PythonCreateSettings>(&CreateSettings::girth),
                       "Scale, (lowest, highest).")
         .def_readwrite("palette", &CreateSettings::palette,
                        "List of (red, green, blue), 0–255. Assign a whole list.")
@@ -164,11 +164,11 @@ void bindParts(py::module_& module)
                        "Any skin, hair and face; None: as varies_outfit.")
         .def_readwrite("varies_parts", &CreateSettings::variesParts,
                        "Each part worn or not, else as the template has them.")
-        .def_property("phase", rangeGetter<ScriptCreateSettings>(&CreateSettings::phase),
-                      rangeSetter<ScriptCreateSettings>(&CreateSettings::phase))
+        .def_property("phase", rangeGetter<PythonCreateSettings>(&CreateSettings::phase),
+                      rangeSetter<PythonCreateSettings>(&CreateSettings::phase))
         .def_property(
-            "clips", [](const ScriptCreateSettings& owner) { return clipsAsDict(owner.clips); },
-            [](ScriptCreateSettings& owner, const py::dict& clips) {
+            "clips", [](const PythonCreateSettings& owner) { return clipsAsDict(owner.clips); },
+            [](PythonCreateSettings& owner, const py::dict& clips) {
                 owner.clips = clipsFromDict(clips);
             },
             "Name → weight; empty: what suits the place.")
@@ -235,9 +235,9 @@ void bindWalk(py::module_& module)
                       rangeSetter(&StyleSettings::speed), "m/s, (lowest, highest).");
 }
 
-ScriptBrush brushOf(BrushKind kind)
+PythonBrush brushOf(BrushKind kind)
 {
-    ScriptBrush brush;
+    PythonBrush brush;
     brush.kind = kind;
     return brush;
 }
@@ -250,14 +250,14 @@ void bindBrushes(py::module_& module)
     bindParts(module);
     bindChanges(module);
     bindWalk(module);
-    py::class_<ScriptBrush>(module, "Brush", "A brush with the editor's own settings.")
+    py::class_<PythonBrush>(module, "Brush", "A brush with the editor's own settings.")
         .def(py::init(&brushOf), py::arg("kind"))
         .def(
-            "copy", [](const ScriptBrush& brush) { return ScriptBrush(brush); },
+            "copy", [](const PythonBrush& brush) { return PythonBrush(brush); },
             "Another one, set the same.")
         .def(
             "__eq__",
-            [](const ScriptBrush& a, const ScriptBrush& b) { return a.settings() == b.settings(); },
+            [](const PythonBrush& a, const PythonBrush& b) { return a.settings() == b.settings(); },
             py::is_operator())
         .def_readwrite("kind", &BrushSettings::kind)
         .def_readwrite("selection", &BrushSettings::selection)
@@ -270,12 +270,12 @@ void bindBrushes(py::module_& module)
         .def_readwrite("pressure_size", &BrushSettings::pressureSize)
         .def_readwrite("pressure_rate", &BrushSettings::pressureRate)
         .def_property(
-            "distribution", [](const ScriptBrush& b) { return b.distribution.weights; },
-            [](ScriptBrush& b, const std::array<float, 16>& weights) {
+            "distribution", [](const PythonBrush& b) { return b.distribution.weights; },
+            [](PythonBrush& b, const std::array<float, 16>& weights) {
                 b.distribution.weights = weights;
             },
             "16 weights over the range, for the random operator.")
-        .def_readwrite("create", &ScriptBrush::creation)
+        .def_readwrite("create", &PythonBrush::creation)
         .def_readwrite("removal", &BrushSettings::removal)
         .def_readwrite("colour", &BrushSettings::colour)
         .def_readwrite("orientation", &BrushSettings::orientation)
@@ -283,8 +283,8 @@ void bindBrushes(py::module_& module)
         .def_readwrite("walk", &BrushSettings::walk)
         .def_readwrite("style", &BrushSettings::style)
         .def_property(
-            "tag", [](const ScriptBrush& b) { return b.tag.tag; },
-            [](ScriptBrush& b, std::uint8_t tag) { b.tag.tag = tag; },
+            "tag", [](const PythonBrush& b) { return b.tag.tag; },
+            [](PythonBrush& b, std::uint8_t tag) { b.tag.tag = tag; },
             "Of the tag brushes: the bit, 0–63.");
 }
 

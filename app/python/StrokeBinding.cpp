@@ -4,7 +4,7 @@
 
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
-#include "app/python/ScriptBrush.h"
+#include "app/python/PythonBrush.h"
 
 namespace crowd::app {
 
@@ -54,8 +54,8 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
 /// The editor's own brush as it is; one that a script brings along with the area that it asks for.
 BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 {
-    if (py::isinstance<ScriptBrush>(brush)) {
-        const auto& given = brush.cast<const ScriptBrush&>();
+    if (py::isinstance<PythonBrush>(brush)) {
+        const auto& given = brush.cast<const PythonBrush&>();
         if (given.kind == BrushKind::Script) {
             throw ScriptError("Give the brush itself, the object with apply(selection).");
         }
@@ -69,7 +69,7 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
     }
     const py::module_ module = py::module_::import("crowdbrush");
     module.attr("_check")(brush);
-    BrushSettings settings = module.attr("_area_of")(brush).cast<const ScriptBrush&>().settings();
+    BrushSettings settings = module.attr("_area_of")(brush).cast<const PythonBrush&>().settings();
     settings.script.brush = module.attr("_known_name")(brush).cast<std::string>();
     return settings;
 }

@@ -101,6 +101,8 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
     QTest::newRow("simulating on one thread and on two")
         << QStringLiteral("bench simulate --count 100 --steps 20 --threads 2 --against-one-thread")
         << QStringLiteral("median_step_ms one_thread_median_step_ms times_one_thread");
+    QTest::newRow("scripts") << QStringLiteral("bench python --count 100 --rounds 1")
+                             << QStringLiteral("count rounds columns_ratio stroke_ratio");
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
                            << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
                                              "cast_templates cast_bytes cast_load_ms "

@@ -11,15 +11,15 @@ namespace crowd::app {
 
 /// Settings of creation as scripts hold them: they name templates by number, and these are the
 /// scenes of those that were given by a handle.
-struct ScriptCreateSettings : model::CreateSettings
+struct PythonCreateSettings : model::CreateSettings
 {
     std::vector<std::weak_ptr<ScriptScene>> owners;
 };
 
 /// crowdbrush.Brush. Its own `create` stands for the settings' one.
-struct ScriptBrush : model::BrushSettings
+struct PythonBrush : model::BrushSettings
 {
-    ScriptCreateSettings creation;
+    PythonCreateSettings creation;
 
     [[nodiscard]] model::BrushSettings settings() const
     {
