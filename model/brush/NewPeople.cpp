@@ -118,7 +118,8 @@ private:
         const CreateSettings& create = m_settings.create;
         const std::size_t slots = std::min<std::size_t>(asset.slots.size(), kMaxTintSlots);
         for (std::size_t slot = 0; slot < slots && !create.palette.empty(); ++slot) {
-            if (!asset.slots[slot].tintable || isOfTheBody(asset.slots[slot].name)) {
+            const Slot& painted = asset.slots[slot];
+            if (!painted.tintable || !painted.takesPalette || isOfTheBody(painted.name)) {
                 continue;
             }
             const auto picked =

@@ -244,7 +244,10 @@ Slot SlotTable::makeSlot(const Key& key)
                     : key.front() == kNoMaterial ? std::string("default")
                                                  : "material_" + std::to_string(key.front());
     }
-    slot.tintable = flagIn(material.extras, "tintable").value_or(true);
+    const std::optional<bool> isTintable = flagIn(material.extras, "tintable");
+    slot.tintable = isTintable.value_or(true);
+    slot.takesPalette =
+        slot.tintable && (isTintable.has_value() || !textIn(material.extras, "slot").empty());
     slot.choices.push_back(makeChoice(key.front()));
     for (std::size_t i = 1; i + 1 < key.size(); i += 2) {
         slot.choices.push_back(makeChoice(key[i + 1]));

@@ -69,6 +69,9 @@ struct Slot
 {
     std::string name;
     bool tintable = true;
+    /// Whether new people get one of the palette's tints there; else only who asks for a tint.
+    /// Files that know nothing of tints look as they were painted.
+    bool takesPalette = true;
     std::vector<MaterialChoice> choices; ///< never empty
 };
 

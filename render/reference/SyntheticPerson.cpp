@@ -154,7 +154,7 @@ Slot makeSlot(const char* name, const glm::vec3& color, int image = -1)
     choice.name = name;
     choice.baseColor = glm::vec4(color, 1.0F);
     choice.image = image;
-    return {name, true, {choice}};
+    return {name, true, true, {choice}};
 }
 
 } // namespace

@@ -57,7 +57,7 @@ TemplatePtr makeTube(float seconds, int clips = 1, int rings = 24)
     }
     mesh.submeshes = {{0, -1, 0, static_cast<std::uint32_t>(mesh.indices.size())}};
     asset->levels = {mesh};
-    asset->slots = {{"all", true, {MaterialChoice{}}}};
+    asset->slots = {{"all", true, true, {MaterialChoice{}}}};
     for (int i = 0; i < clips; ++i) {
         Clip clip;
         clip.name = "bend " + std::to_string(i);

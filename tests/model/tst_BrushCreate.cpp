@@ -66,6 +66,7 @@ private Q_SLOTS:
     void anAreaTakesTheSeatsThatAreMarkedInIt();
     void leavesTheColoursOfTheBodyAlone_data();
     void leavesTheColoursOfTheBodyAlone();
+    void leavesTheColoursOfForeignModelsAlone();
     void keepsToRanksAndWedges();
     void fillsAShareOfTheSeats();
     void dotsAlongSeatsLeaveTheirShareFree();
@@ -370,6 +371,32 @@ void tst_BrushCreate::leavesTheColoursOfTheBodyAlone()
     QVERIFY(scene.paint(fromAbove(), settings, {{640.0, 384.0}}).isCommitted);
     QCOMPARE(scene.people().column(columns::tint(1))[0],
              isTinted ? (Tint{10, 20, 30, 255}) : Tint{});
+}
+
+/// Whatever its slots are called; asked for, they still take a tint.
+void tst_BrushCreate::leavesTheColoursOfForeignModelsAlone()
+{
+    BrushScene scene;
+    auto horse = std::make_shared<Template>(*boxMan());
+    for (Slot& slot : horse->slots) {
+        slot.tintable = true;
+        slot.takesPalette = false;
+    }
+    const auto edit = scene.document.beginEdit();
+    edit->changeTemplate(boxManEntry(1, horse));
+    edit->commit(QStringLiteral("Change"));
+    BrushSettings settings = creator(BrushSelection::Point);
+    settings.create.palette = {{10, 20, 30}};
+    QVERIFY(scene.paint(fromAbove(), settings, {{640.0, 384.0}}).isCommitted);
+    for (int slot = 0; slot < 3; ++slot) {
+        QCOMPARE(scene.people().column(columns::tint(slot))[0], Tint{});
+    }
+    BrushSettings colour;
+    colour.kind = BrushKind::Colour;
+    colour.selection = BrushSelection::Rectangle;
+    colour.colour.colors = {{40, 50, 60}};
+    QVERIFY(scene.paint(fromAbove(), colour, kEverything).isCommitted);
+    QCOMPARE(scene.people().column(columns::tint(1))[0], (Tint{40, 50, 60, 255}));
 }
 
 void tst_BrushCreate::keepsToRanksAndWedges()

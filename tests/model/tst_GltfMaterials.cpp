@@ -59,6 +59,9 @@ void tst_GltfMaterials::makesSlotsOfMaterials()
     }
     QCOMPARE(names, (std::vector<std::string>{"top", "skin", "face", "face 2", "default"}));
     QVERIFY(asset->slots[0].tintable && !asset->slots[1].tintable);
+    QVERIFY(asset->slots[0].takesPalette && !asset->slots[1].takesPalette);
+    QVERIFY2(asset->slots[2].tintable && !asset->slots[2].takesPalette,
+             "a file that says nothing of tints keeps its colours");
     QVERIFY(asset->slots[0].choices[0].doubleSided);
     const MaterialChoice& face = asset->slots[2].choices.front();
     QCOMPARE(face.baseColor, glm::vec4(0.5F, 0.25F, 1.0F, 0.75F));

@@ -71,8 +71,9 @@ inline std::shared_ptr<model::Template> makeBoxMan(int levels = 1)
     blue.baseColor = {0.0F, 0.0F, 1.0F, 1.0F};
     model::MaterialChoice grey;
     grey.baseColor = {0.2F, 0.2F, 0.2F, 1.0F};
-    asset->slots = {
-        {"bottom", true, {white}}, {"top", true, {white, blue}}, {"hat", false, {grey}}};
+    asset->slots = {{"bottom", true, true, {white}},
+                    {"top", true, true, {white, blue}},
+                    {"hat", false, false, {grey}}};
     asset->parts = {{"hat", true}};
     model::Clip stand;
     stand.name = "stand";
