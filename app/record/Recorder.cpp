@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/record/Recorder.h"
 
+#include <algorithm>
+
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 
@@ -58,6 +60,7 @@ void Recorder::setRecording(bool isOn)
         return;
     }
     m_isRecording = isOn;
+    m_left.reset();
     if (isOn) {
         m_index = m_document.undoStack().index();
         begin();
@@ -67,19 +70,19 @@ void Recorder::setRecording(bool isOn)
 
 void Recorder::begin()
 {
-    m_start = std::make_unique<const Scene>(m_document.scene());
-    m_startPath = m_document.path();
-    m_strokes = {};
-    m_steps.clear();
-    m_first = m_index;
-    m_end = m_index;
+    m_script = {std::make_unique<const Scene>(m_document.scene()),
+                m_document.path(),
+                {},
+                {},
+                m_index,
+                m_index};
     Q_EMIT started();
 }
 
 void Recorder::add(std::string text)
 {
-    m_steps.push_back(std::move(text));
-    Q_EMIT added(QString::fromStdString(m_steps.back()));
+    m_script.steps.push_back(std::move(text));
+    Q_EMIT added(QString::fromStdString(m_script.steps.back()));
 }
 
 void Recorder::commit(const StepCommitted& step)
@@ -87,11 +90,12 @@ void Recorder::commit(const StepCommitted& step)
     if (!m_isRecording) {
         return;
     }
+    m_left.reset();
     m_index = m_document.undoStack().index() + 1;
-    m_end = m_index;
+    m_script.end = m_index;
     const bool isStroke = step.stroke != nullptr && step.stroke->settings.kind != BrushKind::Script;
     if (isStroke && step.stroke->isExact) {
-        add(m_strokes.write(*step.stroke));
+        add(m_script.strokes.write(*step.stroke));
     } else {
         add((isStroke ? kNotExact : "") + deltaScript(*step.delta, step.text, m_document.scene()));
     }
@@ -102,15 +106,34 @@ void Recorder::takeStep(bool isUndo)
     if (!m_isRecording) {
         return;
     }
-    const int step = isUndo ? m_index - 1 : m_index;
+    const int before = m_index;
     m_index += isUndo ? -1 : 1;
-    if (step >= m_first && step < m_end) {
+    const int step = std::min(before, m_index);
+    if (step >= m_script.first && step < m_script.end) {
         add(isUndo ? "scene.undo()\n" : "scene.redo()\n");
+        return;
+    }
+    if (!m_script.steps.empty()) {
+        m_left = LeftScript{std::move(m_script), before};
+    }
+    if (m_left && m_left->index == m_index) {
+        bringBack();
         return;
     }
     // A script cannot take back what it did not do: it starts from what is there now.
     begin();
     Q_EMIT remarked(tr("The recording starts anew: this step was done before it began."));
+}
+
+/// The scene is again as it was when that script was left.
+void Recorder::bringBack()
+{
+    m_script = std::move(m_left->script);
+    m_left.reset();
+    Q_EMIT started();
+    for (const std::string& step : m_script.steps) {
+        Q_EMIT added(QString::fromStdString(step));
+    }
 }
 
 void Recorder::followScene(const SceneChange& change)
@@ -123,20 +146,20 @@ void Recorder::followScene(const SceneChange& change)
 
 bool Recorder::startsEmpty() const
 {
-    const auto text = projectToText(*m_start);
+    const auto text = projectToText(*m_script.start);
     const auto empty = projectToText(Scene());
     return text && empty && text.value() == empty.value();
 }
 
 std::string Recorder::script(const QString& startName) const
 {
-    if (!m_start) {
+    if (!m_script.start) {
         return {};
     }
     std::string text = std::string(kHead) + "import pathlib\nimport sys\n\nimport crowdbrush\n\n" +
                        "if \"scene\" not in globals():\n    scene = " +
-                       openingOf(startName, m_startPath, startsEmpty()) + "\n\n";
-    for (const std::string& step : m_steps) {
+                       openingOf(startName, m_script.startPath, startsEmpty()) + "\n\n";
+    for (const std::string& step : m_script.steps) {
         text += step;
     }
     return text + kFoot;
@@ -147,8 +170,8 @@ Result<void> Recorder::save(const QString& path) const
     const QFileInfo file(path);
     const QString start = file.completeBaseName() + QStringLiteral("-start.crowd");
     const std::string text = script(start);
-    if (m_start && !startsEmpty()) {
-        if (auto saved = saveProject(*m_start, file.dir().filePath(start)); !saved) {
+    if (m_script.start && !startsEmpty()) {
+        if (auto saved = saveProject(*m_script.start, file.dir().filePath(start)); !saved) {
             return saved;
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ public:
     [[nodiscard]] bool isRecording() const { return m_isRecording; }
     /// Starting begins a new script.
     void setRecording(bool isOn);
-    [[nodiscard]] bool isEmpty() const { return m_steps.empty(); }
+    [[nodiscard]] bool isEmpty() const { return m_script.steps.empty(); }
     /// All of it. With a name it opens the scene of that name beside itself, else the one that the
     /// document was at the start.
     [[nodiscard]] std::string script(const QString& startName = {}) const;
@@ -48,19 +49,32 @@ private:
     void takeStep(bool isUndo);
     void followScene(const model::SceneChange& change);
     void begin();
+    void bringBack();
     void add(std::string text);
     [[nodiscard]] bool startsEmpty() const;
 
+    struct Script
+    {
+        std::unique_ptr<const model::Scene> start; ///< columns are shared
+        QString startPath;
+        StrokeScript strokes;
+        std::vector<std::string> steps;
+        // Undo steps [first, end) are the script's own.
+        int first = 0;
+        int end = 0;
+    };
+    /// One that began anew because a step was taken that it does not know.
+    struct LeftScript
+    {
+        Script script;
+        int index = 0; ///< of the undo stack, where it was left
+    };
+
     model::SceneDocument& m_document;
     bool m_isRecording = false;
-    std::unique_ptr<const model::Scene> m_start; ///< columns are shared
-    QString m_startPath;
-    StrokeScript m_strokes;
-    std::vector<std::string> m_steps;
-    // Undo steps [m_first, m_end) are the script's own; it stands behind m_index of them.
-    int m_first = 0;
-    int m_end = 0;
-    int m_index = 0;
+    Script m_script;
+    int m_index = 0;                  ///< of the undo stack
+    std::optional<LeftScript> m_left; ///< comes back at its index, unless something else is done
 };
 
 } // namespace crowd::app

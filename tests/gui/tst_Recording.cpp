@@ -189,6 +189,7 @@ private Q_SLOTS:
     void aSessionIsReplayedToTheSameBytesAndPicture();
     void everyKindOfEditHasItsLines();
     void undoingWhatCameBeforeStartsAnew();
+    void redoingBringsItBack();
     void anotherSceneEndsIt();
 
 private:
@@ -410,6 +411,42 @@ void TestRecording::undoingWhatCameBeforeStartsAnew()
     QVERIFY(editor.window.recorder().save(script));
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("anew.crowd"));
+    QCOMPARE(replay(script, plain), QString());
+    QVERIFY(contentsOf(plain) == contentsOf(path));
+}
+
+void TestRecording::redoingBringsItBack()
+{
+    const QString path = copyOfTheatre(m_folder);
+    const QString script = m_folder.filePath(QStringLiteral("back.py"));
+    Editor editor;
+    QVERIFY(editor.open(path));
+    Session session(editor);
+    session.clearTheMiddle();
+    session.remove();
+    session.act("script-record");
+    session.paint();
+    session.remove();
+    const int made = editor.window.document().undoStack().count() - 2;
+    const auto stepMany = [&session](const char* action, int count) {
+        for (int i = 0; i < count; ++i) {
+            session.act(action);
+        }
+    };
+    stepMany("undo", made);
+    const auto* view = editor.window.findChild<QPlainTextEdit*>(QStringLiteral("recordedScript"));
+    const QString shown = view->toPlainText();
+    const std::string before = editor.window.recorder().script();
+    stepMany("undo", 2); // of what was done before
+    QVERIFY(editor.window.recorder().isEmpty());
+    stepMany("redo", 2);
+    QCOMPARE(editor.window.recorder().script(), before);
+    QCOMPARE(view->toPlainText(), shown);
+    stepMany("redo", made);
+    session.act("script-record");
+    QVERIFY(editor.window.recorder().save(script));
+    QVERIFY(editor.window.files().save());
+    const QString plain = m_folder.filePath(QStringLiteral("back.crowd"));
     QCOMPARE(replay(script, plain), QString());
     QVERIFY(contentsOf(plain) == contentsOf(path));
 }
