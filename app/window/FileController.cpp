@@ -10,6 +10,7 @@
 #include <QtCore/QLocale>
 #include <QtCore/QStandardPaths>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
@@ -50,6 +51,21 @@ QString usualFolder(const QString& documentPath)
     const QStringList recent = recentFiles();
     return recent.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                             : QFileInfo(recent.front()).absolutePath();
+}
+
+/// Qt's own dialog takes what stands between quotes for the names: they belong to the name.
+bool isQuoted(const QFileDialog& dialog)
+{
+    const auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    return name != nullptr && name->text().contains(QLatin1Char('"'));
+}
+
+QString chosenPath(const QFileDialog& dialog)
+{
+    return isQuoted(dialog)
+               ? dialog.directory().absoluteFilePath(
+                     dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text())
+               : dialog.selectedFiles().front();
 }
 
 } // namespace
@@ -145,6 +161,13 @@ void FileController::openPath(const QString& path)
         load({{}, path, file.completeBaseName(), false});
         return;
     }
+    if (const auto opening = chooseVersion(path)) {
+        load(*opening);
+    }
+}
+
+std::optional<FileController::Opening> FileController::chooseVersion(const QString& path)
+{
     for (QString recovery = model::findRecovery(path); !recovery.isEmpty();
          recovery = model::findRecovery(path)) {
         const RecoveryAnswer answer =
@@ -154,16 +177,16 @@ void FileController::openPath(const QString& path)
                                .arg(QFileInfo(path).fileName()),
                            recovery);
         if (answer == RecoveryAnswer::Recover) {
-            load({path, recovery, {}, true});
+            return Opening{path, recovery, {}, true};
         }
         if (answer != RecoveryAnswer::ThrowAway) {
-            return;
+            return {};
         }
         if (!QFile::remove(recovery)) {
             break;
         }
     }
-    load({path, path, {}, false});
+    return Opening{path, path, {}, false};
 }
 
 FileController::RecoveryAnswer FileController::askForRecovery(const QString& question,
@@ -200,6 +223,27 @@ bool FileController::offerUntitledRecovery()
         }
         if (answer == RecoveryAnswer::ThrowAway) {
             QFile::remove(recovery);
+        }
+    }
+    return false;
+}
+
+bool FileController::offerRecovery()
+{
+    return offerUntitledRecovery() || offerRecentRecovery();
+}
+
+/// The artist may not remember which scene it was. Thrown away, no scene opens: none was asked for.
+bool FileController::offerRecentRecovery()
+{
+    for (const QString& path : recentFiles()) {
+        if (model::findRecovery(path).isEmpty() || model::isKeptByAnother(path)) {
+            continue;
+        }
+        const auto opening = chooseVersion(path);
+        if (opening && opening->isRecovery && mayStart() && mayLeaveScene()) {
+            load(*opening);
+            return true;
         }
     }
     return false;
@@ -328,12 +372,13 @@ QString FileController::askForSavePath()
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
         return {};
     }
-    QString path = dialog.selectedFiles().front();
-    if (QFileInfo(path).suffix().compare(kSuffix, Qt::CaseInsensitive) == 0) {
+    const QString path = chosenPath(dialog);
+    const bool hasSuffix = QFileInfo(path).suffix().compare(kSuffix, Qt::CaseInsensitive) == 0;
+    if (hasSuffix && !isQuoted(dialog)) {
         return path;
     }
     // "scene.final" is a name, not a kind of file; the dialog has asked about another one.
-    const QString whole = path + QLatin1Char('.') + kSuffix;
+    const QString whole = hasSuffix ? path : path + QLatin1Char('.') + kSuffix;
     const bool mayReplace =
         !QFileInfo::exists(whole) ||
         QMessageBox::question(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <QtCore/QDateTime>
 #include <QtCore/QObject>
 #include <QtCore/QStringList>
@@ -39,6 +41,8 @@ public:
     /// After a crash: offers what was kept of documents that were never saved. True: one is being
     /// opened.
     bool offerUntitledRecovery();
+    /// The same, then also of the scenes opened last.
+    bool offerRecovery();
 
     /// The ready-made scenes that come with the program, the theatre first. They open as new
     /// scenes: saving asks for a name.
@@ -75,6 +79,10 @@ private:
     [[nodiscard]] static FileStamp stampOf(const QString& path);
     [[nodiscard]] bool mayStart();
     [[nodiscard]] RecoveryAnswer askForRecovery(const QString& question, const QString& recovery);
+    /// What to open of a scene file: itself or what a crash left of it; nothing: the artist
+    /// cancelled.
+    [[nodiscard]] std::optional<Opening> chooseVersion(const QString& path);
+    bool offerRecentRecovery();
     [[nodiscard]] QString askForSavePath();
     [[nodiscard]] bool mayOverwrite(const QString& path);
     /// Asks again when the scene was changed since it had this revision.

@@ -55,7 +55,8 @@ void FileQueue::openAtStart(const QStringList& files)
 {
     SortedFiles all = sorted(files);
     const QStringList examples = FileController::examples();
-    if (!m_files.offerUntitledRecovery()) {
+    // Of a scene that is named it is asked when it opens.
+    if (!(all.scenes.isEmpty() ? m_files.offerRecovery() : m_files.offerUntitledRecovery())) {
         if (!all.scenes.isEmpty()) {
             m_files.openPath(all.scenes.takeFirst());
         } else if (!all.models.isEmpty()) {

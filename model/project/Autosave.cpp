@@ -57,10 +57,11 @@ CopyPlace placeElsewhere(const QString& projectPath)
                 QStringLiteral(".crowd")};
 }
 
-/// Autosaves at a place whose process is gone, newest first.
-QFileInfoList leftAt(const CopyPlace& place)
+/// The autosaves at a place, newest first, of those owners that are wanted.
+template<class Wanted>
+QFileInfoList keptAt(const CopyPlace& place, const Wanted& isWanted)
 {
-    QFileInfoList left;
+    QFileInfoList kept;
     const QString start = place.name + QLatin1Char('.');
     for (const QFileInfo& file :
          QDir(place.folder).entryInfoList(QDir::Files | QDir::Hidden, QDir::Time)) {
@@ -68,12 +69,18 @@ QFileInfoList leftAt(const CopyPlace& place)
         if (name.startsWith(start) && name.endsWith(kSuffix)) {
             const QString owner =
                 name.mid(start.size(), name.size() - start.size() - kSuffix.size());
-            if (owner.contains(QLatin1Char('-')) && !isProcessAlive(owner)) {
-                left << file;
+            if (owner.contains(QLatin1Char('-')) && isWanted(owner)) {
+                kept << file;
             }
         }
     }
-    return left;
+    return kept;
+}
+
+/// Those whose process is gone.
+QFileInfoList leftAt(const CopyPlace& place)
+{
+    return keptAt(place, [](const QString& owner) { return !isProcessAlive(owner); });
 }
 
 QFileInfoList leftOf(const QString& projectPath)
@@ -131,6 +138,15 @@ QString findRecovery(const QString& projectPath)
     const QFileInfoList left = leftOf(projectPath);
     const bool isUseful = !left.isEmpty() && isNewerThan(left.front(), QFileInfo(projectPath));
     return isUseful ? left.front().absoluteFilePath() : QString();
+}
+
+bool isKeptByAnother(const QString& projectPath)
+{
+    const auto isOther = [](const QString& owner) {
+        return owner != ownProcessName() && isProcessAlive(owner);
+    };
+    return !keptAt(placeBeside(projectPath), isOther).isEmpty() ||
+           !keptAt(placeElsewhere(projectPath), isOther).isEmpty();
 }
 
 QStringList findUntitledRecoveries()

@@ -23,6 +23,8 @@ void removeAutosave(const QString& projectPath);
 
 /// The newest left from a crash that is newer than the project; empty when there is none.
 [[nodiscard]] QString findRecovery(const QString& projectPath);
+/// Whether another editor that runs has unsaved changes of the project.
+[[nodiscard]] bool isKeptByAnother(const QString& projectPath);
 /// Left of documents that were never saved, newest first.
 [[nodiscard]] QStringList findUntitledRecoveries();
 /// Makes a recovery that was opened this process's own autosave of the document.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
+#include <QtCore/QProcess>
+#include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
@@ -50,6 +52,23 @@ void addMissing(model::Scene& scene, model::TemplateId id, const QString& name, 
     scene.templates.push_back(lost);
 }
 
+/// Makes this process's autosave of a document another one's; its new path.
+QString keepAs(const QString& path, qint64 process)
+{
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(process));
+    if (!stat.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray text = stat.readAll();
+    const QString start = QString::fromLatin1(
+        text.mid(text.lastIndexOf(')') + 2).split(' ').value(19)); // since the machine's start
+    const QString own = model::autosavePath(path);
+    const QString kept =
+        QString(own).replace(QRegularExpression(QStringLiteral("\\.[0-9]+-[0-9]+\\.autosave$")),
+                             QStringLiteral(".%1-%2.autosave").arg(process).arg(start));
+    return QFile::rename(own, kept) ? kept : QString();
+}
+
 } // namespace
 
 /// Scene files in the editor's real window: new, open, save, recovery after a crash, missing
@@ -76,6 +95,8 @@ private Q_SLOTS:
     void discardedChangesAreNotOfferedAgain();
     void recoversASceneNeverSaved();
     void throwsAwayASceneNeverSaved();
+    void offersARecentSceneAtStart();
+    void leavesARecentSceneToItsEditor();
     void asksBeforeReplacingWhatAnotherWrote();
     void savesUnderANameWithItsSuffix_data();
     void savesUnderANameWithItsSuffix();
@@ -358,6 +379,52 @@ void SceneFilesTest::throwsAwayASceneNeverSaved()
     QVERIFY(!QFile::exists(left));
 }
 
+void SceneFilesTest::offersARecentSceneAtStart()
+{
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    const QString path = document().path();
+    QVERIFY(model::writeAutosave(plainScene(9), path).isOk());
+    const QString left = leaveBehind(path);
+    m_window.reset();
+    openWindow();
+    {
+        const DialogAnswer closed([](QDialog& dialog) { dialog.close(); });
+        QVERIFY(!m_window->files().offerRecovery());
+        QVERIFY(closed.hasAnswered());
+        QVERIFY2(QFile::exists(left), "closing the question decides nothing");
+    }
+    const DialogAnswer yes(pressing(QMessageBox::Yes));
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    m_window->start({});
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+    QVERIFY(yes.hasAnswered());
+    QCOMPARE(document().path(), path);
+    QCOMPARE(document().scene().population.size(), std::size_t{9});
+    QVERIFY(document().isModified());
+}
+
+void SceneFilesTest::leavesARecentSceneToItsEditor()
+{
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    const QString path = document().path();
+    QVERIFY(model::writeAutosave(plainScene(9), path).isOk());
+    QVERIFY(!leaveBehind(path).isEmpty());
+    QVERIFY(model::writeAutosave(plainScene(7), path).isOk());
+    QProcess other; // stands for another editor, with unsaved changes of the scene
+    other.start(QStringLiteral("sleep"), {QStringLiteral("60")});
+    QVERIFY(other.waitForStarted());
+    const QString kept = keepAs(path, other.processId());
+    QVERIFY(!kept.isEmpty());
+    m_window.reset();
+    openWindow();
+    QVERIFY(!m_window->files().offerRecovery());
+    other.kill();
+    other.waitForFinished();
+    const DialogAnswer closed([](QDialog& dialog) { dialog.close(); });
+    QVERIFY(!m_window->files().offerRecovery());
+    QVERIFY2(closed.hasAnswered(), "with that editor gone it is asked");
+}
+
 void SceneFilesTest::asksBeforeReplacingWhatAnotherWrote()
 {
     openScene(plainScene(2), QStringLiteral("a.crowd"));
@@ -385,6 +452,8 @@ void SceneFilesTest::savesUnderANameWithItsSuffix_data()
     QTest::newRow("with it") << QStringLiteral("party.crowd") << QStringLiteral("party.crowd");
     QTest::newRow("in capitals") << QStringLiteral("party.CROWD") << QStringLiteral("party.CROWD");
     QTest::newRow("with a dot") << QStringLiteral("party.v2") << QStringLiteral("party.v2.crowd");
+    QTest::newRow("with quotes") << QStringLiteral("Stadt ä'q \"x\".crowd")
+                                 << QStringLiteral("Stadt ä'q \"x\".crowd");
     QTest::newRow("not ASCII") << QStringLiteral("Straßenfest 狐")
                                << QStringLiteral("Straßenfest 狐.crowd");
 }
