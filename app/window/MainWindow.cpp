@@ -406,7 +406,7 @@ void MainWindow::start(const QStringList& files)
         m_queue.openAtStart(files);
         return;
     }
-    if (m_files.offerUntitledRecovery()) {
+    if (m_files.offerRecovery()) {
         return;
     }
     constexpr auto kOnceAndLater =
