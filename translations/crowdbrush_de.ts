@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>&amp;Run Script…</source>
-        <translation>Skript &amp;ausführen…</translation>
+        <translation>Skript &amp;ausführen …</translation>
     </message>
     <message>
         <source>Run a Python file on the open scene</source>
@@ -1459,7 +1459,7 @@
     </message>
     <message>
         <source>Click: add a place to the path · + −: its size · on the first place: close the path · Enter: end it · V: move and resize places</source>
-        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Return: beenden · V: Orte versetzen und ihre Größe ändern</translation>
+        <translation>Klick: dem Weg einen Ort hinzufügen · + −: seine Größe · auf dem ersten Ort: Weg schließen · Eingabe: beenden · V: Orte versetzen und ihre Größe ändern</translation>
     </message>
     <message>
         <source>Click: put it on the ground · + −: its size · V: move and resize</source>
@@ -2466,6 +2466,10 @@
         <source>look at %1 until something else comes</source>
         <translation>ansehen, bis etwas anderes kommt: %1</translation>
     </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -2871,7 +2875,7 @@
     </message>
     <message>
         <source>The open scene is &quot;scene&quot;, everything else is in &quot;crowdbrush&quot;. Return runs, Shift+Return starts another line, Tab completes, up and down go through what was typed before.</source>
-        <translation>Die offene Szene heißt „scene“, alles Übrige steht in „crowdbrush“. Return führt aus, Umschalt+Return beginnt eine neue Zeile, Tab ergänzt, Auf und Ab blättern in dem, was vorher getippt wurde.</translation>
+        <translation>Die offene Szene heißt „scene“, alles Übrige steht in „crowdbrush“. Eingabe führt aus, Umschalt+Eingabe beginnt eine neue Zeile, Tab ergänzt, Auf und Ab blättern in dem, was vorher getippt wurde.</translation>
     </message>
     <message>
         <source>Run a script file</source>
@@ -3551,7 +3555,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>%1 ms · %2 fps</source>
-        <translation>%1 ms · %2 B/s</translation>
+        <translation>%1 ms · %2 Bilder/s</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -4068,7 +4072,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
-        <translation>Jeder Klick fügt einen Ort hinzu, Return beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
+        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
     </message>
     <message>
         <source>Brush</source>
@@ -4896,7 +4900,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>&amp;Locate…</source>
-        <translation>&amp;Suchen…</translation>
+        <translation>&amp;Suchen …</translation>
     </message>
     <message>
         <source>Stage</source>
@@ -5318,7 +5322,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>What fired, while it plays</source>
-        <translation>Was ausgelöst wurde, während abgespielt wird</translation>
+        <translation>Beim Abspielen Ausgelöstes</translation>
     </message>
     <message>
         <source>Add a rule, or a ready-made set of rules</source>
@@ -5508,7 +5512,7 @@ Verworfen ist sie fort.</translation>
     </message>
     <message>
         <source>Import Template…</source>
-        <translation>Vorlage importieren…</translation>
+        <translation>Vorlage importieren …</translation>
     </message>
     <message>
         <source>Rename stage</source>

@@ -2466,6 +2466,10 @@
         <source>look at %1 until something else comes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>

@@ -7,6 +7,7 @@
 #include <QtCore/QSettings>
 #include <QtGui/QScreen>
 #include <QtWidgets/QToolBar>
+#include <QtWidgets/QToolButton>
 
 namespace crowd::app {
 
@@ -19,6 +20,21 @@ constexpr int kLayoutVersion = 2;
 /// A screen smaller than this is filled, logical pixels.
 constexpr QSize kRoomyScreen(1600, 1000);
 constexpr QSize kSize(1280, 800);
+constexpr int kSmallIcons = 18; ///< of a tool bar that would else be cut, logical pixels
+const char* const kWholeIcons = "wholeIcons";
+
+/// Its last field stays in a narrow window.
+void fitToolBar(QToolBar& bar, int room)
+{
+    if (!bar.property(kWholeIcons).isValid()) {
+        bar.setProperty(kWholeIcons, bar.iconSize().width());
+    }
+    const int whole = bar.property(kWholeIcons).toInt();
+    const auto buttons = static_cast<int>(bar.findChildren<QToolButton*>().size());
+    const int needed = bar.sizeHint().width() + (whole - bar.iconSize().width()) * buttons;
+    const int size = needed <= room ? whole : kSmallIcons;
+    bar.setIconSize({size, size});
+}
 
 } // namespace
 
@@ -38,6 +54,9 @@ bool DockLayout::eventFilter(QObject* window, QEvent* event)
 {
     if (event->type() == QEvent::Resize) {
         m_arrange.start();
+        for (auto* bar : m_window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
+            fitToolBar(*bar, m_window.width());
+        }
     } else if (event->type() == QEvent::MouseButtonPress) {
         m_isUntouched = false; // a border between panels
     }

@@ -78,8 +78,11 @@ bool FieldKeys::eventFilter(QObject* watched, QEvent* event)
     if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         takeBackTyping(*field);
     }
-    // First the field takes what was typed.
-    QMetaObject::invokeMethod(this, &FieldKeys::giveBack, Qt::QueuedConnection);
+    // First the field takes what was typed; the editor of a list does so with the next event.
+    QMetaObject::invokeMethod(
+        this,
+        [this] { QMetaObject::invokeMethod(this, &FieldKeys::giveBack, Qt::QueuedConnection); },
+        Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
 }
 

@@ -30,6 +30,7 @@
 #include "app/window/WindowActions.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/Docks.h"
+#include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"
 #include "widgets/viewport/ViewCommands.h"
 
@@ -260,7 +261,7 @@ void MainWindow::connectParts()
     connect(&m_state.session(), &widgets::SessionControl::problemsChanged, this, [this] {
         const std::vector<behavior::Problem>& problems = m_state.session().problems();
         if (!problems.empty()) {
-            m_state.showStatus(QString::fromStdString(problems.back().text));
+            m_state.showStatus(widgets::problemText(m_document.scene(), problems.back()));
         }
     });
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);

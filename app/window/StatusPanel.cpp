@@ -5,12 +5,15 @@
 
 #include <QtCore/QLocale>
 #include <QtGui/QGuiApplication>
+#include <QtGui/QPainter>
+#include <QtWidgets/QStyleOption>
 
 namespace crowd::app {
 
 namespace {
 
 constexpr int kRemarkMs = 6000;
+constexpr int kRemarkMargin = 6; ///< logical pixels
 
 } // namespace
 
@@ -57,6 +60,7 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
         m_remark = text;
         showMessage(text, kRemarkMs);
     });
+    connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
     connect(&state.ground(), &widgets::GroundFinder::waiting, this, &StatusPanel::showWaiting);
     connect(&state, &widgets::EditorState::toolChanged, this, [this] { clearMessage(); });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
@@ -65,6 +69,24 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
             &StatusPanel::refreshCounts); // back where the scene has them
     m_hint->setFullText(state.hint());
     refreshCounts();
+}
+
+/// A remark for which there is no room ends in an ellipsis; the tool tip has all.
+void StatusPanel::paintEvent(QPaintEvent* event)
+{
+    if (currentMessage().isEmpty()) {
+        QStatusBar::paintEvent(event);
+        return;
+    }
+    QPainter painter(this);
+    QStyleOption option;
+    option.initFrom(this);
+    style()->drawPrimitive(QStyle::PE_PanelStatusBar, &option, &painter, this);
+    const int end = m_counts->isVisible() ? m_counts->x() : width();
+    const QRect room = rect().adjusted(kRemarkMargin, 0, end - width() - kRemarkMargin, 0);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(room, Qt::AlignLeading | Qt::AlignVCenter | Qt::TextSingleLine,
+                     fontMetrics().elidedText(currentMessage(), Qt::ElideRight, room.width()));
 }
 
 void StatusPanel::showWaiting(bool isWaiting)

@@ -45,6 +45,9 @@ public:
     void setStatistics(const widgets::FrameStatistics& statistics);
     [[nodiscard]] QString remark() const { return m_remark; } ///< the last one
 
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
 private:
     /// Nothing else is drawn while the window waits.
     void showWaiting(bool isWaiting);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/WelcomeHint.h"
 
+#include <algorithm>
+
 #include <QtCore/QEvent>
 #include <QtCore/QSettings>
 #include <QtWidgets/QHBoxLayout>
@@ -54,7 +56,7 @@ WelcomeHint::WelcomeHint(QWidget* picture, const model::SceneDocument& document)
     });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(13, 9, 7, 9);
-    layout->addWidget(text);
+    layout->addWidget(text, 1);
     layout->addWidget(close, 0, Qt::AlignTop);
     picture->installEventFilter(this);
     place();
@@ -68,9 +70,16 @@ void WelcomeHint::dismiss()
     deleteLater();
 }
 
+/// In one piece where there is room, else in as many lines as it takes.
 void WelcomeHint::place()
 {
-    adjustSize();
+    const int room = std::max(1, parentWidget()->width() - 2 * kBorder);
+    auto* text = findChild<QLabel*>();
+    text->setWordWrap(false);
+    const QSize whole = layout()->sizeHint();
+    text->setWordWrap(whole.width() > room);
+    const int across = std::min(whole.width(), room);
+    resize(across, text->wordWrap() ? layout()->heightForWidth(across) : whole.height());
     move((parentWidget()->width() - width()) / 2, kBorder);
 }
 

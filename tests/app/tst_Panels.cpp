@@ -17,6 +17,7 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStatusBar>
 #include <QtWidgets/QStyleOptionComboBox>
+#include <QtWidgets/QToolBar>
 
 #include "app/window/MainWindow.h"
 #include "model/pick/StageRays.h"
@@ -163,6 +164,10 @@ private Q_SLOTS:
     void rulesFitANarrowPanel();
     void placesFitANarrowPanel_data();
     void placesFitANarrowPanel();
+    void smallWindowCutsNothingOff_data();
+    void smallWindowCutsNothingOff();
+    void charactersFitANarrowPanel_data();
+    void charactersFitANarrowPanel();
     void resetLayoutIsThatOfTheFirstStart();
     void everythingOfAnEmptyTheatreShowsItsSeats();
 
@@ -458,6 +463,75 @@ void PanelsTest::placesFitANarrowPanel()
         QTest::qWait(100);
         const QStringList cut = cutTexts(*dock);
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
+    }
+}
+
+void PanelsTest::smallWindowCutsNothingOff_data()
+{
+    mnemonicsOfAMenuAreUnique_data();
+}
+
+void PanelsTest::smallWindowCutsNothingOff()
+{
+    QFETCH(QString, language);
+    openWindowIn(language);
+    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+    const int icons = bar->iconSize().width();
+    m_window->resize(1024, 700);
+    QTRY_COMPARE(m_window->width(), 1024);
+    QTest::qWait(100);
+    const auto* speed = bar->findChild<QWidget*>(QStringLiteral("playSpeed"));
+    QVERIFY(speed->isVisible());
+    QVERIFY(bar->rect().contains(speed->geometry()));
+    const auto* hint = m_window->viewport().findChild<QWidget*>(QStringLiteral("welcomeHint"));
+    QVERIFY2(m_window->viewport().rect().contains(hint->geometry()),
+             qPrintable(QString::number(m_window->viewport().width())));
+    const auto* text = hint->findChild<QLabel*>();
+    QVERIFY(text->height() >= text->heightForWidth(text->width()));
+    m_window->resize(1400, 700);
+    QTRY_COMPARE(bar->iconSize().width(), icons);
+    m_window->state().showStatus(QString(400, QLatin1Char('x'))); // drawn shortened
+    QCOMPARE(m_window->statusBar()->toolTip().size(), 400);
+}
+
+void PanelsTest::charactersFitANarrowPanel_data()
+{
+    mnemonicsOfAMenuAreUnique_data();
+}
+
+void PanelsTest::charactersFitANarrowPanel()
+{
+    QFETCH(QString, language);
+    openWindowIn(language);
+    const QStringList examples = app::FileController::examples();
+    const auto city = std::ranges::find_if(
+        examples, [](const QString& each) { return each.endsWith(QLatin1String("city.crowd")); });
+    QVERIFY(city != examples.end());
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    m_window->files().openPath(*city);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
+    QDockWidget* dock = m_window->docks()[4];
+    QCOMPARE(dock->objectName(), QStringLiteral("individual"));
+    dock->raise();
+    const auto ids = document().scene().population.ids();
+    const std::vector<model::IndividualId> all(ids.begin(), ids.end());
+    for (const std::vector<model::IndividualId>& who : {std::vector{all.front()}, all}) {
+        m_window->state().selection().set(who);
+        QTest::qWait(200);
+        for (const int width : {0, 290}) { // that of the first start, and as narrow as it goes
+            if (width > 0) {
+                m_window->resizeDocks({dock}, {10}, Qt::Horizontal);
+                QTest::qWait(100);
+                QVERIFY2(dock->width() <= width, qPrintable(QString::number(dock->width())));
+            }
+            const auto* area = dock->findChild<QScrollArea*>();
+            QVERIFY2(area->widget()->width() <= area->viewport()->width(),
+                     qPrintable(QStringLiteral("%1 of %2")
+                                    .arg(area->viewport()->width())
+                                    .arg(area->widget()->width())));
+            const QStringList cut = cutTexts(*dock);
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
+        }
     }
 }
 

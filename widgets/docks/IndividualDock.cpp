@@ -23,7 +23,9 @@ namespace {
 constexpr int kRefreshMs = 60;
 constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
-constexpr int kShortWord = 3; ///< letters of a box that may be narrow
+constexpr int kShortWord = 3;     ///< letters of a box that may be narrow
+constexpr int kLongestSlot = 80;  ///< names in files can be of any length, logical pixels
+constexpr int kLongestName = 140; ///< of a part or a template
 constexpr double kMostSeats = 16777216.0;
 
 /// The colour in a frame; a stroke through the frame says that there is no tint, or no common one.
@@ -39,6 +41,12 @@ QIcon tintIcon(std::optional<model::Tint> tint, const QColor& line)
         painter.drawLine(0, kSwatch - 1, kSwatch - 1, 0);
     }
     return picture;
+}
+
+/// A name that leaves the fields beside it their room.
+QString shortened(const QString& name, const QWidget& widget, int room)
+{
+    return widget.fontMetrics().elidedText(name, Qt::ElideMiddle, room);
 }
 
 QComboBox* narrowBox(QWidget* parent)
@@ -204,7 +212,9 @@ void IndividualDock::refreshTitle(const SelectedPeople& selected)
         return;
     }
     const model::TemplateEntry* entry = selected.groups().front().entry;
-    const QString name = entry == nullptr ? QString() : QString::fromStdString(entry->name);
+    const QString name =
+        entry == nullptr ? QString()
+                         : shortened(QString::fromStdString(entry->name), *m_title, kLongestName);
     m_title->setText(
         selected.rows().size() == 1
             ? tr("<b>%1</b>, number %2").arg(name.toHtmlEscaped()).arg(selected.ids().front())
@@ -321,7 +331,10 @@ void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
     line->setSpacing(3);
     line->addLayout(tint);
     line->addWidget(row.choice);
-    form->addRow(QString::fromStdString(slot), line);
+    const QString name = QString::fromStdString(slot);
+    auto* label = new QLabel(shortened(name, *m_slotArea, kLongestSlot), m_slotArea);
+    label->setToolTip(name);
+    form->addRow(label, line);
     connect(row.color, &QToolButton::clicked, this, [this, slot] { chooseTint(slot); });
     connect(row.color, &QToolButton::customContextMenuRequested, this,
             [this, slot] { setTint(slot, {}); });
@@ -334,7 +347,9 @@ void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
 
 void IndividualDock::addPart(QFormLayout* form, const std::string& part, bool isFirst)
 {
-    auto* box = new QCheckBox(QString::fromStdString(part), m_slotArea);
+    const QString name = QString::fromStdString(part);
+    auto* box = new QCheckBox(shortened(name, *m_slotArea, kLongestName), m_slotArea);
+    box->setToolTip(name);
     form->addRow(isFirst ? tr("Parts") : QString(), box);
     connect(box, &QCheckBox::clicked, this, [this, part](bool on) { setPart(part, on); });
     m_parts.push_back({part, box});

@@ -10,6 +10,7 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kCountMargin = 4; ///< logical pixels
+constexpr int kSentenceGap = 6; ///< between the sentences of two rules
 
 /// Enough for some thousand times, whatever it is now; 0 where nothing is counted.
 int countWidth(const QFontMetrics& metrics, const QModelIndex& index)
@@ -51,9 +52,8 @@ QSize RuleItemDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
     const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
     const int room = view != nullptr ? view->viewport()->width() : option.rect.width();
     sentence.rect.setWidth(std::max(1, room - width));
-    QSize size = QStyledItemDelegate::sizeHint(sentence, index);
-    size.setWidth(size.width() + width);
-    return size;
+    const QSize size = QStyledItemDelegate::sizeHint(sentence, index);
+    return {size.width() + width, size.height() + kSentenceGap};
 }
 
 } // namespace crowd::widgets

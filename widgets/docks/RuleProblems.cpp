@@ -229,4 +229,13 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
     return otherFlaw(scene, rule);
 }
 
+QString problemText(const Scene& scene, const behavior::Problem& problem)
+{
+    const auto rule = std::ranges::find(scene.rules, problem.rule, &Rule::id);
+    const QString text = rule == scene.rules.end() ? QString() : ruleProblem(scene, *rule);
+    return text.isEmpty()
+               ? QString::fromStdString(problem.text)
+               : RuleProblemsText::tr("“%1”: %2").arg(QString::fromStdString(rule->name), text);
+}
+
 } // namespace crowd::widgets

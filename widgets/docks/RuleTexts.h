@@ -3,6 +3,7 @@
 
 #include <QtCore/QStringList>
 
+#include "behavior/session/Problem.h"
 #include "model/scene/RuleSets.h"
 #include "model/scene/Scene.h"
 
@@ -30,5 +31,7 @@ namespace crowd::widgets {
 [[nodiscard]] QString ruleSentence(const model::Scene& scene, const model::Rule& rule);
 /// What is wrong with a rule, and the way out; empty when it is sound.
 [[nodiscard]] QString ruleProblem(const model::Scene& scene, const model::Rule& rule);
+/// What came to light while it runs, of a rule as its panel says it.
+[[nodiscard]] QString problemText(const model::Scene& scene, const behavior::Problem& problem);
 
 } // namespace crowd::widgets
