@@ -21,6 +21,7 @@
 #include "app/window/FieldKeys.h"
 #include "app/window/KeysDialog.h"
 #include "app/window/MemoryRelease.h"
+#include "app/window/ModalKeys.h"
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "app/window/StatusPanel.h"
@@ -76,6 +77,7 @@ MainWindow::MainWindow()
     addWindowActions(*this);
     new widgets::CueKeys(m_state, this);
     new FieldKeys(*this, *m_viewport);
+    new ModalKeys(*this);
     new ScriptGuard(m_interpreter, m_state, *this, *m_console, *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.

@@ -2,6 +2,7 @@
 #include <QtCore/QFile>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QProgressDialog>
 
 #include "app/window/MainWindow.h"
@@ -38,6 +39,7 @@ private Q_SLOTS:
     void aFailedImportWaitsToo();
     void anotherSceneWaitsAndAsksAboutTheStroke();
     void removingMeansNothingInAStroke();
+    void keysAreTheDialogsWhoeverHasTheKeyboard();
 
 private:
     [[nodiscard]] bool beginStroke();
@@ -136,6 +138,24 @@ void InterruptionsTest::removingMeansNothingInAStroke()
     const auto edit = document().beginEdit();
     m_window->assets().removeTemplate(1);
     QCOMPARE(document().scene().templates.size(), std::size_t{1});
+}
+
+void InterruptionsTest::keysAreTheDialogsWhoeverHasTheKeyboard()
+{
+    openScene(plainScene(3), QStringLiteral("a.crowd"));
+    m_window->state().setTool(widgets::ToolId::Select);
+    QDialog dialog(m_window.get());
+    dialog.open();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    QVERIFY(!m_window->docks().front()->isHidden());
+    m_window->activateWindow(); // as some window managers do between two dialogs
+    for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_B, Qt::Key_Escape}) {
+        QTest::keyClick(&m_window->viewport(), key);
+    }
+    QCOMPARE(m_window->state().tool(), widgets::ToolId::Select);
+    QVERIFY2(!m_window->docks().front()->isHidden(), "Tab hides the panels");
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.isActiveWindow(), kPatienceMs);
+    dialog.reject();
 }
 
 CROWD_WINDOW_TEST(InterruptionsTest)
