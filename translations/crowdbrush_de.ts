@@ -4259,6 +4259,10 @@ Verworfen ist sie fort.</translation>
         <source>Another colour that new characters may wear</source>
         <translation>Noch eine Farbe, die neue Figuren tragen können</translation>
     </message>
+    <message>
+        <source>A click brings it to the front, from where it paints; a right click removes it</source>
+        <translation>Ein Klick holt sie nach vorn, von wo sie malt; ein Rechtsklick entfernt sie</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::CueBar</name>

@@ -4252,6 +4252,10 @@ Thrown away, it is gone.</source>
         <source>Another colour that new characters may wear</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A click brings it to the front, from where it paints; a right click removes it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::CueBar</name>

@@ -32,6 +32,13 @@ const std::vector<model::PaintColor>& brushColors(const Desk& desk)
     return desk.state.brush(model::BrushKind::Colour).colour.colors;
 }
 
+void setOperator(Desk& desk, model::BrushOperator op)
+{
+    model::BrushSettings brush = desk.state.brush(model::BrushKind::Colour);
+    brush.op = op;
+    desk.state.setBrush(brush);
+}
+
 } // namespace
 
 class ColourDockTest : public QObject
@@ -44,6 +51,7 @@ private Q_SLOTS:
     void greyKeepsTheHueOfTheSquare();
     void swatchesAreRemembered();
     void coloursAreAddedAndRemoved();
+    void theMarkedColourPaints();
     void newPeopleHaveColoursOfTheirOwn();
     void strokesAreRememberedAsColours();
     void theDropperTakesColours();
@@ -117,6 +125,7 @@ void ColourDockTest::coloursAreAddedAndRemoved()
     Desk desk;
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::BrushColour);
+    setOperator(desk, model::BrushOperator::Random);
     SwatchGrid* chips = grid(desk, "brushColours");
     const auto before = brushColors(desk);
     clickCell(chips, static_cast<int>(before.size()));
@@ -130,6 +139,27 @@ void ColourDockTest::coloursAreAddedAndRemoved()
         clickCell(chips, 0, Qt::RightButton);
     }
     QVERIFY2(brushColors(desk).size() == 1, "there is always something to paint with");
+}
+
+void ColourDockTest::theMarkedColourPaints()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    desk.state.setTool(ToolId::BrushColour);
+    setOperator(desk, model::BrushOperator::Uniform);
+    SwatchGrid* chips = grid(desk, "brushColours");
+    const auto before = brushColors(desk);
+    QVERIFY(before.size() > 1);
+    clickCell(chips, 1);
+    QCOMPARE(brushColors(desk).front(), before[1]);
+    QCOMPARE(brushColors(desk)[1], before[0]);
+    QCOMPARE(desk.dock->color(), QColor(before[1][0], before[1][1], before[1][2]));
+    // Where all of them paint, their order is theirs, until only one does again.
+    setOperator(desk, model::BrushOperator::Gradient);
+    clickCell(chips, 1);
+    QCOMPARE(brushColors(desk).front(), before[1]);
+    setOperator(desk, model::BrushOperator::Uniform);
+    QCOMPARE(desk.dock->color(), QColor(before[1][0], before[1][1], before[1][2]));
 }
 
 void ColourDockTest::newPeopleHaveColoursOfTheirOwn()

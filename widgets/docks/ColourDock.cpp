@@ -109,7 +109,6 @@ ColourDock::ColourDock(EditorState& state, QWidget* parent)
     m_chips->setObjectName(QStringLiteral("brushColours"));
     m_recent->setObjectName(QStringLiteral("recentColours"));
     m_swatches->setObjectName(QStringLiteral("swatches"));
-    m_chips->setHint(tr("A right click removes it"));
     m_swatches->setHint(tr("A right click removes it"));
     m_swatches->setAddition(tr("Keep the colour as a swatch"));
     m_recent->setColors(stored(kRecentKey, {}));
@@ -190,10 +189,30 @@ void ColourDock::setColor(const QColor& color)
     m_state.setBrush(brush);
 }
 
+bool ColourDock::paintsFirst() const
+{
+    return kind() == model::BrushKind::Colour &&
+           m_state.brush(kind()).op == model::BrushOperator::Uniform;
+}
+
 void ColourDock::choose(int index)
 {
     m_chosen = static_cast<std::size_t>(index);
+    bringChosenFirst();
     refresh();
+}
+
+/// The marked colour is the one that paints: the two change places.
+void ColourDock::bringChosenFirst()
+{
+    model::BrushSettings brush = m_state.brush(kind());
+    std::vector<model::PaintColor>& all = colorsOf(brush);
+    if (!paintsFirst() || m_chosen == 0 || m_chosen >= all.size()) {
+        return;
+    }
+    std::swap(all.front(), all[m_chosen]);
+    m_chosen = 0;
+    m_state.setBrush(brush);
 }
 
 void ColourDock::addColor()
@@ -252,9 +271,13 @@ void ColourDock::refresh()
     setWindowTitle(isCreation ? tr("Colours of New Characters") : tr("Colour"));
     toggleViewAction()->setText(tr("Colour"));
     const std::vector<QColor> all = colors();
+    m_chosen = paintsFirst() ? 0 : m_chosen;
     m_chips->setAddition(all.size() >= kMostColors ? QString()
                          : isCreation ? tr("Another colour that new characters may wear")
                                       : tr("Another colour for random and for gradients"));
+    m_chips->setHint(paintsFirst() ? tr("A click brings it to the front, from where it paints; "
+                                        "a right click removes it")
+                                   : tr("A right click removes it"));
     m_chips->setSelected(all.empty() ? -1 : static_cast<int>(std::min(m_chosen, all.size() - 1)));
     m_chips->setColors(all);
     m_square->setColor(color());

@@ -37,7 +37,9 @@ private:
     void connectState();
     void refresh();
     void refreshIcons();
+    [[nodiscard]] bool paintsFirst() const; ///< the first colour alone
     void choose(int index);
+    void bringChosenFirst();
     void addColor();
     void removeColor(int index);
     void pick();
