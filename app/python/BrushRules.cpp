@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+#include "model/scene/NearestPath.h"
+
 namespace crowd::app {
 
 using namespace model;
@@ -94,6 +96,31 @@ void checkCreation(const Scene& scene, const CreateSettings& create, Complaint& 
     }
 }
 
+/// Those of the brush that paints; others keep what was good in other scenes.
+void checkNames(const Scene& scene, const BrushSettings& brush, Complaint& complaint)
+{
+    const auto isKnown = [&scene](const ClipWeight& clip) {
+        return std::ranges::any_of(scene.templates, [&clip](const TemplateEntry& entry) {
+            return std::ranges::find(entry.clipNames, clip.clip) != entry.clipNames.end();
+        });
+    };
+    const auto clips = [&](BrushKind kind, const char* name, const std::vector<ClipWeight>& all) {
+        if (brush.kind == kind && !all.empty() && std::ranges::none_of(all, isKnown)) {
+            complaint.refuse(std::string("brush.") + name + " names the clip \"" +
+                             all.front().clip + "\", which no template of the scene has.");
+        }
+    };
+    clips(BrushKind::Create, "create.clips", brush.create.clips);
+    clips(BrushKind::Animation, "animation.clips", brush.animation.clips);
+    clips(BrushKind::Style, "style.clips", brush.style.clips);
+    const PathId path = brush.walk.path;
+    if (brush.kind == BrushKind::Walk && path != 0 && path != kNearestPath &&
+        scene.findPath(path) == nullptr) {
+        complaint.refuse("brush.walk.path is " + std::to_string(path) +
+                         ", which the scene does not have: take one of environment[\"paths\"].");
+    }
+}
+
 void checkProperties(const BrushSettings& brush, Complaint& complaint)
 {
     complaint.number("removal.percent", brush.removal.percent, 0.0F, 100.0F);
@@ -146,6 +173,7 @@ Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
     }
     checkCreation(scene, brush.create, complaint);
     checkProperties(brush, complaint);
+    checkNames(scene, brush, complaint);
     return complaint.result();
 }
 

@@ -135,8 +135,13 @@ void bindDocument(SceneClass& scene)
     scene.def(py::init<>(), "An empty scene.")
         .def(
             "save",
-            [](const ScenePtr& s, const FilePath& path) { valueOrRaise(s->save(path.string())); },
-            py::arg("path") = "",
+            [](const ScenePtr& s, const std::optional<FilePath>& path) {
+                if (path && path->empty()) {
+                    throw ScriptError("path is empty; leave it out to save to scene.path.");
+                }
+                valueOrRaise(s->save(path ? path->string() : std::string()));
+            },
+            py::arg("path") = py::none(),
             "Writes a .crowd file, whole or not at all. Without a path: where it was opened or "
             "saved "
             "last. Raises Error where the file cannot be written.")

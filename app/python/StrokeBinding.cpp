@@ -36,6 +36,12 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
         const double shown = at(4, shownSeconds);
         const glm::dvec2 pixels(at(0, 0.0), at(1, 0.0));
         constexpr double kFarthest = 1e6;
+        constexpr double kLongest = 3600.0; // a hand paints all the while
+        if (!inputs.empty() && seconds - inputs.front().timeSeconds > kLongest) {
+            throw ScriptError("points[" + std::to_string(i) +
+                              "] comes more than an hour after the first one: times are seconds, "
+                              "and a brush paints all the while between them.");
+        }
         if (!(std::abs(pixels.x) < kFarthest && std::abs(pixels.y) < kFarthest) ||
             !(pressure >= 0.0 && pressure <= 1.0) || !std::isfinite(seconds) ||
             !std::isfinite(shown) || (i > 0 && seconds < inputs.back().timeSeconds)) {

@@ -57,16 +57,17 @@ int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
         const glm::vec3 position = shown.column(keys::position)[row];
         const float heading = shown.column(keys::heading)[row];
         const model::IndividualId id = shown.ids()[row];
-        if (position.y < kHasLeftBelow) {
+        const std::size_t then = before.rowOf(id); // npos: removed since it was shown
+        if (position.y < kHasLeftBelow || then == model::Population::npos) {
             continue;
         }
-        if (position != before.column(keys::position)[row] ||
-            heading != before.column(keys::heading)[row]) {
+        if (position != before.column(keys::position)[then] ||
+            heading != before.column(keys::heading)[then]) {
             positions.add(id, position);
             headings.add(id, heading);
         }
         const model::SeatId seat = shown.column(keys::seat)[row];
-        if (seat != before.column(keys::seat)[row]) {
+        if (seat != before.column(keys::seat)[then]) {
             seats.add(id, seat);
             clips.add(id, shown.column(keys::clip)[row]);
         }

@@ -295,6 +295,52 @@ class Hostile(unittest.TestCase):
         self.assertIn("another scene", self.said(lambda: scene.change_stage(stage, scale=2)))
         self.assertIn("another scene", self.said(lambda: scene.remove_stage(stage)))
 
+    def test_brushes_that_name_what_is_not_there(self):
+        scene, _ = walkers(1)
+        for kind, part, name, value in ((BrushKind.CREATE, "create", "clips", {"nope": 1.0}),
+                                        (BrushKind.ANIMATION, "animation", "clips", {"nope": 1.0}),
+                                        (BrushKind.STYLE, "style", "clips", {"nope": 1.0}),
+                                        (BrushKind.WALK, "walk", "path", 77)):
+            brush = Brush(kind)
+            brush.create.mix = {template: 1.0 for template in scene.templates}
+            setattr(getattr(brush, part), name, value)
+            with self.subTest(kind):
+                said = self.said(lambda: scene.stroke(brush, [(640, 360)]))
+                self.assertIn("nope" if name == "clips" else "77", said)
+
+    def test_strokes_that_take_for_ever(self):
+        scene, _ = walkers(1)
+        said = self.said(lambda: scene.stroke(Brush(BrushKind.COLOUR), [(1, 1, 1, 0), (2, 2, 1, time.time())]))
+        self.assertIn("points[1]", said)
+
+    def test_poses_are_kept_while_others_edit(self):
+        scene, _ = walkers(60)
+        session = crowdbrush.Session(scene)
+        session.step(3)
+        done = threading.Event()
+        problems = []
+
+        def edit():
+            try:
+                while not done.is_set():
+                    scene.create(template=1, position=np.zeros((20, 3)))
+                    scene.remove(scene.ids[:20])
+            except Exception as problem:
+                problems.append(problem)
+
+        thread = threading.Thread(target=edit, daemon=True)
+        thread.start()
+        for _ in range(60):
+            session.keep_pose()
+            session.step()
+        done.set()
+        thread.join(60)
+        self.assertEqual(problems, [])
+
+    def test_an_empty_path(self):
+        scene, _ = walkers(1)
+        self.assertIn("empty", self.said(lambda: scene.save("")))
+
     def test_nonsense_in_columns(self):
         scene, man = walkers(3)
         steps = len(scene.history)
