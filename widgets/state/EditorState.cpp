@@ -253,6 +253,7 @@ void EditorState::followScene(const model::SceneChange& change)
     refreshMix(true);
     refreshSeatGrid(true);
     m_transport.rewind();
+    m_transport.setSpeed(1.0);
     const auto& cameras = scene().cameras;
     if (cameras.empty()) {
         setCamera(Camera::lookingAt({9.0F, 6.0F, 14.0F}, {0.0F, 0.8F, 0.0F}));
