@@ -316,6 +316,7 @@ std::optional<std::size_t> rowsIn(const std::string& name, const py::object& giv
 } // namespace
 
 // The population by value: making an array may run any code, which may edit the scene.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 py::array columnArray(Population population, const std::string& name)
 {
     if (name == "id") {

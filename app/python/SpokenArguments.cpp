@@ -34,7 +34,7 @@ PyCFunctionWithKeywords plainCall = nullptr;
 
 std::string nameOf(const Record& record)
 {
-    const std::string name = record.name;
+    std::string name = record.name;
     if (!record.scope || !py::hasattr(record.scope, "__qualname__")) {
         return name;
     }
@@ -145,9 +145,11 @@ void refuseUnmade(const py::handle& given)
     for (const auto& part : py::detail::values_and_holders(instance)) {
         if (part.value_ptr() == nullptr) {
             const std::string name = Py_TYPE(given.ptr())->tp_name;
-            throw py::type_error("This " + name + " was never made: call " + name +
-                                 "(...), not __new__ alone; a class of your own calls "
-                                 "super().__init__(...) first.");
+            std::string message = "This " + name;
+            message.append(" was never made: call ").append(name);
+            message.append("(...), not __new__ alone; a class of your own calls "
+                           "super().__init__(...) first.");
+            throw py::type_error(message);
         }
     }
 }

@@ -150,6 +150,7 @@ template<class Items>
 std::vector<std::string> namesOf(const Items& items)
 {
     std::vector<std::string> names;
+    names.reserve(items.size());
     for (const auto& item : items) {
         names.push_back(item.name);
     }

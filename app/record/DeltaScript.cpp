@@ -199,6 +199,7 @@ void addImport(Call& call, const ImportSettings& now, const ImportSettings& was)
 void addSpeeds(Call& call, const std::vector<float>& speeds)
 {
     std::vector<std::string> items;
+    items.reserve(speeds.size());
     for (const float each : speeds) {
         items.push_back(std::isnan(each) ? std::string("None") : pythonText(each));
     }
@@ -208,6 +209,7 @@ void addSpeeds(Call& call, const std::vector<float>& speeds)
 void addRoles(Call& call, const std::vector<std::optional<ClipRole>>& roles)
 {
     std::vector<std::string> items;
+    items.reserve(roles.size());
     for (const std::optional<ClipRole>& each : roles) {
         items.push_back(each ? pythonText(std::string(keyOf(*each))) : std::string("None"));
     }

@@ -71,6 +71,7 @@ std::string textOf(const ValueRange& range)
 std::string textOf(const std::vector<int>& numbers)
 {
     std::vector<std::string> items;
+    items.reserve(numbers.size());
     for (const int each : numbers) {
         items.push_back(pythonText(each));
     }
@@ -80,6 +81,7 @@ std::string textOf(const std::vector<int>& numbers)
 std::string textOf(const std::vector<PaintColor>& colors)
 {
     std::vector<std::string> items;
+    items.reserve(colors.size());
     for (const PaintColor& each : colors) {
         items.push_back('(' + pythonText(each[0]) + ", " + pythonText(each[1]) + ", " +
                         pythonText(each[2]) + ')');
@@ -90,6 +92,7 @@ std::string textOf(const std::vector<PaintColor>& colors)
 std::string textOf(const std::vector<ClipWeight>& clips)
 {
     std::vector<std::string> items;
+    items.reserve(clips.size());
     for (const ClipWeight& each : clips) {
         items.push_back(pythonText(each.clip) + ": " + pythonText(each.weight));
     }
@@ -99,6 +102,7 @@ std::string textOf(const std::vector<ClipWeight>& clips)
 std::string textOf(const std::vector<TemplateWeight>& mix)
 {
     std::vector<std::string> items;
+    items.reserve(mix.size());
     for (const TemplateWeight& each : mix) {
         items.push_back(pythonText(each.id) + ": " + pythonText(each.weight));
     }

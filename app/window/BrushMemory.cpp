@@ -109,12 +109,13 @@ struct Reader
     template<class Entry>
     void list(const char* key, std::vector<Entry>& entries)
     {
-        const QJsonValue found = json[QLatin1String(key)];
-        if (!found.isArray() || found.toArray().size() > kMostEntries) {
+        const QJsonValue value = json[QLatin1String(key)];
+        const QJsonArray found = value.toArray();
+        if (!value.isArray() || found.size() > kMostEntries) {
             return;
         }
         entries.clear();
-        for (const QJsonValue& each : found.toArray()) {
+        for (const auto each : found) {
             fromJson(each, entries.emplace_back());
         }
     }

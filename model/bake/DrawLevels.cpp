@@ -69,7 +69,8 @@ DrawLevel simplified(const DrawLevel& finest, const std::vector<glm::vec3>& posi
     std::vector<std::uint32_t> scratch;
     for (Submesh submesh : finest.submeshes) {
         const std::uint32_t* source = finest.indices.data() + submesh.firstIndex;
-        const auto triangles = std::lround(static_cast<float>(submesh.indexCount / 3) * share);
+        const std::uint32_t all = submesh.indexCount / 3;
+        const auto triangles = std::lround(static_cast<float>(all) * share);
         const std::size_t target = std::min<std::size_t>(
             static_cast<std::size_t>(std::max(triangles, 2L)) * 3, submesh.indexCount);
         scratch.resize(submesh.indexCount);

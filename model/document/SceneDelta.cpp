@@ -27,7 +27,7 @@ std::size_t bytesOf(const TemplateEntry& entry)
                         entry.clipSpeeds.size() * sizeof(float) +
                         entry.clipRoles.size() * sizeof(std::optional<ClipRole>);
     for (const std::string& name : entry.clipNames) {
-        total += sizeof(name) + name.size();
+        total += sizeof(std::string) + name.size();
     }
     return total;
 }

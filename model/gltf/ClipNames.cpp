@@ -99,7 +99,7 @@ std::string stemOf(const std::string& word)
                              "fwd", "inplace", "ip", "f"}) {
         const std::size_t length = std::char_traits<char>::length(tail);
         if (word.size() > length && word.ends_with(tail)) {
-            const std::string stem = word.substr(0, word.size() - length);
+            std::string stem = word.substr(0, word.size() - length);
             if (roleWords().contains(stem)) {
                 return stem;
             }
@@ -206,11 +206,13 @@ NamedUse useOf(const Words& words, const std::set<std::string>& shared)
 std::vector<NamedUse> namedUses(const std::vector<std::string>& names)
 {
     std::vector<Words> words;
+    words.reserve(names.size());
     for (const std::string& name : names) {
         words.push_back(wordsOf(name));
     }
     const std::set<std::string> shared = sharedWords(words);
     std::vector<NamedUse> uses;
+    uses.reserve(words.size());
     for (const Words& each : words) {
         uses.push_back(useOf(each, shared));
     }

@@ -138,6 +138,7 @@ glm::vec3 lowVelocity(const std::vector<FootTrack>& feet, float step, float heig
     }
     const glm::vec3 way = glm::normalize(sum);
     std::vector<float> along;
+    along.reserve(velocities.size());
     for (const glm::vec3& velocity : velocities) {
         along.push_back(glm::dot(velocity, way));
     }

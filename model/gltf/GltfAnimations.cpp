@@ -106,7 +106,7 @@ public:
     Result<void> run()
     {
         for (std::size_t i = 0; i < m_model.animations.size(); ++i) {
-            if (const Result<void> added = addClip(i); !added) {
+            if (Result<void> added = addClip(i); !added) {
                 return added;
             }
         }

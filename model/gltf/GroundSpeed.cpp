@@ -118,6 +118,7 @@ bool isClosed(const Template& asset, const Mesh& feet, int clip, Pose& pose)
 float groundOf(const std::vector<std::vector<glm::vec3>>& points)
 {
     std::vector<float> lowest;
+    lowest.reserve(points.size());
     for (const std::vector<glm::vec3>& at : points) {
         lowest.push_back(std::min_element(at.begin(), at.end(), [](const auto& a, const auto& b) {
                              return a.y < b.y;

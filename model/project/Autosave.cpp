@@ -115,7 +115,7 @@ QString autosavePath(const QString& projectPath)
 
 Result<void> writeAutosave(const Scene& scene, const QString& projectPath)
 {
-    const Result<void> beside = writeAt(placeBeside(projectPath), scene);
+    Result<void> beside = writeAt(placeBeside(projectPath), scene);
     if (beside || projectPath.isEmpty()) {
         return beside;
     }

@@ -153,7 +153,7 @@ private:
             if (number > 1) {
                 name += QLatin1Char('-') + QString::number(number);
             }
-            const QString folder = m_assets + QLatin1Char('/') + name;
+            QString folder = m_assets + QLatin1Char('/') + name;
             const QString earlier = folder + QLatin1Char('/') + source.fileName();
             const bool isFree =
                 !QFileInfo::exists(folder) || haveSameBytes(source.absoluteFilePath(), earlier);

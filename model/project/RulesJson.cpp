@@ -337,6 +337,7 @@ template<class Entry>
 void checkEntryIds(const std::vector<Entry>& entries, const char* key, std::string& problem)
 {
     std::vector<std::uint32_t> ids;
+    ids.reserve(entries.size());
     for (const Entry& entry : entries) {
         ids.push_back(entry.id);
     }

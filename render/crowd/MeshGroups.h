@@ -25,6 +25,7 @@ struct GroupState
     bool isGlowing = false; ///< emissive by a picture
     int pictures = 0;       ///< index into TemplateImages::arrays
     model::AlphaMode alphaMode = model::AlphaMode::Opaque;
+    // NOLINTNEXTLINE(modernize-use-nullptr): the checker means the compared zero
     friend auto operator<=>(const GroupState&, const GroupState&) = default;
 };
 

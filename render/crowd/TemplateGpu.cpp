@@ -38,13 +38,15 @@ TemplateGpu::Level makeLevel(const Template& asset, const DrawLevel& source)
     level.array = GlVertexArray::create();
     glBindVertexArray(level.array.name());
     level.vertices = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(mesh.vertices)));
-    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     constexpr GLsizei kStride = sizeof(StaticVertex);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(StaticVertex, uv)));
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, kStride,
+                          bufferOffset(offsetof(StaticVertex, uv)));
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                          offset(offsetof(StaticVertex, color)));
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(StaticVertex, source)));
-    glVertexAttribIPointer(3, 2, GL_UNSIGNED_SHORT, kStride, offset(offsetof(StaticVertex, slot)));
+                          bufferOffset(offsetof(StaticVertex, color)));
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride,
+                           bufferOffset(offsetof(StaticVertex, source)));
+    glVertexAttribIPointer(3, 2, GL_UNSIGNED_SHORT, kStride,
+                           bufferOffset(offsetof(StaticVertex, slot)));
     for (GLuint attribute = 0; attribute < 6; ++attribute) {
         glEnableVertexAttribArray(attribute);
     }

@@ -10,6 +10,13 @@
 /// already, they die inside a ContextLostScope and touch nothing.
 namespace crowd::render {
 
+/// An offset into the bound buffer as GL's functions take it.
+[[nodiscard]] inline const void* bufferOffset(std::size_t bytes)
+{
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return reinterpret_cast<const void*>(bytes);
+}
+
 /// While one lives on this thread, owners of GL names forget them instead of deleting them.
 class ContextLostScope
 {

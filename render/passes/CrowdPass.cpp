@@ -330,14 +330,13 @@ void CrowdPass::drawGroup(const PassContext& context, const MeshGroup& group,
                           const InstanceRun& run) const
 {
     const std::size_t piece = context.isSoftware ? kSoftwarePiece : run.count;
-    const auto* indices = reinterpret_cast<const void*>(group.firstIndex * sizeof(std::uint32_t));
+    const auto* indices = bufferOffset(group.firstIndex * sizeof(std::uint32_t));
     for (std::size_t done = 0; done < run.count; done += piece) {
         const std::size_t count = std::min(piece, run.count - done);
         const std::size_t offset = (run.first + done) * sizeof(Instance);
-        glVertexAttribIPointer(4, 4, GL_UNSIGNED_INT, sizeof(Instance),
-                               reinterpret_cast<const void*>(offset));
+        glVertexAttribIPointer(4, 4, GL_UNSIGNED_INT, sizeof(Instance), bufferOffset(offset));
         glVertexAttribPointer(5, 1, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                              reinterpret_cast<const void*>(offset + offsetof(Instance, blend)));
+                              bufferOffset(offset + offsetof(Instance, blend)));
         glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(group.indexCount),
                                 GL_UNSIGNED_INT, indices, static_cast<GLsizei>(count));
         context.countDraw(static_cast<std::int64_t>(group.indexCount / 3) *

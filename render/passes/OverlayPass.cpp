@@ -40,11 +40,6 @@ glm::vec4 linear(const glm::vec4& srgb)
     return {model::linearFromSrgb(glm::vec3(srgb)), srgb.w};
 }
 
-const void* offset(std::size_t bytes)
-{
-    return reinterpret_cast<const void*>(bytes);
-}
-
 /// Towards the eye: from a point minus w times it.
 glm::vec4 eyeOf(const model::Camera& camera)
 {
@@ -57,7 +52,8 @@ void describeLines(const GlVertexArray& array, const GlBuffer& buffer)
     glBindVertexArray(array.name());
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
-    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), offset(sizeof(glm::vec3)));
+    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex),
+                          bufferOffset(sizeof(glm::vec3)));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
 }
@@ -163,7 +159,7 @@ void OverlayPass::drawMarkers(const PassContext& context, std::size_t first, std
     glBindBuffer(GL_ARRAY_BUFFER, m_markers.name());
     for (GLuint part = 0; part < 3; ++part) {
         glVertexAttribPointer(part + 1, 4, GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
-                              offset(at + part * sizeof(glm::vec4)));
+                              bufferOffset(at + part * sizeof(glm::vec4)));
     }
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
     context.countDraw(static_cast<std::int64_t>(count) * 2);

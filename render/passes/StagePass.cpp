@@ -68,14 +68,15 @@ std::vector<std::size_t> meshesByMaterial(const StageAsset& asset)
 
 void pointAttributes()
 {
-    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     constexpr GLsizei kStride = sizeof(StageVertex);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
-                          offset(offsetof(StageVertex, position)));
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(StageVertex, normal)));
-    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(StageVertex, uv)));
+                          bufferOffset(offsetof(StageVertex, position)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride,
+                          bufferOffset(offsetof(StageVertex, normal)));
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, kStride,
+                          bufferOffset(offsetof(StageVertex, uv)));
     glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                          offset(offsetof(StageVertex, color)));
+                          bufferOffset(offsetof(StageVertex, color)));
     for (GLuint attribute = 0; attribute < 4; ++attribute) {
         glEnableVertexAttribArray(attribute);
     }
@@ -200,7 +201,7 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
     }
     (material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(batch.firstIndex * sizeof(std::uint32_t)));
+                   bufferOffset(batch.firstIndex * sizeof(std::uint32_t)));
     context.countDraw(batch.indexCount / 3);
     return {};
 }
