@@ -618,7 +618,7 @@ class Scene:
     """A document: people, templates, stages, cameras, history."""
     def __init__(self) -> None:
         """An empty scene."""
-    def save(self, path: Path = ...) -> None:
+    def save(self, path: Optional[Path] = ...) -> None:
         """Writes a .crowd file, whole or not at all. Without a path: where it was opened or
         saved last. Raises Error where the file cannot be written."""
     @property
