@@ -327,14 +327,11 @@ void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
     auto* tint = new QHBoxLayout;
     tint->addWidget(row.color);
     tint->addWidget(row.mode, 1);
-    auto* line = new QVBoxLayout; // beside each other they would not fit a narrow panel
-    line->setSpacing(3);
-    line->addLayout(tint);
-    line->addWidget(row.choice);
     const QString name = QString::fromStdString(slot);
     auto* label = new QLabel(shortened(name, *m_slotArea, kLongestSlot), m_slotArea);
     label->setToolTip(name);
-    form->addRow(label, line);
+    form->addRow(label, tint);
+    form->addRow(row.choice); // over both columns: materials have long names
     connect(row.color, &QToolButton::clicked, this, [this, slot] { chooseTint(slot); });
     connect(row.color, &QToolButton::customContextMenuRequested, this,
             [this, slot] { setTint(slot, {}); });
