@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include <pybind11/numpy.h>
@@ -47,11 +48,18 @@ T valueOrRaise(model::Result<T> result)
 
 using ScenePtr = std::shared_ptr<ScriptScene>;
 
-/// A template of a scene: a scene and an id, so that it follows undo.
+/// A template of a scene: a scene and an id, so that it follows undo. Where that is given out again
+/// to another one, this one is gone.
 struct TemplateHandle
 {
+    TemplateHandle(ScenePtr scene, model::TemplateId given)
+        : owner(std::move(scene)), id(given), birth(owner ? owner->birthOf(given) : 0)
+    {
+    }
+
     ScenePtr owner;
     model::TemplateId id = 0;
+    std::uint64_t birth = 0;
 
     /// The entry as it is now, or ScriptError when it was removed.
     [[nodiscard]] model::TemplateEntry entry() const;
@@ -67,10 +75,30 @@ struct StageHandle
 };
 
 /// `with scene.edit("name"):` one undo step, or nothing at all when the block raises.
-struct EditBlock
+class EditBlock
 {
-    ScenePtr scene;
-    std::string text;
+public:
+    EditBlock(ScenePtr scene, std::string text) : m_scene(std::move(scene)), m_text(std::move(text))
+    {
+    }
+    EditBlock(EditBlock&& other) noexcept
+        : m_scene(std::move(other.m_scene)), m_text(std::move(other.m_text)),
+          m_isOpen(std::exchange(other.m_isOpen, false))
+    {
+    }
+    /// One that was begun without `with` and forgotten is taken back.
+    ~EditBlock() { end(false); }
+    EditBlock(const EditBlock&) = delete;
+    EditBlock& operator=(const EditBlock&) = delete;
+    EditBlock& operator=(EditBlock&&) = delete;
+
+    ScenePtr begin();
+    void end(bool isKept);
+
+private:
+    ScenePtr m_scene;
+    std::string m_text;
+    bool m_isOpen = false;
 };
 
 /// A clip for reading.

@@ -138,7 +138,9 @@ TemplateHandle addTemplate(const ScenePtr& scene, const FilePath& path, const st
     entry.name = name;
     ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds, clipRoles}.applyTo(
         entry);
-    return {scene, valueOrRaise(scene->addTemplate(entry))};
+    const TemplateId added = valueOrRaise(scene->addTemplate(entry));
+    scene->noteBirth(added);
+    return {scene, added};
 }
 
 void changeTemplate(const ScenePtr& scene, const py::object& which, const Maybe<FilePath>& path,

@@ -118,16 +118,30 @@ void warnOfOddities(const Scene& scene)
     }
 }
 
+} // namespace
+
+ScenePtr EditBlock::begin()
+{
+    valueOrRaise(m_scene->beginEdit(m_text));
+    m_isOpen = true;
+    return m_scene;
+}
+
+void EditBlock::end(bool isKept)
+{
+    if (std::exchange(m_isOpen, false)) {
+        m_scene->endEdit(isKept);
+    }
+}
+
+namespace {
+
 void bindEdit(py::module_& module)
 {
     py::class_<EditBlock>(module, "Edit", "What scene.edit(name) gives: for `with`.")
-        .def("__enter__",
-             [](const EditBlock& block) {
-                 valueOrRaise(block.scene->beginEdit(block.text));
-                 return block.scene;
-             })
-        .def("__exit__", [](const EditBlock& block, const py::object& type, const py::object&,
-                            const py::object&) { block.scene->endEdit(type.is_none()); });
+        .def("__enter__", &EditBlock::begin)
+        .def("__exit__", [](EditBlock& block, const py::object& type, const py::object&,
+                            const py::object&) { block.end(type.is_none()); });
 }
 
 void bindDocument(SceneClass& scene)

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -125,6 +126,10 @@ public:
     /// Loads the entry's file. An id of 0 stands for the next free one, an empty name for the
     /// file's own.
     [[nodiscard]] model::Result<model::TemplateId> addTemplate(model::TemplateEntry entry);
+    /// How often the id was given out by a script: tells a template from a later one. Under
+    /// Python's lock.
+    [[nodiscard]] std::uint64_t birthOf(model::TemplateId id) const;
+    void noteBirth(model::TemplateId id) { ++m_births[id]; }
     /// By id; loads the file again where path, import or speeds are others.
     [[nodiscard]] model::Result<void> changeTemplate(model::TemplateEntry entry);
     [[nodiscard]] model::Result<void> removeTemplate(model::TemplateId id); ///< that nobody uses
@@ -198,6 +203,7 @@ private:
     std::unique_ptr<Motion> m_motion;         ///< of the pictures, where the scene has behaviour
     std::thread::id m_drawing;
     int m_process; ///< that made it
+    std::map<model::TemplateId, std::uint64_t> m_births;
     // The document's thread alone.
     std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
     QString m_editText;

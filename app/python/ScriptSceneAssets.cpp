@@ -109,6 +109,12 @@ void followClips(SceneEdit& edit, const TemplateEntry& was, const TemplateEntry&
 
 } // namespace
 
+std::uint64_t ScriptScene::birthOf(TemplateId id) const
+{
+    const auto found = m_births.find(id);
+    return found == m_births.end() ? 0 : found->second;
+}
+
 Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
 {
     entry.path = absolute(entry.path);

@@ -15,7 +15,7 @@ TemplateEntry TemplateHandle::entry() const
 {
     const auto scene = owner->scene();
     const TemplateEntry* found = scene->findTemplate(id);
-    if (found == nullptr) {
+    if (found == nullptr || owner->birthOf(id) != birth) {
         throw ScriptError("The template with id " + std::to_string(id) +
                           " is no longer in the scene.");
     }
@@ -51,6 +51,9 @@ TemplateId templateIdOf(const ScenePtr& scene, const py::handle& given)
             throw ScriptError("Template " + handle.entry().name +
                               " belongs to another scene: take one of this scene's templates, or "
                               "add it here with add_template.");
+        }
+        if (scene && scene->birthOf(handle.id) != handle.birth) {
+            (void)handle.entry(); // says that it is gone
         }
         return handle.id;
     }
@@ -223,7 +226,7 @@ void bindTemplates(py::module_& module)
         .def(
             "__eq__",
             [](const TemplateHandle& a, const TemplateHandle& b) {
-                return a.owner == b.owner && a.id == b.id;
+                return a.owner == b.owner && a.id == b.id && a.birth == b.birth;
             },
             py::is_operator())
         .def("__hash__", [](const TemplateHandle& t) { return t.id; })

@@ -337,6 +337,33 @@ class Hostile(unittest.TestCase):
         thread.join(60)
         self.assertEqual(problems, [])
 
+    def test_a_template_that_is_gone_is_no_other(self):
+        scene = crowdbrush.Scene()
+        gone = scene.add_template(MAN)
+        scene.undo()
+        scene.redo()
+        self.assertEqual(gone.name, "man")  # it is back
+        scene.undo()
+        other = scene.add_template(WOMAN)
+        self.assertEqual(other.id, gone.id)
+        self.assertNotEqual(gone, other)
+        self.assertIn("no longer", self.said(lambda: gone.name))
+        self.assertIn("no longer", self.said(lambda: scene.create(template=gone, position=(0, 0, 0))))
+        self.assertEqual(scene.create(template=other, position=(0, 0, 0)).size, 1)
+
+    def test_an_edit_that_nobody_ends(self):
+        scene, _ = walkers(3)
+        before = scene.column("heading").tolist()
+        block = scene.edit("forgotten")
+        block.__enter__()
+        scene.change(scene.ids, heading=1.5)
+        del block
+        self.assertEqual(scene.column("heading").tolist(), before)
+        with scene.edit("the next"):
+            scene.change(scene.ids, heading=0.5)
+        scene.undo()
+        self.assertEqual(scene.column("heading").tolist(), before)
+
     def test_an_empty_path(self):
         scene, _ = walkers(1)
         self.assertIn("empty", self.said(lambda: scene.save("")))
