@@ -12,8 +12,21 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kTagCount = 64;
 constexpr unsigned kStageShift = 24U; ///< of a seat id: stage above, number below
+
+/// Each one's value becomes another, made from the one that is there.
+template<class T, class Change>
+void rewrite(model::SceneEdit& edit, const SelectedPeople& selected,
+             const SelectedPeople::Group& group, model::ColumnKey<T> key, const Change& change)
+{
+    const auto column = edit.scene().population.column(key);
+    std::vector<T> values;
+    values.reserve(group.rows.size());
+    for (const std::size_t row : group.rows) {
+        values.push_back(change(column[row]));
+    }
+    edit.setColumn(key, selected.ids(group), std::span<const T>(values));
+}
 
 } // namespace
 
@@ -185,14 +198,9 @@ void IndividualDock::setTintMode(const std::string& slot, bool isReplacing)
             continue;
         }
         const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(index));
-        std::vector<std::uint16_t> values;
-        for (const std::size_t row : group.rows) {
-            const std::uint16_t old =
-                m_state.scene().population.column(model::columns::tintReplaces)[row];
-            values.push_back(static_cast<std::uint16_t>(isReplacing ? old | bit : old & ~bit));
-        }
-        edit->setColumn(model::columns::tintReplaces, selected.ids(group),
-                        std::span<const std::uint16_t>(values));
+        rewrite(*edit, selected, group, model::columns::tintReplaces, [&](std::uint16_t old) {
+            return static_cast<std::uint16_t>(isReplacing ? old | bit : old & ~bit);
+        });
     }
     edit->commit(tr("Change the mode of a tint"));
 }
@@ -210,14 +218,11 @@ void IndividualDock::setChoice(const std::string& slot, const QString& choice)
         if (wanted < 0) {
             continue;
         }
-        std::vector<model::MaterialChoices> values;
-        for (const std::size_t row : group.rows) {
-            values.push_back(
-                m_state.scene().population.column(model::columns::materialChoices)[row]);
-            values.back()[static_cast<std::size_t>(index)] = static_cast<std::uint8_t>(wanted);
-        }
-        edit->setColumn(model::columns::materialChoices, selected.ids(group),
-                        std::span<const model::MaterialChoices>(values));
+        rewrite(*edit, selected, group, model::columns::materialChoices,
+                [&](model::MaterialChoices choices) {
+                    choices[static_cast<std::size_t>(index)] = static_cast<std::uint8_t>(wanted);
+                    return choices;
+                });
     }
     edit->commit(tr("Change outfit"));
 }
@@ -235,13 +240,8 @@ void IndividualDock::setPart(const std::string& part, bool isShown)
             continue;
         }
         const std::uint32_t bit = 1U << static_cast<unsigned>(index);
-        std::vector<std::uint32_t> values;
-        for (const std::size_t row : group.rows) {
-            const std::uint32_t old = m_state.scene().population.column(model::columns::parts)[row];
-            values.push_back(isShown ? old | bit : old & ~bit);
-        }
-        edit->setColumn(model::columns::parts, selected.ids(group),
-                        std::span<const std::uint32_t>(values));
+        rewrite(*edit, selected, group, model::columns::parts,
+                [&](std::uint32_t old) { return isShown ? old | bit : old & ~bit; });
     }
     edit->commit(isShown ? tr("Show part") : tr("Hide part"));
 }
