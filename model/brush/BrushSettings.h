@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "model/base/Values.h"
 #include "model/population/Columns.h"
 #include "model/scene/Path.h"
 #include "model/scene/Rule.h"
@@ -41,33 +42,6 @@ enum class BrushSelection : std::uint8_t {
     Rectangle    ///< everything between press and release
 };
 enum class BrushOperator : std::uint8_t { Uniform, Random, Gradient };
-
-/// A distribution that the artist draws: equal bins from the lowest to the highest value with the
-/// weights given. All zero counts as all equal.
-struct DistributionCurve
-{
-    std::array<float, 16> weights{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-
-    /// The value, 0..1, below which the share u (0..1) of the distribution lies.
-    [[nodiscard]] double sample(double u) const;
-    friend bool operator==(const DistributionCurve&, const DistributionCurve&) = default;
-};
-
-struct ValueRange
-{
-    float low = 0.0F;
-    float high = 0.0F;
-    friend bool operator==(const ValueRange&, const ValueRange&) = default;
-};
-
-struct TemplateWeight
-{
-    TemplateId id = 0;
-    float weight = 1.0F;
-    friend bool operator==(const TemplateWeight&, const TemplateWeight&) = default;
-};
-
-using PaintColor = std::array<std::uint8_t, 3>; ///< sRGB red, green, blue
 
 /// Which way the created or the turned ones face. A seat's heading always wins at creation.
 enum class HeadingMode : std::uint8_t {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/base/Color.h"
+#include "model/base/Values.h"
 #include "model/population/Columns.h"
 #include "model/scene/Path.h"
 
@@ -25,14 +26,6 @@ inline constexpr int kTagCount = 64; ///< bits of the tags column
 /// Stable name of an artist's number within a scene; 0 is none.
 using NumberId = std::uint32_t;
 using CueId = std::uint32_t;
-
-struct ClipWeight
-{
-    std::string clip; ///< by name: each template has its own
-    float weight = 1.0F;
-    std::string unknownMembers{}; ///< see Scene::unknownMembers
-    friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
-};
 
 /// A tag as the artist knows it.
 struct TagName

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <typeindex>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/base/Color.h"
+#include "model/base/Values.h"
+
+/// Descriptions of what can be set. A settings struct says once what its members are:
+///
+///     struct WalkSettings
+///     {
+///         bool setsSpeed = true;
+///         ValueRange speed{1.1F, 1.5F};
+///
+///         static constexpr auto fields()
+///         {
+///             return std::tuple(
+///                 field(&WalkSettings::setsSpeed,
+///                       {.key = "sets_speed", .label = QT_TRANSLATE_NOOP("Fields", "Change it")}),
+///                 field(&WalkSettings::speed, {.key = "speed", .low = 0.0, .high = 10.0}));
+///         }
+///     };
+///
+/// and fieldsOf<WalkSettings>() is the list that forms, files, scripts, recordings and checks are
+/// ordinary functions over. Texts are literals in the translation context "Fields".
+namespace crowd::model {
+
+struct Scene;
+struct BrushSettings;
+
+/// A value of any described member. Integers of all widths and members of enumerations are
+/// std::int64_t here; float stays float, so that its text is as short as its precision.
+using FieldValue =
+    std::variant<bool, std::int64_t, float, std::string, PaintColor, Tint, ValueRange, glm::vec3,
+                 std::optional<bool>, std::vector<int>, std::vector<PaintColor>,
+                 std::vector<ClipWeight>, std::vector<TemplateWeight>, DistributionCurve>;
+
+/// What a value stands for, where its type does not say it: which control edits it, and what a
+/// number or a text refers to.
+enum class FieldRole : std::uint8_t {
+    Plain,
+    Angle,        ///< radians; degrees on screen
+    Path,         ///< PathId; 0 and kNearestPath have meanings of their own
+    Place,        ///< PlaceId
+    Tag,          ///< bit of the tags column
+    Slot,         ///< a slot's name; empty: all tintable ones
+    Clip,         ///< a clip's name
+    Event,        ///< an event's name
+    ArtistNumber, ///< NumberId
+    Template,     ///< TemplateId
+    Point,        ///< glm::vec3 of the scene, metres
+    WalkingClips, ///< of clips those that move over ground alone
+    SeatNumbers,  ///< rows or wedges of seats
+    Counted       ///< a whole number that people count from 1 and the program from 0
+};
+
+/// A member of an enumeration: `key` in scripts and files, `label` on screen.
+struct FieldChoice
+{
+    const char* key;
+    const char* label;
+};
+
+/// What a field's being shown may depend on besides its own struct; null where there is none.
+struct FieldContext
+{
+    const Scene* scene = nullptr;
+    const BrushSettings* brush = nullptr;
+};
+
+/// Plain facts of one member. Numbers are in the unit that is stored; on screen they are multiplied
+/// by `shownScale` and followed by `unit`.
+struct FieldMeta
+{
+    const char* key = "";   ///< attribute of the Python class and member of JSON objects
+    const char* label = ""; ///< on screen; empty: in no form
+    const char* tip = "";
+    const char* doc = ""; ///< for the manual and the stubs, English
+    const char* unit = "";
+    double low = 0.0; ///< legal range of numbers, of both ends of ranges and of weights
+    double high = 1.0;
+    double sliderLow = 0.0; ///< range of the control, as shown; both 0: the legal one
+    double sliderHigh = 0.0;
+    double step = 0.1; ///< as shown
+    int decimals = 2;
+    bool isLogarithmic = false;
+    double shownScale = 1.0;
+    FieldRole role = FieldRole::Plain;
+    std::span<const FieldChoice> choices{}; ///< of enumerations, from 0 on
+    const char* section = "";               ///< heading of a form under which it and those after
+                                            ///< it stand; empty: the same as before
+    bool isBeside = false;                  ///< shown in one row with the one before
+    bool isRemembered = true;               ///< by the next start of the editor
+};
+
+/// A member with its facts. S: the struct; T: the member's type.
+template<class S, class T>
+struct Field
+{
+    using Condition = bool (*)(const S&, const FieldContext&);
+
+    T S::*member;
+    FieldMeta meta;
+    Condition isShown = nullptr;
+
+    /// Shown in forms only where the condition holds.
+    [[nodiscard]] constexpr Field when(Condition condition) const
+    {
+        Field copy = *this;
+        copy.isShown = condition;
+        return copy;
+    }
+};
+
+template<class S, class T>
+[[nodiscard]] constexpr Field<S, T> field(T S::*member, const FieldMeta& meta)
+{
+    return {member, meta, nullptr};
+}
+
+/// A described member without its types. Lives as long as the program.
+struct FieldInfo
+{
+    FieldMeta meta;
+    /// Index of the value's alternative in FieldValue; std::variant_npos for a struct with fields
+    /// of its own.
+    std::size_t type = std::variant_npos;
+    std::function<FieldValue(const void*)> get;
+    /// The value has the field's alternative; integers that do not fit and choices that there are
+    /// none of are the caller's to refuse (see fitsField).
+    std::function<void(void*, const FieldValue&)> set;
+    std::function<bool(const void*, const FieldContext&)> isShown; ///< empty: always
+
+    // A struct with fields of its own.
+    std::span<const FieldInfo> children{};
+    std::type_index structType = typeid(void);
+    std::function<void*(void*)> childOf;
+
+    [[nodiscard]] bool isGroup() const { return type == std::variant_npos; }
+    template<class T>
+    [[nodiscard]] bool is() const;
+};
+
+/// All fields of a struct, in the order in which it describes them.
+template<class S>
+[[nodiscard]] std::span<const FieldInfo> fieldsOf();
+
+template<class S>
+concept Described = requires
+{
+    S::fields();
+};
+
+namespace detail {
+
+template<class T>
+constexpr auto fieldValueType()
+{
+    if constexpr (std::is_enum_v<T> || (std::is_integral_v<T> && !std::is_same_v<T, bool>)) {
+        return std::type_identity<std::int64_t>();
+    } else {
+        return std::type_identity<T>();
+    }
+}
+template<class T>
+using FieldValueOf = typename decltype(fieldValueType<T>())::type;
+
+template<class T, class Variant>
+struct AlternativeIndex;
+template<class T, class... Alternatives>
+struct AlternativeIndex<T, std::variant<Alternatives...>>
+{
+    static constexpr std::size_t find()
+    {
+        constexpr bool kIsSame[] = {std::is_same_v<T, Alternatives>...};
+        std::size_t index = 0;
+        while (index < sizeof...(Alternatives) && !kIsSame[index]) {
+            ++index;
+        }
+        return index;
+    }
+    static constexpr std::size_t value = find();
+    static_assert(value < sizeof...(Alternatives), "FieldValue holds no value of this type");
+};
+
+template<class S, class T>
+[[nodiscard]] FieldInfo erased(const Field<S, T>& field)
+{
+    FieldInfo info;
+    info.meta = field.meta;
+    const auto member = field.member;
+    if (field.isShown != nullptr) {
+        info.isShown = [shown = field.isShown](const void* object, const FieldContext& context) {
+            return shown(*static_cast<const S*>(object), context);
+        };
+    }
+    if constexpr (Described<T>) {
+        info.children = fieldsOf<T>();
+        info.structType = typeid(T);
+        info.childOf = [member](void* object) -> void* {
+            return &(static_cast<S*>(object)->*member);
+        };
+    } else {
+        using Value = FieldValueOf<T>;
+        info.type = AlternativeIndex<Value, FieldValue>::value;
+        info.get = [member](const void* object) {
+            return FieldValue(static_cast<Value>(static_cast<const S*>(object)->*member));
+        };
+        info.set = [member](void* object, const FieldValue& value) {
+            static_cast<S*>(object)->*member = static_cast<T>(std::get<Value>(value));
+        };
+    }
+    return info;
+}
+
+} // namespace detail
+
+template<class T>
+bool FieldInfo::is() const
+{
+    return type == detail::AlternativeIndex<T, FieldValue>::value;
+}
+
+template<class S>
+std::span<const FieldInfo> fieldsOf()
+{
+    static const std::vector<FieldInfo> kFields = std::apply(
+        [](const auto&... each) { return std::vector<FieldInfo>{detail::erased(each)...}; },
+        S::fields());
+    return kFields;
+}
+
+} // namespace crowd::model

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "model/describe/FieldChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace crowd::model {
+
+namespace {
+
+template<class... Visitors>
+struct Overloaded : Visitors...
+{
+    using Visitors::operator()...;
+};
+template<class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+bool isWithin(const FieldMeta& meta, double value)
+{
+    return value >= meta.low && value <= meta.high; // false where it is not a number
+}
+
+Result<void> refuseNumber(const FieldMeta& meta, double value, const std::string& name)
+{
+    return Error{name + " is " + shortNumber(value) + "; it must lie from " +
+                 shortNumber(meta.low) + " to " + shortNumber(meta.high) + "."};
+}
+
+Result<void> checkNumber(const FieldMeta& meta, double value, const std::string& name)
+{
+    return isWithin(meta, value) ? Result<void>() : refuseNumber(meta, value, name);
+}
+
+Result<void> checkInteger(const FieldMeta& meta, std::int64_t value, const std::string& name)
+{
+    if (meta.choices.empty()) {
+        return checkNumber(meta, static_cast<double>(value), name);
+    }
+    if (value < 0 || value >= static_cast<std::int64_t>(meta.choices.size())) {
+        return Error{name + " is none of the choices there are."};
+    }
+    return {};
+}
+
+Result<void> checkRange(const FieldMeta& meta, const ValueRange& range, const std::string& name)
+{
+    for (const float end : {range.low, range.high}) {
+        if (!isWithin(meta, end)) {
+            return refuseNumber(meta, end, name);
+        }
+    }
+    if (range.low > range.high) {
+        return Error{name + " runs from the lowest to the highest value."};
+    }
+    return {};
+}
+
+template<class Numbers>
+Result<void> checkEach(const FieldMeta& meta, const Numbers& numbers, const std::string& name)
+{
+    for (const float each : numbers) {
+        if (!isWithin(meta, each)) {
+            return refuseNumber(meta, each, name);
+        }
+    }
+    return {};
+}
+
+template<class Weighted>
+Result<void> checkWeights(const std::vector<Weighted>& all, const std::string& name)
+{
+    constexpr double kHeaviest = 1e6;
+    for (const Weighted& each : all) {
+        if (!(each.weight >= 0.0F && static_cast<double>(each.weight) <= kHeaviest)) {
+            return Error{name + " is " + shortNumber(static_cast<double>(each.weight)) +
+                         "; it must lie from 0 to 1000000."};
+        }
+    }
+    return {};
+}
+
+float fitted(const FieldMeta& meta, float value)
+{
+    return std::isfinite(value) ? static_cast<float>(std::clamp<double>(value, meta.low, meta.high))
+                                : static_cast<float>(meta.low);
+}
+
+} // namespace
+
+std::string shortNumber(double value)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
+}
+
+Result<void> checkField(const FieldInfo& field, const FieldValue& value, const std::string& name)
+{
+    const FieldMeta& meta = field.meta;
+    return std::visit(
+        Overloaded{
+            [&](std::int64_t number) { return checkInteger(meta, number, name); },
+            [&](float number) { return checkNumber(meta, static_cast<double>(number), name); },
+            [&](const ValueRange& range) { return checkRange(meta, range, name); },
+            [&](const glm::vec3& point) {
+                return checkEach(meta, std::array{point.x, point.y, point.z}, name);
+            },
+            [&](const std::vector<ClipWeight>& clips) { return checkWeights(clips, name); },
+            [&](const std::vector<TemplateWeight>& mix) { return checkWeights(mix, name); },
+            [&](const DistributionCurve& curve) { return checkEach(meta, curve.weights, name); },
+            [&](const std::vector<int>& numbers) -> Result<void> {
+                if (!std::ranges::is_sorted(numbers)) {
+                    return Error{name + " must be in ascending order."};
+                }
+                return {};
+            },
+            [&](const std::vector<PaintColor>& colors) -> Result<void> {
+                if (colors.empty() && meta.low > 0.0) {
+                    return Error{name + " must hold at least one colour."};
+                }
+                return {};
+            },
+            [](const auto&) { return Result<void>(); }},
+        value);
+}
+
+Result<void> checkFields(std::span<const FieldInfo> fields, const void* object,
+                         const std::string& prefix)
+{
+    for (const FieldInfo& field : fields) {
+        const std::string name = prefix + field.meta.key;
+        // What is inside is only read.
+        auto valid =
+            field.isGroup()
+                ? checkFields(field.children, field.childOf(const_cast<void*>(object)), name + '.')
+                : checkField(field, field.get(object), name);
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+FieldValue fittedValue(const FieldInfo& field, FieldValue value)
+{
+    const FieldMeta& meta = field.meta;
+    if (auto* number = std::get_if<float>(&value)) {
+        *number = fitted(meta, *number);
+    } else if (auto* whole = std::get_if<std::int64_t>(&value)) {
+        const auto count = static_cast<std::int64_t>(meta.choices.size());
+        if (count > 0) {
+            *whole = *whole >= 0 && *whole < count ? *whole : 0;
+        } else {
+            *whole = std::clamp(*whole, static_cast<std::int64_t>(meta.low),
+                                static_cast<std::int64_t>(meta.high));
+        }
+    } else if (auto* range = std::get_if<ValueRange>(&value)) {
+        range->low = fitted(meta, range->low);
+        range->high = std::max(range->low, fitted(meta, range->high));
+    } else if (auto* point = std::get_if<glm::vec3>(&value)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            (*point)[axis] = fitted(meta, (*point)[axis]);
+        }
+    } else if (auto* curve = std::get_if<DistributionCurve>(&value)) {
+        for (float& weight : curve->weights) {
+            weight = fitted(meta, weight);
+        }
+    } else if (auto* numbers = std::get_if<std::vector<int>>(&value)) {
+        std::ranges::sort(*numbers);
+    }
+    return value;
+}
+
+} // namespace crowd::model
