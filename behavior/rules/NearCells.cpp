@@ -81,7 +81,7 @@ std::uint32_t NearCells::nearest(const glm::vec3& position, float metres,
     const glm::vec2 from(position.x, position.z);
     const std::int64_t column = lineOf(position.x);
     const std::int64_t row = lineOf(position.z);
-    Nearest nearest{metres, kNobody};
+    Nearest nearest{metres, kNoAgent};
     std::size_t looks = 0;
     for (std::int64_t ring = 0; static_cast<float>(ring - 1) * kCellMetres <= nearest.metres;
          ++ring) {

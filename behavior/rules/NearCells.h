@@ -9,6 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "behavior/base/Agents.h"
+
 namespace crowd::behavior {
 
 /// People by where they are on the ground, so that whoever is near somebody is found without asking
@@ -16,8 +18,6 @@ namespace crowd::behavior {
 class NearCells
 {
 public:
-    static constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
-
     void clear();
     [[nodiscard]] bool isEmpty() const { return m_people.empty(); }
     void add(std::uint32_t agent, const glm::vec3& position);
@@ -25,7 +25,7 @@ public:
     /// is shorter to ask everybody.
     [[nodiscard]] bool gather(const glm::vec3& position, float metres,
                               std::vector<std::uint32_t>& agents) const;
-    /// Whoever is nearest and no further than so many metres; of several the first. kNobody: there
+    /// Whoever is nearest and no further than so many metres; of several the first. kNoAgent: there
     /// is none but perhaps `except`.
     [[nodiscard]] std::uint32_t nearest(const glm::vec3& position, float metres,
                                         std::uint32_t except) const;
@@ -39,7 +39,7 @@ private:
     struct Nearest
     {
         float metres = 0.0F;
-        std::uint32_t agent = kNobody;
+        std::uint32_t agent = kNoAgent;
     };
     using Cells = std::unordered_map<std::uint64_t, std::vector<Person>>;
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "behavior/rules/RuleEngine.h"
-#include "behavior/session/PathFollower.h"
 #include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
 

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "behavior/rules/RuleEngine.h"
-#include "behavior/session/PathFollower.h"
 #include "model/base/Random.h"
 
 /// What people do about somebody or something: run from it, turn to it, go there, follow, look.

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "behavior/session/PathFollower.h"
+#include "behavior/motion/TravelEvents.h"
 #include "model/base/Random.h"
 #include "model/scene/RuleFlaws.h"
 
@@ -174,7 +174,7 @@ void RuleEngine::setPeople(const model::Population& people, std::span<const std:
     const auto tags = people.column(model::columns::tags);
     std::vector<Mind> minds(keep.size());
     for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i] != PathFollower::kNobody) {
+        if (keep[i] != kNoAgent) {
             minds[i] = std::move(m_minds[keep[i]]);
         } else {
             minds[i].tags = tags[i];
@@ -185,7 +185,7 @@ void RuleEngine::setPeople(const model::Population& people, std::span<const std:
         RuleMemory kept;
         kept.resize(keep.size());
         for (std::size_t i = 0; i < keep.size(); ++i) {
-            if (keep[i] != PathFollower::kNobody) {
+            if (keep[i] != kNoAgent) {
                 kept.of[i] = memory.of[keep[i]];
                 kept.due[i] = memory.due[keep[i]];
             }
@@ -284,7 +284,7 @@ void RuleEngine::step(RuleHost& host, std::uint64_t step)
         m_minds[agent].litUntil = isOut ? -1.0 : m_minds[agent].litUntil;
         return isOut;
     });
-    noteHappenings(host);
+    noteTravelEvents(host);
     deliver(host);
     endErrands(host);
     lookAround(host);
@@ -310,15 +310,15 @@ void RuleEngine::goOnWithAll(RuleHost& host)
     }
 }
 
-void RuleEngine::noteHappenings(const RuleHost& host)
+void RuleEngine::noteTravelEvents(const RuleHost& host)
 {
-    const std::span<const std::uint8_t> happenings = host.happenings();
+    const std::span<const std::uint8_t> events = host.travelEvents();
     m_happenedTo.clear();
-    for (std::uint32_t agent = 0; agent < happenings.size(); ++agent) {
-        if (happenings[agent] != 0) {
+    for (std::uint32_t agent = 0; agent < events.size(); ++agent) {
+        if (events[agent] != 0) {
             m_happenedTo.push_back(agent);
             Mind& mind = m_minds[agent]; // before he sets out for somewhere else
-            mind.arrived = (happenings[agent] & PathFollower::EndedErrand) != 0 ? mind.goal : 0;
+            mind.arrived = (events[agent] & kEndedErrand) != 0 ? mind.goal : 0;
         }
     }
 }
@@ -326,8 +326,7 @@ void RuleEngine::noteHappenings(const RuleHost& host)
 /// The errand that he is on: what happened in this step may be the end of the one before.
 bool RuleEngine::hasErrandEnded(RuleHost& host, std::uint32_t agent) const
 {
-    return (host.happenings()[agent] & PathFollower::EndedErrand) != 0 &&
-           m_minds[agent].setOutIn != m_step;
+    return (host.travelEvents()[agent] & kEndedErrand) != 0 && m_minds[agent].setOutIn != m_step;
 }
 
 void RuleEngine::sendTo(RuleHost& host, std::uint32_t agent, const glm::vec3& point, float atLeast)

@@ -14,75 +14,18 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "behavior/base/Agents.h"
+#include "behavior/base/Problem.h"
 #include "behavior/rules/NearCells.h"
+#include "behavior/rules/OwnNumber.h"
 #include "behavior/rules/PlaceRooms.h"
-#include "behavior/session/Problem.h"
-#include "behavior/session/SessionPose.h"
+#include "behavior/rules/RuleHost.h"
 #include "model/population/Population.h"
 #include "model/scene/Rule.h"
 #include "model/scene/RuleSequence.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
-
-/// What rules can ask of people and let them do; a session is one. Agents count from 0.
-class RuleHost
-{
-public:
-    virtual ~RuleHost() = default;
-    [[nodiscard]] virtual std::size_t agents() const = 0;
-    [[nodiscard]] virtual glm::vec3 position(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual model::IndividualId id(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual model::TemplateId templateOf(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual std::uint32_t group(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual bool isSeated(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual bool isGone(std::uint32_t agent) const = 0;
-    [[nodiscard]] virtual model::PathId pathOf(std::uint32_t agent) const = 0;
-    /// PathFollower::Happening of the last step, by agent.
-    [[nodiscard]] virtual std::span<const std::uint8_t> happenings() const = 0;
-    [[nodiscard]] virtual model::PlaceId reachedPlace(std::uint32_t agent) const = 0;
-    /// Seconds that the clip takes; below 0: there is no such clip.
-    virtual float play(std::uint32_t agent, const std::string& clip, bool isLooped) = 0;
-    virtual void endClip(std::uint32_t agent) = 0;
-    /// False, and nothing changes: there is no such path.
-    virtual bool follow(std::uint32_t agent, model::PathId path) = 0;
-    /// `point`, or as near to it as one gets straight on from `from`.
-    [[nodiscard]] virtual glm::vec3 reached(const glm::vec3& from,
-                                            const glm::vec3& point) const = 0;
-    /// Of the way from one point to another, metres; infinite where it ends further than `within`
-    /// from there.
-    [[nodiscard]] virtual float wayMetres(const glm::vec3& from, const glm::vec3& to,
-                                          float within) const = 0;
-    /// At his own pace, or at `atLeast` (m/s) where that is faster.
-    virtual void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast) = 0;
-    virtual void stop(std::uint32_t agent) = 0;
-    virtual void goOn(std::uint32_t agent) = 0;
-    virtual void setPace(std::uint32_t agent, float metresPerSecond) = 0;
-    virtual void turnTo(std::uint32_t agent, const glm::vec3& point) = 0;
-    virtual void leave(std::uint32_t agent) = 0;
-    /// Is there from now on, also after leaving.
-    virtual void appear(std::uint32_t agent, const glm::vec3& point) = 0;
-    [[nodiscard]] virtual float speed(std::uint32_t agent) const = 0; ///< m/s, smoothed
-    /// Along the ground, m/s, whether or not others let him; 0 where he wants to stay.
-    [[nodiscard]] virtual glm::vec2 wantedVelocity(std::uint32_t agent) const = 0;
-    /// On the nearest free seat within so many metres (0: however far). False: there is none.
-    virtual bool sit(std::uint32_t agent, float metres) = 0;
-    [[nodiscard]] virtual bool hasSeats() = 0;
-    /// On the way to a seat.
-    [[nodiscard]] virtual bool isSittingDown(std::uint32_t agent) const = 0;
-    /// Begins to stand up: seconds that it takes.
-    virtual float standUp(std::uint32_t agent) = 0;
-    /// Has stood up.
-    virtual void leaveSeat(std::uint32_t agent) = 0;
-    /// Of all but the clip.
-    [[nodiscard]] virtual float property(std::uint32_t agent,
-                                         model::ComparedProperty property) const = 0;
-    [[nodiscard]] virtual bool showsClip(std::uint32_t agent, const std::string& clip) const = 0;
-    /// `clip` is the one that was drawn. What somebody's template has not stays as it is.
-    virtual void setProperty(std::uint32_t agent, const model::Action& action,
-                             const std::string& clip) = 0;
-    virtual void noteTags(std::uint32_t agent, std::uint64_t tags) = 0;
-};
 
 /// "A rule fired", for the artist's log.
 struct RuleFired
@@ -103,7 +46,8 @@ public:
     /// Takes over rules and places; sequences that run go on where their rule is unchanged. When
     /// numbers were kept, those that everybody has here stay.
     void setRules(const model::Scene& scene, bool areNumbersKept = false);
-    /// Agents are other ones now; see PathFollower::rearrange. Tags come from the scene.
+    /// Agents are other ones now; keep[i] is the former agent, or kNoAgent for a new one. Tags come
+    /// from the scene.
     void setPeople(const model::Population& people, std::span<const std::uint32_t> keep);
     void setTags(std::uint32_t agent, std::uint64_t tags);
     [[nodiscard]] std::uint64_t tags(std::uint32_t agent) const { return m_minds[agent].tags; }
@@ -136,7 +80,7 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_rules.empty(); }
 
 private:
-    static constexpr std::uint32_t kNone = NearCells::kNobody;
+    static constexpr std::uint32_t kNone = kNoAgent;
     static constexpr std::uint64_t kNoStep = ~std::uint64_t{0};
 
     struct Cause
@@ -267,7 +211,7 @@ private:
     void lookAround(RuleHost& host);
     void lookAt(RuleHost& host, std::uint32_t rule);
     void lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
-    void noteHappenings(const RuleHost& host);
+    void noteTravelEvents(const RuleHost& host);
     /// The first one from there on whom a rule lets do something, or their number.
     [[nodiscard]] std::uint32_t nextBusy(std::uint32_t agent) const;
     void setBusy(std::uint32_t agent, std::uint32_t rule);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "behavior/motion/StrideKernel.h"
 #include "behavior/rules/RuleEngine.h"
-#include "behavior/session/StrideKernel.h"
 #include "model/base/Random.h"
 
 /// Where rules send people, in whose turn, and how they leave.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "behavior/motion/TravelEvents.h"
 #include "behavior/rules/RuleEngine.h"
-#include "behavior/session/PathFollower.h"
 #include "model/base/Random.h"
 
 /// What rules wait for and ask.
@@ -79,18 +79,18 @@ bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t ag
 {
     const model::Trigger& trigger = m_rules[index].trigger;
     Memory& memory = m_memory[index].of[agent];
-    const std::uint8_t happened = host.happenings()[agent];
+    const std::uint8_t happened = host.travelEvents()[agent];
     switch (trigger.kind) {
     case model::TriggerKind::Start:
         return !std::exchange(memory.wasThere, true);
     case model::TriggerKind::Arrived: {
-        const bool isErrand = (happened & PathFollower::EndedErrand) != 0;
+        const bool isErrand = (happened & kEndedErrand) != 0;
         const model::PlaceId reached = isErrand ? m_minds[agent].arrived : host.reachedPlace(agent);
-        return (isErrand ? reached != 0 : (happened & PathFollower::ReachedPlace) != 0) &&
+        return (isErrand ? reached != 0 : (happened & kReachedPlace) != 0) &&
                (trigger.place == 0 || reached == trigger.place);
     }
     case model::TriggerKind::PathEnded:
-        return (happened & PathFollower::EndedPath) != 0 &&
+        return (happened & kEndedPath) != 0 &&
                (trigger.path == 0 || host.pathOf(agent) == trigger.path);
     case model::TriggerKind::Entered:
     case model::TriggerKind::Left: {

@@ -69,8 +69,7 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
     addBodies(m_population);
     setWalls(m_places);
     m_rules.setRules(scene);
-    m_rules.setPeople(m_population,
-                      std::vector<std::uint32_t>(m_population.size(), PathFollower::kNobody));
+    m_rules.setPeople(m_population, std::vector<std::uint32_t>(m_population.size(), kNoAgent));
 }
 
 Session::~Session() = default;
@@ -170,13 +169,13 @@ Session::Shown Session::shownFrom(const model::Population& people, std::size_t r
     return shown;
 }
 
-void Session::setBearing(const model::Population& people, std::uint32_t row)
+void Session::setMotion(const model::Population& people, std::uint32_t row)
 {
-    m_bearings.put(row, people.column(model::columns::position)[row]);
-    m_bearings.heading[row] = people.column(model::columns::heading)[row];
+    m_motion.put(row, people.column(model::columns::position)[row]);
+    m_motion.heading[row] = people.column(model::columns::heading)[row];
     const float phase = people.column(model::columns::phase)[row];
-    m_bearings.gaitPlace[row] = phase - std::floor(phase);
-    touch(row);
+    m_motion.gaitPlace[row] = phase - std::floor(phase);
+    markDirty(row);
 }
 
 void Session::countGroups(const model::Population& people)
@@ -190,10 +189,10 @@ void Session::countGroups(const model::Population& people)
 void Session::addPeople(const SessionPlan& plan)
 {
     std::vector<PathFollower::Assignment> assignments;
-    m_bearings.assign(m_population.size());
+    m_motion.assign(m_population.size());
     for (std::uint32_t row = 0; row < m_population.size(); ++row) {
         m_shown.push_back(shownFrom(m_population, row));
-        setBearing(m_population, row);
+        setMotion(m_population, row);
         const PathFollower::Assignment walk = walkOf(m_population, row);
         if (walk.path != 0 && plan.walkers.empty()) {
             assignments.push_back(walk);
@@ -213,7 +212,7 @@ void Session::addPeople(const SessionPlan& plan)
                                : model::kUsualWalkingSpeed;
         PathFollower::Assignment walk{static_cast<std::uint32_t>(row), walker.path,
                                       model::hashKeys(m_seed, walker.id, 31), pace};
-        walk.from = m_bearings.position(row);
+        walk.from = m_motion.position(row);
         assignments.push_back(walk);
     }
     if (missing > 0) {
@@ -236,8 +235,8 @@ void Session::addBodies(const model::Population& people)
     std::vector<LongBody> longBodies;
     bool hasLevels = m_surface != nullptr;
     for (std::size_t row = 0; row < bodies.size(); ++row) {
-        bodies[row].position = {m_bearings.x[row], m_bearings.z[row]};
-        bodies[row].groundHeight = m_bearings.y[row];
+        bodies[row].position = {m_motion.x[row], m_motion.z[row]};
+        bodies[row].groundHeight = m_motion.y[row];
         const model::Footprint& footprint = footprintOf(row);
         const float girth = std::clamp(girths[row], 0.05F, 20.0F);
         bodies[row].radius = footprint.radius * girth;
@@ -246,9 +245,9 @@ void Session::addBodies(const model::Population& people)
                 {static_cast<std::uint32_t>(row), footprint.front * girth, footprint.back * girth});
         }
         bodies[row].preferredSpeed = 0.0F; // until it is steered
-        bodies[row].velocity = m_bearings.speed[row] * glm::vec2(std::sin(m_bearings.heading[row]),
-                                                                 std::cos(m_bearings.heading[row]));
-        hasLevels = hasLevels || std::fabs(m_bearings.y[row] - m_bearings.y.front()) > kLevelMetres;
+        bodies[row].velocity = m_motion.speed[row] * glm::vec2(std::sin(m_motion.heading[row]),
+                                                               std::cos(m_motion.heading[row]));
+        hasLevels = hasLevels || std::fabs(m_motion.y[row] - m_motion.y.front()) > kLevelMetres;
     }
     m_crowd.setLevels(hasLevels);
     m_crowd.setAgents(bodies, longBodies);
@@ -260,7 +259,7 @@ void Session::addBodies(const model::Population& people)
 void Session::turnLongBodies()
 {
     for (LongBody& body : m_crowd.longBodies()) {
-        const float heading = m_bearings.heading[body.agent];
+        const float heading = m_motion.heading[body.agent];
         body.headingX = std::sin(heading);
         body.headingZ = std::cos(heading);
     }
@@ -312,7 +311,7 @@ void Session::send(const std::string& event, float payload,
         const std::size_t row = m_population.rowOf(each);
         if (row != model::Population::npos) {
             agents.push_back(static_cast<std::uint32_t>(row));
-            middle += m_bearings.position(row);
+            middle += m_motion.position(row);
         }
     }
     middle /= static_cast<float>(std::max<std::size_t>(1, agents.size()));

@@ -10,13 +10,13 @@
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/crowd/ParkedBodies.h"
+#include "behavior/motion/GaitTable.h"
+#include "behavior/motion/MotionState.h"
+#include "behavior/motion/PathFollower.h"
+#include "behavior/motion/StrideKernel.h"
 #include "behavior/rules/RuleEngine.h"
-#include "behavior/session/Bearings.h"
-#include "behavior/session/Gait.h"
-#include "behavior/session/PathFollower.h"
 #include "behavior/session/SessionPose.h"
 #include "behavior/session/SessionTally.h"
-#include "behavior/session/StrideKernel.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Path.h"
@@ -97,7 +97,7 @@ private:
         Sits     ///< since this session let it; else the scene's seat counts
     };
     /// What an individual shows beside his bearing, and why; one per row of the population, which
-    /// is its agent. Who writes it lets the agent be looked at: see touch().
+    /// is its agent. Who writes it lets the agent be looked at: see markDirty().
     struct Shown
     {
         std::uint32_t table = 0;
@@ -156,7 +156,7 @@ private:
     [[nodiscard]] bool isSeated(std::uint32_t agent) const override;
     [[nodiscard]] bool isGone(std::uint32_t agent) const override;
     [[nodiscard]] model::PathId pathOf(std::uint32_t agent) const override;
-    [[nodiscard]] std::span<const std::uint8_t> happenings() const override;
+    [[nodiscard]] std::span<const std::uint8_t> travelEvents() const override;
     [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const override;
     float play(std::uint32_t agent, const std::string& clip, bool isLooped) override;
     void endClip(std::uint32_t agent) override;
@@ -235,9 +235,9 @@ private:
     void goAroundParked();
     void brake();
     /// Something happens to somebody: the next step looks at him.
-    Shown& touch(std::uint32_t agent);
+    Shown& markDirty(std::uint32_t agent);
     /// He has moved or acted: the scene's values count no more.
-    Shown& enliven(std::uint32_t agent);
+    Shown& activate(std::uint32_t agent);
     [[nodiscard]] bool isLive(std::uint32_t agent) const;
     void showAll();
     void follow(std::size_t begin, std::size_t end);
@@ -250,7 +250,7 @@ private:
     void goOnFading(std::uint32_t agent);
     void followGait(std::uint32_t agent, float speed, bool wantsOn);
     void noteClip(std::uint32_t agent);
-    void setCourse(std::uint32_t agent);
+    void setUpdateMode(std::uint32_t agent);
     [[nodiscard]] Showing showingOf(std::uint32_t agent) const;
     [[nodiscard]] std::uint8_t flagsOf(const Shown& shown, const Showing& showing,
                                        std::uint8_t before) const;
@@ -258,7 +258,7 @@ private:
                                         std::uint32_t table) const;
     [[nodiscard]] std::uint32_t tableOf(const model::Population& people, std::size_t row) const;
     [[nodiscard]] Shown shownFrom(const model::Population& people, std::size_t row) const;
-    void setBearing(const model::Population& people, std::uint32_t row);
+    void setMotion(const model::Population& people, std::uint32_t row);
     [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
     [[nodiscard]] PathFollower::Assignment walkOf(const model::Population& people,
                                                   std::size_t row) const;
@@ -278,7 +278,7 @@ private:
     std::vector<std::vector<ClipFacts>> m_clips; ///< per template, as the clip column counts
     std::vector<Shown> m_shown;
     std::vector<Standing> m_standing;
-    Bearings m_bearings;
+    MotionState m_motion;
     CrowdSimulation m_crowd;
     ParkedBodies m_parked;
     PathFollower m_follower;

@@ -67,7 +67,7 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     m_rules.setRules(scene, arePosesKept);
     m_ownNumbers = m_rules.ownNumbers();
     for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
-        touch(agent);
+        markDirty(agent);
     }
 }
 
@@ -83,7 +83,7 @@ void Session::adoptTemplates(const model::Scene& scene)
 
 void Session::adoptTemplate(std::uint32_t agent, const std::vector<model::TemplateEntry>& former)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     const model::TemplateEntry* before =
         shown.table < former.size() ? &former[shown.table] : nullptr;
     const auto now =
@@ -124,7 +124,7 @@ void Session::adoptPaths(const model::Scene& scene)
 void Session::adoptRows(const model::Scene& scene)
 {
     const model::Population& people = scene.population;
-    std::vector<std::uint32_t> keep(people.size(), PathFollower::kNobody);
+    std::vector<std::uint32_t> keep(people.size(), kNoAgent);
     std::vector<Shown> shown(people.size());
     for (std::size_t row = 0; row < people.size(); ++row) {
         const std::size_t former = m_population.rowOf(people.ids()[row]);
@@ -136,10 +136,10 @@ void Session::adoptRows(const model::Scene& scene)
         }
     }
     m_shown = std::move(shown);
-    m_bearings.rearrange(keep);
+    m_motion.rearrange(keep);
     for (std::uint32_t row = 0; row < people.size(); ++row) {
-        if (keep[row] == PathFollower::kNobody) {
-            setBearing(people, row);
+        if (keep[row] == kNoAgent) {
+            setMotion(people, row);
         }
     }
     m_sitters.clear();
@@ -151,7 +151,7 @@ void Session::adoptRows(const model::Scene& scene)
     m_follower.rearrange(keep);
     m_rules.setPeople(people, keep);
     for (std::size_t row = 0; row < people.size(); ++row) {
-        if (keep[row] == PathFollower::kNobody) {
+        if (keep[row] == kNoAgent) {
             const PathFollower::Assignment walk = walkOf(people, row);
             if (walk.path != 0) {
                 m_follower.follow(walk);
@@ -214,16 +214,16 @@ void Session::adoptValues(const model::Scene& scene, bool arePosesKept, bool are
     };
     if (!arePosesKept) {
         each(keys::position, [&](std::size_t row) {
-            m_bearings.put(row, now.column(keys::position)[row]);
-            m_bearings.speed[row] = 0.0F;
+            m_motion.put(row, now.column(keys::position)[row]);
+            m_motion.speed[row] = 0.0F;
             areBodiesNew = true;
         });
         each(keys::heading,
-             [&](std::size_t row) { m_bearings.heading[row] = now.column(keys::heading)[row]; });
+             [&](std::size_t row) { m_motion.heading[row] = now.column(keys::heading)[row]; });
     }
     each(keys::path, [&](std::size_t row) {
         PathFollower::Assignment walk = walkOf(now, row);
-        walk.from = m_bearings.position(row);
+        walk.from = m_motion.position(row);
         m_follower.follow(walk);
     });
     each(keys::walkSpeed, [&](std::size_t row) {

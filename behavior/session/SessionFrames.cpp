@@ -45,7 +45,7 @@ void Session::addTo(SessionPose& pose, std::span<const std::uint32_t> agents) co
             to.push_back(from[agent]);
         }
     };
-    const Bearings& b = m_bearings;
+    const MotionState& b = m_motion;
     take(m_population.ids(), pose.ids);
     take(b.x, pose.x);
     take(b.y, pose.y);
@@ -58,7 +58,7 @@ void Session::addTo(SessionPose& pose, std::span<const std::uint32_t> agents) co
     take(b.flags, pose.flags);
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const std::uint32_t agent = agents[i];
-        if (b.course[agent] != static_cast<std::int32_t>(Course::Look)) {
+        if (b.mode[agent] != static_cast<std::int32_t>(UpdateMode::Full)) {
             continue;
         }
         // It may have been written since the last step.

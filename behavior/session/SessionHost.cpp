@@ -10,7 +10,7 @@ namespace crowd::behavior {
 
 glm::vec3 Session::position(std::uint32_t agent) const
 {
-    return m_bearings.position(agent);
+    return m_motion.position(agent);
 }
 
 model::IndividualId Session::id(std::uint32_t agent) const
@@ -45,9 +45,9 @@ model::PathId Session::pathOf(std::uint32_t agent) const
     return m_follower.pathOf(agent);
 }
 
-std::span<const std::uint8_t> Session::happenings() const
+std::span<const std::uint8_t> Session::travelEvents() const
 {
-    return m_follower.happenings();
+    return m_follower.travelEvents();
 }
 
 model::PlaceId Session::reachedPlace(std::uint32_t agent) const
@@ -70,13 +70,13 @@ float Session::play(std::uint32_t agent, const std::string& clip, bool isLooped)
     shown.isOrderLooped = isLooped;
     shown.isOrderOwn = false;
     shown.orderPlace = 0.0;
-    enliven(agent);
+    activate(agent);
     return std::max(0.1F, clipFacts(shown, shown.order)->seconds);
 }
 
 void Session::endClip(std::uint32_t agent)
 {
-    touch(agent).order = -1;
+    markDirty(agent).order = -1;
 }
 
 bool Session::follow(std::uint32_t agent, model::PathId path)
@@ -87,7 +87,7 @@ bool Session::follow(std::uint32_t agent, model::PathId path)
     leaveSeat(agent);
     PathFollower::Assignment walk = walkOf(m_population, agent);
     walk.path = path;
-    walk.from = m_bearings.position(agent);
+    walk.from = m_motion.position(agent);
     walk.metresPerSecond = m_follower.pace(agent);
     return m_follower.follow(walk);
 }
@@ -131,9 +131,9 @@ void Session::setPace(std::uint32_t agent, float metresPerSecond)
 
 void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
 {
-    const glm::vec3 way = point - m_bearings.position(agent);
+    const glm::vec3 way = point - m_motion.position(agent);
     if (way.x * way.x + way.z * way.z > 1e-4F) {
-        Shown& shown = touch(agent);
+        Shown& shown = markDirty(agent);
         shown.facing = std::atan2(way.x, way.z);
         shown.isTurning = true;
     }
@@ -142,15 +142,15 @@ void Session::turnTo(std::uint32_t agent, const glm::vec3& point)
 void Session::leave(std::uint32_t agent)
 {
     leaveSeat(agent);
-    enliven(agent).isGone = true;
-    m_bearings.y[agent] = kGoneHeight;
+    activate(agent).isGone = true;
+    m_motion.y[agent] = kGoneHeight;
     m_follower.stop(agent);
     m_crowd.setLevels(true);
 }
 
 float Session::speed(std::uint32_t agent) const
 {
-    return m_bearings.speed[agent];
+    return m_motion.speed[agent];
 }
 
 glm::vec2 Session::wantedVelocity(std::uint32_t agent) const
@@ -162,16 +162,16 @@ glm::vec2 Session::wantedVelocity(std::uint32_t agent) const
 void Session::appear(std::uint32_t agent, const glm::vec3& point)
 {
     leaveSeat(agent);
-    Shown& shown = enliven(agent);
+    Shown& shown = activate(agent);
     shown.isGone = false;
     shown.isPut = true;
     shown.hasLast = false;
     shown.fadeBegin = -1.0;
     shown.gait = 0;
-    m_bearings.speed[agent] = 0.0F;
-    m_bearings.put(agent, point);
+    m_motion.speed[agent] = 0.0F;
+    m_motion.put(agent, point);
     if (m_surface) {
-        m_bearings.y[agent] = m_surface->height(point.x, point.z, point.y);
+        m_motion.y[agent] = m_surface->height(point.x, point.z, point.y);
     }
     m_follower.stop(agent);
     m_follower.forgetWay(agent);

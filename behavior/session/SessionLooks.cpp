@@ -69,7 +69,7 @@ double Session::ownPlace(std::uint32_t agent) const
 /// So that he is there in his own clip now.
 void Session::setOwnPhase(std::uint32_t agent, double place)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     shown.phase = 0.0;
     const double phase = place - ownPlace(agent);
     shown.phase = phase - std::floor(phase);
@@ -79,7 +79,7 @@ void Session::setOwnPhase(std::uint32_t agent, double place)
 void Session::setOwnRate(std::uint32_t agent, float rate)
 {
     const double place = ownPlace(agent);
-    touch(agent).rate = rate;
+    markDirty(agent).rate = rate;
     lookOf(agent).playbackSpeed = rate;
     setOwnPhase(agent, place); // goes on from where it is
 }
@@ -87,7 +87,7 @@ void Session::setOwnRate(std::uint32_t agent, float rate)
 /// Another clip to sit or to stand with, by what he does; one that a rule has set counts no more.
 void Session::setBase(std::uint32_t agent, int clip)
 {
-    touch(agent).base = clip;
+    markDirty(agent).base = clip;
     const auto found = m_looks.find(m_population.ids()[agent]);
     if (found != m_looks.end() && found->second.clip) {
         found->second.clip.reset();
@@ -97,7 +97,7 @@ void Session::setBase(std::uint32_t agent, int clip)
 
 void Session::setOwnClip(std::uint32_t agent, const std::string& name)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     const int clip = clipNamed(shown, name.c_str());
     if (clip < 0 || clip == static_cast<int>(ownClip(agent))) {
         return;
@@ -126,7 +126,7 @@ void Session::setTint(std::uint32_t agent, const model::Action& action)
 
 void Session::setProperty(std::uint32_t agent, const model::Action& action, const std::string& clip)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     switch (action.property) {
     case model::SettableProperty::Tint:
         setTint(agent, action);
@@ -136,15 +136,15 @@ void Session::setProperty(std::uint32_t agent, const model::Action& action, cons
         lookOf(agent).height = shown.height;
         return;
     case model::SettableProperty::PlaybackSpeed:
-        enliven(agent);
+        activate(agent);
         setOwnRate(agent, std::clamp(action.value, 0.0F, kMostRate));
         return;
     case model::SettableProperty::Clip:
-        enliven(agent);
+        activate(agent);
         setOwnClip(agent, clip);
         return;
     case model::SettableProperty::Phase:
-        enliven(agent);
+        activate(agent);
         setOwnPhase(agent, static_cast<double>(std::clamp(action.value, 0.0F, 1.0F)));
         return;
     }

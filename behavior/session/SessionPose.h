@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "behavior/rules/OwnNumber.h"
 #include "model/scene/CrowdFrame.h"
 
 namespace crowd::behavior {
@@ -74,14 +75,6 @@ struct SetLook
     std::optional<std::uint16_t> clip;
     std::optional<float> playbackSpeed;
     std::optional<float> phase;
-};
-
-/// An artist's number of somebody, where rules have made another one of it.
-struct OwnNumber
-{
-    model::NumberId number = 0;
-    model::IndividualId id = 0;
-    float value = 0.0F;
 };
 
 /// Everybody whom a session moves at one of its steps; whoever is not here is as the scene says.

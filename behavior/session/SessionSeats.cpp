@@ -78,7 +78,7 @@ bool Session::sit(std::uint32_t agent, float metres)
     if (m_seats.empty()) {
         readSeats();
     }
-    const glm::vec3 at = m_bearings.position(agent);
+    const glm::vec3 at = m_motion.position(agent);
     std::size_t best = m_seats.size();
     float nearest = metres > 0.0F ? metres : 1e30F;
     for (std::size_t i = 0; i < m_seats.size(); ++i) {
@@ -93,7 +93,7 @@ bool Session::sit(std::uint32_t agent, float metres)
     }
     m_isSeatTaken[best] = true;
     m_follower.sendTo(agent, m_seats[best].seat.position, 0.0F);
-    Shown& shown = enliven(agent);
+    Shown& shown = activate(agent);
     shown.seat = m_seats[best].id;
     shown.sitting = Sitting::Goes;
     shown.blockedSeconds = 0.0F;
@@ -110,7 +110,7 @@ bool Session::isSittingDown(std::uint32_t agent) const
 /// A step of somebody on the way to a seat.
 void Session::settle(std::uint32_t agent)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     const model::Seat* seat = seatOf(shown.seat);
     if (seat == nullptr && m_seats.empty()) {
         readSeats();
@@ -120,11 +120,11 @@ void Session::settle(std::uint32_t agent)
         leaveSeat(agent); // its stage is gone
         return;
     }
-    const glm::vec3 at = m_bearings.position(agent);
+    const glm::vec3 at = m_motion.position(agent);
     const float away = awayFrom(seat->position, at);
     if (shown.sitting == Sitting::Goes) {
         shown.blockedSeconds =
-            m_bearings.speed[agent] < kBlockedBelow ? shown.blockedSeconds + m_stepSeconds : 0.0F;
+            m_motion.speed[agent] < kBlockedBelow ? shown.blockedSeconds + m_stepSeconds : 0.0F;
         const bool isThere = away < kSettlesWithin ||
                              (shown.blockedSeconds > kBlockedSeconds && away < kSqueezesWithin);
         if (isThere) {
@@ -138,23 +138,23 @@ void Session::settle(std::uint32_t agent)
     const float reach = kSettleSpeed * m_stepSeconds;
     const glm::vec3 way = seat->position - at;
     const float length = glm::length(way);
-    m_bearings.speed[agent] = kSettleSpeed;
+    m_motion.speed[agent] = kSettleSpeed;
     if (length > reach) {
-        m_bearings.put(agent, at + way * (reach / length));
-        m_bearings.heading[agent] =
-            turnedTo(m_bearings.heading[agent],
+        m_motion.put(agent, at + way * (reach / length));
+        m_motion.heading[agent] =
+            turnedTo(m_motion.heading[agent],
                      away > kTurnsToSeatWithin ? std::atan2(way.x, way.z) : seat->headingRadians);
         return;
     }
-    m_bearings.put(agent, seat->position);
+    m_motion.put(agent, seat->position);
     takeSeat(agent);
 }
 
 void Session::takeSeat(std::uint32_t agent)
 {
-    Shown& shown = touch(agent);
+    Shown& shown = markDirty(agent);
     shown.sitting = Sitting::Sits;
-    m_bearings.speed[agent] = 0.0F;
+    m_motion.speed[agent] = 0.0F;
     shown.gait = 0;
     shown.facing = seatOf(shown.seat)->headingRadians;
     shown.isTurning = true;
@@ -171,7 +171,7 @@ void Session::takeSeat(std::uint32_t agent)
 
 float Session::standUp(std::uint32_t agent)
 {
-    Shown& shown = enliven(agent);
+    Shown& shown = activate(agent);
     shown.order = clipNamed(shown, "stand_up");
     shown.isOrderLooped = false;
     shown.isOrderOwn = false;
@@ -193,7 +193,7 @@ void Session::leaveSeat(std::uint32_t agent)
     const bool didSit = isSeated(agent);
     shown.seat = model::kNoSeat;
     shown.sitting = Sitting::No;
-    enliven(agent);
+    activate(agent);
     m_hasSat = true;
     std::erase(m_sitters, agent);
     const model::TemplateEntry* entry = entryOf(shown);

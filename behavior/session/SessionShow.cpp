@@ -41,21 +41,21 @@ const Session::ClipFacts* Session::clipFacts(const Shown& shown, int clip) const
     return &m_clips[shown.table][static_cast<std::size_t>(clip)];
 }
 
-Session::Shown& Session::touch(std::uint32_t agent)
+Session::Shown& Session::markDirty(std::uint32_t agent)
 {
-    m_bearings.course[agent] = static_cast<std::int32_t>(Course::Look);
+    m_motion.mode[agent] = static_cast<std::int32_t>(UpdateMode::Full);
     return m_shown[agent];
 }
 
-Session::Shown& Session::enliven(std::uint32_t agent)
+Session::Shown& Session::activate(std::uint32_t agent)
 {
-    m_bearings.flags[agent] |= kPoseLive;
-    return touch(agent);
+    m_motion.flags[agent] |= kPoseLive;
+    return markDirty(agent);
 }
 
 bool Session::isLive(std::uint32_t agent) const
 {
-    return (m_bearings.flags[agent] & kPoseLive) != 0;
+    return (m_motion.flags[agent] & kPoseLive) != 0;
 }
 
 /// Whoever does not want to go further comes to rest in a step or two rather than at once.
@@ -79,13 +79,13 @@ void Session::brake()
                 continue;
             }
             const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.gait);
-            const auto place = static_cast<double>(m_bearings.gaitPlace[agent]);
+            const auto place = static_cast<double>(m_motion.gaitPlace[agent]);
             body.preferredSpeed = -GaitTable::braking(gait, place, speed, shown.height);
         }
     });
 }
 
-/// Bearings after a step: of many at once, and by themselves of those to whom something happens.
+/// MotionState after a step: of many at once, and by themselves of those to whom something happens.
 void Session::showAll()
 {
     overRows(m_shown.size(), [this](std::size_t begin, std::size_t end) {
@@ -153,7 +153,7 @@ void Session::follow(std::size_t begin, std::size_t end)
         kTurnsAbove,   kMovesAbove, kFastestStride};
     std::array<std::uint32_t, kStrideBlock + kLanes> list;
     const std::size_t looks =
-        strideOn(bodies, heights, m_bearings, parameters, begin, end, list.data());
+        strideOn(bodies, heights, m_motion, parameters, begin, end, list.data());
     for (std::size_t i = 0; i < looks; ++i) {
         look(list[i]);
     }
@@ -175,9 +175,9 @@ bool Session::placeBody(std::uint32_t agent)
         return false;
     }
     if (shown.isPut || shown.sitting == Sitting::Settles || shown.sitting == Sitting::Sits) {
-        body.x = m_bearings.x[agent];
-        body.z = m_bearings.z[agent];
-        height = m_bearings.y[agent];
+        body.x = m_motion.x[agent];
+        body.z = m_motion.z[agent];
+        height = m_motion.y[agent];
         body.velocityX = 0.0F;
         body.velocityZ = 0.0F;
         shown.isPut = false;
@@ -196,31 +196,31 @@ void Session::look(std::uint32_t agent)
     const float speed =
         std::sqrt(body.velocityX * body.velocityX + body.velocityZ * body.velocityZ);
     if (speed > kMovesAbove || shown.order >= 0 || shown.isTurning || body.preferredSpeed > 0.0F) {
-        enliven(agent);
+        activate(agent);
     }
     if (!isLive(agent)) {
-        m_bearings.course[agent] = static_cast<std::int32_t>(Course::Rests);
+        m_motion.mode[agent] = static_cast<std::int32_t>(UpdateMode::Rest);
         return;
     }
-    const glm::vec2 way(body.x - m_bearings.x[agent], body.z - m_bearings.z[agent]);
-    m_bearings.put(agent, {body.x, m_crowd.heights()[agent], body.z});
+    const glm::vec2 way(body.x - m_motion.x[agent], body.z - m_motion.z[agent]);
+    m_motion.put(agent, {body.x, m_crowd.heights()[agent], body.z});
     if (shown.sitting != Sitting::Settles) {
-        m_bearings.speed[agent] += (speed - m_bearings.speed[agent]) * m_smoothing;
+        m_motion.speed[agent] += (speed - m_motion.speed[agent]) * m_smoothing;
     }
     turn(agent, speed);
-    const float heading = m_bearings.heading[agent];
+    const float heading = m_motion.heading[agent];
     const float ahead = (way.x * std::sin(heading) + way.y * std::cos(heading)) / m_stepSeconds;
-    m_bearings.stride[agent] = ahead < kFastestStride ? std::max(ahead, 0.0F) : 0.0F;
+    m_motion.stride[agent] = ahead < kFastestStride ? std::max(ahead, 0.0F) : 0.0F;
     goOnWithOrder(shown);
     followGait(agent, speed, body.preferredSpeed > 0.0F);
     noteClip(agent);
-    setCourse(agent);
+    setUpdateMode(agent);
 }
 
 void Session::turn(std::uint32_t agent, float speed)
 {
     Shown& shown = m_shown[agent];
-    float& heading = m_bearings.heading[agent];
+    float& heading = m_motion.heading[agent];
     if (speed > kTurnsAbove) {
         const Body& body = m_crowd.bodies()[agent];
         heading = turnedTo(heading, std::atan2(body.velocityX, body.velocityZ));
@@ -251,7 +251,7 @@ void Session::goOnWithOrder(Shown& shown) const
 void Session::followGait(std::uint32_t agent, float speed, bool wantsOn)
 {
     Shown& shown = m_shown[agent];
-    const float smooth = m_bearings.speed[agent];
+    const float smooth = m_motion.speed[agent];
     const float metresPerSecond = !wantsOn          ? speed
                                   : shown.gait == 0 ? std::max(speed, smooth)
                                                     : smooth;
@@ -266,10 +266,10 @@ void Session::followGait(std::uint32_t agent, float speed, bool wantsOn)
     const auto chosen = static_cast<std::uint32_t>(
         table.choose(shown.gait, metresPerSecond, keepsGait ? shown.gait : shown.style));
     const GaitTable::Gait& gait = table.gait(chosen);
-    auto place = static_cast<double>(m_bearings.gaitPlace[agent]);
+    auto place = static_cast<double>(m_motion.gaitPlace[agent]);
     if (stood && chosen != 0) {
         place = GaitTable::nearestTogether(gait, place);
-        m_bearings.speed[agent] = std::max(smooth, metresPerSecond);
+        m_motion.speed[agent] = std::max(smooth, metresPerSecond);
     }
     if (stood || chosen == 0) {
         shown.gait = chosen;
@@ -279,11 +279,11 @@ void Session::followGait(std::uint32_t agent, float speed, bool wantsOn)
     }
     const GaitTable::Gait& present = table.gait(shown.gait);
     if (present.seconds > 0.0F) {
-        const float rate = GaitTable::playback(present, m_bearings.stride[agent], shown.height);
+        const float rate = GaitTable::playback(present, m_motion.stride[agent], shown.height);
         place += static_cast<double>(rate * m_stepSeconds) / static_cast<double>(present.seconds);
         place -= std::floor(place);
     }
-    m_bearings.gaitPlace[agent] = static_cast<float>(place);
+    m_motion.gaitPlace[agent] = static_cast<float>(place);
 }
 
 /// What he shows, and whether it is another clip than a step ago, so that one goes over into the
@@ -291,7 +291,7 @@ void Session::followGait(std::uint32_t agent, float speed, bool wantsOn)
 void Session::noteClip(std::uint32_t agent)
 {
     Shown& shown = m_shown[agent];
-    Bearings& b = m_bearings;
+    MotionState& b = m_motion;
     const Showing showing = showingOf(agent);
     if (shown.hasLast && b.clip[agent] != showing.clip.clip) {
         ClipPlace last{b.clip[agent], (b.flags[agent] & kPoseLooped) != 0, b.rate[agent],
@@ -335,7 +335,7 @@ void Session::goOnFading(std::uint32_t agent)
     }
     if (shown.fromGait != 0 && shown.table < m_gaits.size() && !m_gaits[shown.table].isEmpty()) {
         const GaitTable::Gait& gait = m_gaits[shown.table].gait(shown.fromGait);
-        shown.from.rate = GaitTable::playback(gait, m_bearings.stride[agent], shown.height);
+        shown.from.rate = GaitTable::playback(gait, m_motion.stride[agent], shown.height);
     }
     if (shown.from.clipSeconds > 0.0F) {
         shown.from.place += static_cast<double>(m_stepSeconds * shown.from.rate) /
@@ -344,17 +344,17 @@ void Session::goOnFading(std::uint32_t agent)
 }
 
 /// What the next steps may do with somebody, now that he has been looked at.
-void Session::setCourse(std::uint32_t agent)
+void Session::setUpdateMode(std::uint32_t agent)
 {
     const Shown& shown = m_shown[agent];
-    Bearings& b = m_bearings;
+    MotionState& b = m_motion;
     const bool isFading = (b.flags[agent] & kPoseFading) != 0;
     if (shown.order >= 0 || shown.isTurning || isFading || shown.sitting == Sitting::Settles ||
         shown.sitting == Sitting::Sits) {
-        b.course[agent] = static_cast<std::int32_t>(Course::Look);
+        b.mode[agent] = static_cast<std::int32_t>(UpdateMode::Full);
         return;
     }
-    b.course[agent] = static_cast<std::int32_t>(Course::GoesOn);
+    b.mode[agent] = static_cast<std::int32_t>(UpdateMode::Continue);
     if (shown.table >= m_gaits.size() || m_gaits[shown.table].isEmpty()) {
         b.perMetre[agent] = 0.0F;
         b.perSecond[agent] = 0.0F;
@@ -393,8 +393,8 @@ Session::Showing Session::showingOf(std::uint32_t agent) const
                 true};
     }
     const GaitTable::Gait& chosen = m_gaits[shown.table].gait(gait);
-    return {{chosen.clip, true, GaitTable::playback(chosen, m_bearings.stride[agent], shown.height),
-             chosen.seconds, static_cast<double>(m_bearings.gaitPlace[agent])},
+    return {{chosen.clip, true, GaitTable::playback(chosen, m_motion.stride[agent], shown.height),
+             chosen.seconds, static_cast<double>(m_motion.gaitPlace[agent])},
             true};
 }
 

@@ -106,7 +106,7 @@ void Session::warnOfPeople()
     Problem problem;
     for (std::uint32_t agent = 0; agent < m_shown.size() && m_surface; ++agent) {
         const bool isOff = m_follower.isWalking(agent) && !m_shown[agent].isGone &&
-                           !isSeated(agent) && !m_surface->isWalkable(m_bearings.position(agent));
+                           !isSeated(agent) && !m_surface->isWalkable(m_motion.position(agent));
         if (isOff) {
             problem.people.push_back(m_population.ids()[agent]);
         }
@@ -181,11 +181,11 @@ void Session::leaveOutWhoIsNowhere()
 {
     std::size_t lost = 0;
     for (std::uint32_t agent = 0; agent < m_shown.size(); ++agent) {
-        if (!model::Bounds::isPlace(m_bearings.position(agent)) ||
-            !std::isfinite(m_bearings.heading[agent])) {
-            m_bearings.put(agent, {0.0F, kGoneHeight, 0.0F});
-            m_bearings.heading[agent] = 0.0F;
-            enliven(agent).isGone = true;
+        if (!model::Bounds::isPlace(m_motion.position(agent)) ||
+            !std::isfinite(m_motion.heading[agent])) {
+            m_motion.put(agent, {0.0F, kGoneHeight, 0.0F});
+            m_motion.heading[agent] = 0.0F;
+            activate(agent).isGone = true;
             ++lost;
         }
     }

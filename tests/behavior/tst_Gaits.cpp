@@ -3,7 +3,7 @@
 
 #include <QtTest/QTest>
 
-#include "behavior/session/Gait.h"
+#include "behavior/motion/GaitTable.h"
 #include "behavior/session/Session.h"
 #include "model/project/SceneAssets.h"
 #include "tests/program/Test.h"

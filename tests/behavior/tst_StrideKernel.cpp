@@ -5,7 +5,7 @@
 
 #include <QtTest/QTest>
 
-#include "behavior/session/StrideKernel.h"
+#include "behavior/motion/StrideKernel.h"
 #include "model/base/Random.h"
 #include "tests/behavior/Actors.h"
 #include "tests/program/Test.h"
@@ -21,7 +21,7 @@ class StrideKernelTest : public QObject
 private Q_SLOTS:
     void sameBitsOnAnyProcessor();
     void turnsToWhereTheyGo();
-    void lookedAtOrNotIsTheSame();
+    void fullUpdateIsTheSame();
 };
 
 namespace {
@@ -47,23 +47,23 @@ std::vector<Body> someBodies()
     return bodies;
 }
 
-Bearings someBearings(const std::vector<Body>& bodies)
+MotionState someMotion(const std::vector<Body>& bodies)
 {
-    Bearings bearings;
-    bearings.assign(kPeople);
+    MotionState motion;
+    motion.assign(kPeople);
     for (std::size_t i = 0; i < kPeople; ++i) {
-        bearings.put(i, {bodies[i].x - 0.03F, 0.0F, bodies[i].z - 0.01F});
-        bearings.course[i] = static_cast<std::int32_t>(i % 3);
-        bearings.heading[i] = anyBetween(-3.1F, 3.1F, 6, i);
-        bearings.speed[i] = anyBetween(0.0F, 2.0F, 7, i);
-        bearings.gaitPlace[i] = anyBetween(0.0F, 1.0F, 8, i);
-        bearings.perMetre[i] = i % 4 == 0 ? 0.0F : 0.7F;
-        bearings.perSecond[i] = 0.9F;
-        bearings.slowest[i] = 0.3F;
-        bearings.fastest[i] = 1.6F;
-        bearings.isGaitShown[i] = i % 5 == 0 ? 0 : -1;
+        motion.put(i, {bodies[i].x - 0.03F, 0.0F, bodies[i].z - 0.01F});
+        motion.mode[i] = static_cast<std::int32_t>(i % 3);
+        motion.heading[i] = anyBetween(-3.1F, 3.1F, 6, i);
+        motion.speed[i] = anyBetween(0.0F, 2.0F, 7, i);
+        motion.gaitPlace[i] = anyBetween(0.0F, 1.0F, 8, i);
+        motion.perMetre[i] = i % 4 == 0 ? 0.0F : 0.7F;
+        motion.perSecond[i] = 0.9F;
+        motion.slowest[i] = 0.3F;
+        motion.fastest[i] = 1.6F;
+        motion.isGaitShown[i] = i % 5 == 0 ? 0 : -1;
     }
-    return bearings;
+    return motion;
 }
 
 StrideParameters parameters()
@@ -77,34 +77,35 @@ void StrideKernelTest::sameBitsOnAnyProcessor()
 {
     const std::vector<Body> bodies = someBodies();
     const std::vector<float> heights(kPeople + kLanes, 0.5F);
-    std::array<Bearings, 2> bearings;
+    std::array<MotionState, 2> motion;
     std::array<std::vector<Body>, 2> steered{bodies, bodies};
-    std::array<std::vector<std::uint32_t>, 4> looks;
+    std::array<std::vector<std::uint32_t>, 4> updates;
     Aims aims;
     aims.x.assign(kPeople + kLanes, 1.0F);
     aims.z.assign(kPeople + kLanes, -2.0F);
     aims.pace.assign(kPeople + kLanes, 1.3F);
-    aims.course.assign(kPeople + kLanes, static_cast<std::int32_t>(Course::GoesOn));
+    aims.mode.assign(kPeople + kLanes, static_cast<std::int32_t>(UpdateMode::Continue));
     const SlowArea slow[] = {{{0.0F, 0.0F}, 3.0F, 0.5F}, {{1.0F, 0.0F}, 5.0F, 0.7F}};
     for (std::size_t kind = 0; kind < 2; ++kind) {
         StrideParameters p = parameters();
         p.hasPlainInstructions = kind == 1;
-        bearings[kind] = someBearings(bodies);
-        looks[kind].resize(kStrideBlock + kLanes);
-        looks[kind].resize(strideOn(bodies, std::span(heights).first(kPeople), bearings[kind], p, 0,
-                                    kPeople, looks[kind].data()));
-        looks[kind + 2].resize(kStrideBlock + kLanes);
-        looks[kind + 2].resize(steerStraightOn(steered[kind], aims, slow, 0, kPeople,
-                                               looks[kind + 2].data(), kind == 1));
+        motion[kind] = someMotion(bodies);
+        updates[kind].resize(kStrideBlock + kLanes);
+        updates[kind].resize(strideOn(bodies, std::span(heights).first(kPeople), motion[kind], p, 0,
+                                      kPeople, updates[kind].data()));
+        updates[kind + 2].resize(kStrideBlock + kLanes);
+        updates[kind + 2].resize(steerStraightOn(steered[kind], aims, slow, 0, kPeople,
+                                                 updates[kind + 2].data(), kind == 1));
     }
-    QVERIFY(!looks[0].empty() && looks[0].size() < kPeople);
-    QVERIFY(!looks[2].empty() && looks[2].size() < kPeople);
-    QCOMPARE(looks[0], looks[1]);
-    QCOMPARE(looks[2], looks[3]);
+    QVERIFY(!updates[0].empty() && updates[0].size() < kPeople);
+    QVERIFY(!updates[2].empty() && updates[2].size() < kPeople);
+    QCOMPARE(updates[0], updates[1]);
+    QCOMPARE(updates[2], updates[3]);
     for (std::size_t i = 0; i < kPeople; ++i) {
-        for (const auto column : {&Bearings::x, &Bearings::heading, &Bearings::speed,
-                                  &Bearings::stride, &Bearings::gaitPlace, &Bearings::rate}) {
-            QVERIFY((bearings[0].*column)[i] == (bearings[1].*column)[i]);
+        for (const auto column :
+             {&MotionState::x, &MotionState::heading, &MotionState::speed, &MotionState::stride,
+              &MotionState::gaitPlace, &MotionState::rate}) {
+            QVERIFY((motion[0].*column)[i] == (motion[1].*column)[i]);
         }
         QVERIFY(steered[0][i].desiredX == steered[1][i].desiredX);
         QVERIFY(steered[0][i].desiredZ == steered[1][i].desiredZ);
@@ -117,31 +118,31 @@ void StrideKernelTest::turnsToWhereTheyGo()
 {
     const std::vector<Body> bodies = someBodies();
     const std::vector<float> heights(kPeople + kLanes, 0.0F);
-    Bearings bearings = someBearings(bodies);
-    std::ranges::fill(bearings.course, static_cast<std::int32_t>(Course::GoesOn));
-    std::ranges::fill(bearings.perMetre, 0.0F);
-    std::ranges::fill(bearings.slowest, -1.0F);
-    std::ranges::fill(bearings.fastest, 1e9F);
+    MotionState motion = someMotion(bodies);
+    std::ranges::fill(motion.mode, static_cast<std::int32_t>(UpdateMode::Continue));
+    std::ranges::fill(motion.perMetre, 0.0F);
+    std::ranges::fill(motion.slowest, -1.0F);
+    std::ranges::fill(motion.fastest, 1e9F);
     StrideParameters p = parameters();
     p.mostTurn = 7.0F; // at once
-    std::array<std::uint32_t, kStrideBlock + kLanes> looks;
-    const Bearings before = bearings;
+    std::array<std::uint32_t, kStrideBlock + kLanes> updates;
+    const MotionState before = motion;
     QCOMPARE(
-        strideOn(bodies, std::span(heights).first(kPeople), bearings, p, 0, kPeople, looks.data()),
+        strideOn(bodies, std::span(heights).first(kPeople), motion, p, 0, kPeople, updates.data()),
         std::size_t{0});
     for (std::size_t i = 0; i < kPeople; ++i) {
         const float heading = std::atan2(bodies[i].velocityX, bodies[i].velocityZ);
         const bool turns = std::hypot(bodies[i].velocityX, bodies[i].velocityZ) > p.turnsAbove;
         const float expected = turns ? heading : before.heading[i];
         constexpr float kRound = 2.0F * std::numbers::pi_v<float>;
-        QVERIFY(std::fabs(std::remainder(bearings.heading[i] - expected, kRound)) < 1e-5F);
+        QVERIFY(std::fabs(std::remainder(motion.heading[i] - expected, kRound)) < 1e-5F);
         const float ahead = (0.03F * std::sin(expected) + 0.01F * std::cos(expected)) / kStep;
-        QVERIFY(std::fabs(bearings.stride[i] - std::max(ahead, 0.0F)) < 1e-4F);
+        QVERIFY(std::fabs(motion.stride[i] - std::max(ahead, 0.0F)) < 1e-4F);
     }
 }
 
-/// An edit in every step lets the session look at everybody by himself.
-void StrideKernelTest::lookedAtOrNotIsTheSame()
+/// An edit in every step makes the session update every agent in full.
+void StrideKernelTest::fullUpdateIsTheSame()
 {
     model::Scene scene = testing::rowOf(40);
     scene.places = {{1, "a", {0.0F, 0.0F, 8.0F}, 2.0F}, {2, "b", {70.0F, 0.0F, 8.0F}, 2.0F}};

@@ -3,7 +3,7 @@
 
 #include <QtCore/QStringList>
 
-#include "behavior/session/Problem.h"
+#include "behavior/base/Problem.h"
 #include "model/scene/RuleSets.h"
 #include "model/scene/Scene.h"
 

@@ -9,7 +9,7 @@
 #include <QtCore/QString>
 #include <QtCore/QTimer>
 
-#include "behavior/session/Problem.h"
+#include "behavior/base/Problem.h"
 #include "behavior/session/SessionTally.h"
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"

@@ -8,7 +8,7 @@
 
 #include "behavior/crowd/Chunks.h"
 #include "behavior/crowd/ForceKernel.h"
-#include "behavior/session/PathFollower.h"
+#include "behavior/motion/PathFollower.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/base/Random.h"
 
@@ -115,15 +115,15 @@ std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
     branchOff(walk);
     const Route& route = m_routes[walk.route];
     if (walk.route != before) {
-        return ReachedPlace;
+        return kReachedPlace;
     }
     if (walk.next + 1 < route.stops.size()) {
         ++walk.next;
-        return ReachedPlace;
+        return kReachedPlace;
     }
     if (route.kind == model::PathKind::Simple || route.stops.size() == 1) {
         walk.hasArrived = true;
-        return ReachedPlace | EndedPath;
+        return kReachedPlace | kEndedPath;
     }
     if (route.kind == model::PathKind::Cyclic) {
         walk.next = 0;
@@ -134,7 +134,7 @@ std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
         height = start.y;
         walk.next = 1;
     }
-    return ReachedPlace;
+    return kReachedPlace;
 }
 
 /// As wide as the places that the flow comes from and goes to.
@@ -282,9 +282,9 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
     if ((glm::length2(left) < near * near && isOnLevel) || isStuck) {
         if (walk.hasErrand) {
             walk.isErrandDone = true;
-            m_happened[agent] = EndedErrand;
+            m_events[agent] = kEndedErrand;
         } else {
-            m_happened[agent] = passStop(body, height, walk);
+            m_events[agent] = passStop(body, height, walk);
         }
         if (!isWalking(agent)) {
             return;
@@ -311,17 +311,17 @@ void PathFollower::steerOne(std::uint32_t agent, Body& body, float& height)
 void PathFollower::setAim(std::uint32_t agent)
 {
     Walk& walk = m_walks[agent];
-    Course course = Course::Rests;
+    UpdateMode mode = UpdateMode::Rest;
     m_aims.pace[agent] = 0.0F;
     if (isWalking(agent)) {
         // With others, or around what stands in the way, the aim is another one in every step.
-        course = m_surface || walk.party != kNoParty ? Course::Look : Course::GoesOn;
+        mode = m_surface || walk.party != kNoParty ? UpdateMode::Full : UpdateMode::Continue;
         const glm::vec3 target = targetOf(walk);
         m_aims.x[agent] = target.x;
         m_aims.z[agent] = target.z;
         m_aims.pace[agent] = paceOf(walk);
     }
-    m_aims.course[agent] = static_cast<std::int32_t>(course);
+    m_aims.mode[agent] = static_cast<std::int32_t>(mode);
 }
 
 void PathFollower::steer(CrowdSimulation& crowd)
@@ -331,13 +331,13 @@ void PathFollower::steer(CrowdSimulation& crowd)
     if (!m_parties.empty()) {
         gatherParties(bodies);
     }
-    std::ranges::fill(m_happened, std::uint8_t{0});
+    std::ranges::fill(m_events, std::uint8_t{0});
     overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
         std::array<std::uint32_t, kStrideBlock + kLanes> list;
         for (std::size_t first = begin; first < end; first += kStrideBlock) {
-            const std::size_t looks = steerStraightOn(
+            const std::size_t updates = steerStraightOn(
                 bodies, m_aims, m_slow, first, std::min(first + kStrideBlock, end), list.data());
-            for (std::size_t i = 0; i < looks; ++i) {
+            for (std::size_t i = 0; i < updates; ++i) {
                 steerOne(list[i], bodies[list[i]], heights[list[i]]);
                 setAim(list[i]);
             }

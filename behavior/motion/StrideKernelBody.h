@@ -86,9 +86,9 @@ CROWD_INLINE void bodiesOf(std::span<const Body> bodies, std::size_t first, F8 (
 }
 
 inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<const SlowArea> slow,
-                         std::size_t begin, std::size_t end, std::uint32_t* look)
+                         std::size_t begin, std::size_t end, std::uint32_t* needUpdate)
 {
-    std::size_t looks = 0;
+    std::size_t updates = 0;
     for (std::size_t first = begin; first < end; first += kLanes) {
         F8 body[kLanes]; // in the order of Body
         bodiesOf(bodies, first, body);
@@ -99,10 +99,10 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
         const I8 isPast = wayX * body[2] + wayZ * body[3] < 0.0F;
         const F8 braking = squaredDistances(body[2], body[3]) / (2.0F * kUsualBraking);
         const F8 near = greater(isPast ? all(kPassedMetres) : all(kArrivalMetres), braking);
-        const I8 course = loadWhole(aims.course.data() + first);
-        const I8 needsLook =
-            (course == static_cast<std::int32_t>(Course::Look)) |
-            ((course == static_cast<std::int32_t>(Course::GoesOn)) & (squared < near * near));
+        const I8 mode = loadWhole(aims.mode.data() + first);
+        const I8 needsUpdate =
+            (mode == static_cast<std::int32_t>(UpdateMode::Full)) |
+            ((mode == static_cast<std::int32_t>(UpdateMode::Continue)) & (squared < near * near));
         F8 share = all(1.0F);
         for (std::size_t i = slow.size(); i-- > 0;) { // the first one that they are in
             const F8 away =
@@ -114,22 +114,22 @@ inline std::size_t steer(std::span<Body> bodies, const Aims& aims, std::span<con
         const F8 wishX = wayX / length * speed;
         const F8 wishZ = wayZ / length * speed;
         const std::size_t lanes = std::min(kLanes, end - first);
-        const unsigned bits = bitsOf(needsLook) & ((1U << lanes) - 1U);
+        const unsigned bits = bitsOf(needsUpdate) & ((1U << lanes) - 1U);
         for (std::size_t i = 0; i < lanes; ++i) {
             Body& to = bodies[first + i];
             to.desiredX = wishX[i];
             to.desiredZ = wishZ[i];
             to.preferredSpeed = speed[i];
         }
-        listBits(bits, static_cast<std::uint32_t>(first), look + looks);
-        looks += static_cast<std::size_t>(std::popcount(bits));
+        listBits(bits, static_cast<std::uint32_t>(first), needUpdate + updates);
+        updates += static_cast<std::size_t>(std::popcount(bits));
     }
-    return looks;
+    return updates;
 }
 
 /// Speeds, and headings after turning to where people go as far as they can in a step. A loop of
 /// its own, as in ForceKernelBody.h.
-CROWD_INLINE void turnAll(std::span<const Body> bodies, const Bearings& b,
+CROWD_INLINE void turnAll(std::span<const Body> bodies, const MotionState& b,
                           const StrideParameters& p, std::size_t begin, std::size_t end,
                           Turned& turned)
 {
@@ -149,17 +149,17 @@ CROWD_INLINE void turnAll(std::span<const Body> bodies, const Bearings& b,
     }
 }
 
-inline std::size_t stride(std::span<const Body> bodies, std::span<const float> heights, Bearings& b,
-                          const StrideParameters& p, std::size_t begin, std::size_t end,
-                          std::uint32_t* look)
+inline std::size_t stride(std::span<const Body> bodies, std::span<const float> heights,
+                          MotionState& b, const StrideParameters& p, std::size_t begin,
+                          std::size_t end, std::uint32_t* needUpdate)
 {
     Turned turned;
     turnAll(bodies, b, p, begin, end, turned);
     const float perStep = 1.0F / p.stepSeconds;
-    std::size_t looks = 0;
+    std::size_t updates = 0;
     for (std::size_t first = begin; first < end; first += kLanes) {
-        const I8 course = loadWhole(b.course.data() + first);
-        const I8 mayGoOn = course == static_cast<std::int32_t>(Course::GoesOn);
+        const I8 mode = loadWhole(b.mode.data() + first);
+        const I8 mayGoOn = mode == static_cast<std::int32_t>(UpdateMode::Continue);
         const std::size_t i = first - begin;
         const F8 speed = load(turned.speed + i);
         const I8 wantsOn = load(turned.preferred + i) > 0.0F;
@@ -170,11 +170,11 @@ inline std::size_t stride(std::span<const Body> bodies, std::span<const float> h
         const F8 paced = wantsOn ? (isWalk ? smooth : greater(speed, smooth)) : speed;
         const I8 isBeyond = (paced > load(b.fastest.data() + first)) |
                             (paced < load(b.slowest.data() + first)) | (isWalk & ~wantsOn);
-        const I8 needsLook = (course == static_cast<std::int32_t>(Course::Look)) |
-                             (mayGoOn & isBeyond) |
-                             ((course == static_cast<std::int32_t>(Course::Rests)) &
-                              ((speed > p.movesAbove) | wantsOn));
-        const I8 goesOn = mayGoOn & ~needsLook;
+        const I8 needsUpdate = (mode == static_cast<std::int32_t>(UpdateMode::Full)) |
+                               (mayGoOn & isBeyond) |
+                               ((mode == static_cast<std::int32_t>(UpdateMode::Rest)) &
+                                ((speed > p.movesAbove) | wantsOn));
+        const I8 goesOn = mayGoOn & ~needsUpdate;
 
         const F8 x = load(turned.x + i);
         const F8 z = load(turned.z + i);
@@ -201,11 +201,11 @@ inline std::size_t stride(std::span<const Body> bodies, std::span<const float> h
         storeWhere(isShown, b.place.data() + first, place);
         storeWhere(isShown, b.rate.data() + first, rate);
         const std::size_t lanes = std::min(kLanes, end - first);
-        const unsigned bits = bitsOf(needsLook) & ((1U << lanes) - 1U);
-        listBits(bits, static_cast<std::uint32_t>(first), look + looks);
-        looks += static_cast<std::size_t>(std::popcount(bits));
+        const unsigned bits = bitsOf(needsUpdate) & ((1U << lanes) - 1U);
+        listBits(bits, static_cast<std::uint32_t>(first), needUpdate + updates);
+        updates += static_cast<std::size_t>(std::popcount(bits));
     }
-    return looks;
+    return updates;
 }
 
 #undef CROWD_INLINE

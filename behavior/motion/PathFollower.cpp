@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "behavior/session/PathFollower.h"
+#include "behavior/motion/PathFollower.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,7 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
         }
         walk.next = std::min(walk.next, static_cast<std::uint32_t>(route.stops.size() - 1));
     }
-    touchAll();
+    markAllDirty();
     return problems;
 }
 
@@ -128,7 +128,7 @@ std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignment
 {
     std::size_t lost = 0;
     m_walks.assign(agents, {});
-    touchAll();
+    markAllDirty();
     for (const Assignment& assignment : assignments) {
         lost += assignment.agent < agents && follow(assignment) ? 0 : 1;
     }
@@ -165,7 +165,7 @@ std::uint32_t PathFollower::nextStop(const Route& route, const glm::vec3& from)
 
 bool PathFollower::follow(const Assignment& assignment)
 {
-    Walk& walk = touch(assignment.agent);
+    Walk& walk = markDirty(assignment.agent);
     const std::uint32_t turns = walk.turns;
     const std::uint32_t party = walk.party;
     walk = {};
@@ -197,12 +197,12 @@ void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
         m_walks[agent].party =
             group == 0 ? kNoParty : static_cast<std::uint32_t>(found - groups.begin());
     }
-    touchAll();
+    markAllDirty();
 }
 
 void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast)
 {
-    Walk& walk = touch(agent);
+    Walk& walk = markDirty(agent);
     walk.hasErrand = true;
     walk.isErrandDone = false;
     walk.isHeld = false;
@@ -212,7 +212,7 @@ void PathFollower::sendTo(std::uint32_t agent, const glm::vec3& point, float atL
 
 void PathFollower::goOn(std::uint32_t agent)
 {
-    Walk& walk = touch(agent);
+    Walk& walk = markDirty(agent);
     walk.isHeld = false;
     walk.hasErrand = false;
     walk.isErrandDone = false;
@@ -220,41 +220,41 @@ void PathFollower::goOn(std::uint32_t agent)
 
 void PathFollower::forgetWay(std::uint32_t agent)
 {
-    touch(agent).corners.clear();
+    markDirty(agent).corners.clear();
     m_walks[agent].cornersFor = glm::vec2(1e30F);
 }
 
 void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
 {
-    touch(agent).pace = metresPerSecond;
+    markDirty(agent).pace = metresPerSecond;
 }
 
 void PathFollower::rearrange(std::span<const std::uint32_t> keep)
 {
     std::vector<Walk> walks(keep.size());
     for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i] != kNobody) {
+        if (keep[i] != kNoAgent) {
             walks[i] = std::move(m_walks[keep[i]]);
         }
     }
     m_walks = std::move(walks);
-    touchAll();
+    markAllDirty();
 }
 
-PathFollower::Walk& PathFollower::touch(std::uint32_t agent)
+PathFollower::Walk& PathFollower::markDirty(std::uint32_t agent)
 {
-    m_aims.course[agent] = static_cast<std::int32_t>(Course::Look);
+    m_aims.mode[agent] = static_cast<std::int32_t>(UpdateMode::Full);
     return m_walks[agent];
 }
 
-void PathFollower::touchAll()
+void PathFollower::markAllDirty()
 {
     const std::size_t agents = m_walks.size();
     for (auto* column : {&m_aims.x, &m_aims.z, &m_aims.pace}) {
         column->resize(agents + kLanes);
     }
-    m_aims.course.assign(agents + kLanes, static_cast<std::int32_t>(Course::Look));
-    m_happened.assign(agents, 0);
+    m_aims.mode.assign(agents + kLanes, static_cast<std::int32_t>(UpdateMode::Full));
+    m_events.assign(agents, 0);
 }
 
 void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
@@ -265,7 +265,7 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
         walk.cornersFor = glm::vec2(1e30F);
         walk.point.reset();
     }
-    touchAll();
+    markAllDirty();
 }
 
 glm::vec2 PathFollower::nextAim(std::uint32_t agent) const

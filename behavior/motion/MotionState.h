@@ -12,20 +12,20 @@
 
 namespace crowd::behavior {
 
-/// What a step has to do for somebody's bearing.
-enum class Course : std::int32_t {
-    GoesOn, ///< as in the last step, as long as his speed stays within the limits of his gait
-    Rests,  ///< nothing, until he moves
-    Look    ///< something happens to him: he is looked at by himself
+/// How much of an agent a step computes.
+enum class UpdateMode : std::int32_t {
+    Continue, ///< motion only, many at once, while the speed stays within the limits of the gait
+    Rest,     ///< nothing, until it moves
+    Full      ///< everything, one agent at a time: its state was written from outside
 };
 
-/// How people hold themselves while a session runs, by agent: world frame, metres, radians. One
-/// column each, so that a step goes through many people at once; with spare elements for whole
-/// blocks of lanes.
-struct Bearings
+/// Position, heading, speed, and place in the clip shown of every agent: world frame, metres,
+/// seconds, radians. One column each, so that the kernels read many agents at once; every column
+/// has kLanes spare elements at its end, so that they may read whole blocks.
+struct MotionState
 {
-    std::vector<std::int32_t> course; ///< Course
-    std::vector<float> x;             ///< where they are shown
+    std::vector<std::int32_t> mode; ///< UpdateMode
+    std::vector<float> x;           ///< where they are shown
     std::vector<float> y;
     std::vector<float> z;
     std::vector<float> heading;
@@ -85,7 +85,7 @@ private:
                              &perSecond, &slowest, &fastest, &place, &rate, &clipSeconds}) {
             act(*column);
         }
-        act(course);
+        act(mode);
         act(isGaitShown);
         act(clip);
         act(flags);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "behavior/session/StrideKernel.h"
+#include "behavior/motion/StrideKernel.h"
 
 #include <algorithm>
 #include <bit>
@@ -25,33 +25,33 @@ struct Turned
     float heading[kStrideBlock];
 };
 
-#define CROWD_KERNEL_BODY "behavior/session/StrideKernelBody.h"
+#define CROWD_KERNEL_BODY "behavior/motion/StrideKernelBody.h"
 #include "behavior/crowd/KernelCopies.h"
 
 } // namespace
 
 std::size_t steerStraightOn(std::span<Body> bodies, const Aims& aims,
                             std::span<const SlowArea> slow, std::size_t begin, std::size_t end,
-                            std::uint32_t* look, [[maybe_unused]] bool hasPlainInstructions)
+                            std::uint32_t* needUpdate, [[maybe_unused]] bool hasPlainInstructions)
 {
 #ifdef CROWD_HAS_AVX2
     if (hasAvx2() && !hasPlainInstructions) {
-        return with_avx2::steer(bodies, aims, slow, begin, end, look);
+        return with_avx2::steer(bodies, aims, slow, begin, end, needUpdate);
     }
 #endif
-    return any_processor::steer(bodies, aims, slow, begin, end, look);
+    return any_processor::steer(bodies, aims, slow, begin, end, needUpdate);
 }
 
 std::size_t strideOn(std::span<const Body> bodies, std::span<const float> heights,
-                     Bearings& bearings, const StrideParameters& parameters, std::size_t begin,
-                     std::size_t end, std::uint32_t* look)
+                     MotionState& motion, const StrideParameters& parameters, std::size_t begin,
+                     std::size_t end, std::uint32_t* needUpdate)
 {
 #ifdef CROWD_HAS_AVX2
     if (hasAvx2() && !parameters.hasPlainInstructions) {
-        return with_avx2::stride(bodies, heights, bearings, parameters, begin, end, look);
+        return with_avx2::stride(bodies, heights, motion, parameters, begin, end, needUpdate);
     }
 #endif
-    return any_processor::stride(bodies, heights, bearings, parameters, begin, end, look);
+    return any_processor::stride(bodies, heights, motion, parameters, begin, end, needUpdate);
 }
 
 } // namespace crowd::behavior

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "behavior/session/Gait.h"
+#include "behavior/motion/GaitTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "behavior/session/StrideKernel.h"
+#include "behavior/motion/StrideKernel.h"
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
 #include "model/brush/ClipChoice.h"

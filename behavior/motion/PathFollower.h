@@ -11,9 +11,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "behavior/base/Agents.h"
+#include "behavior/base/Problem.h"
 #include "behavior/crowd/CrowdSimulation.h"
-#include "behavior/session/Problem.h"
-#include "behavior/session/StrideKernel.h"
+#include "behavior/motion/StrideKernel.h"
+#include "behavior/motion/TravelEvents.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/scene/Path.h"
 
@@ -37,8 +39,6 @@ public:
         float spread = 0.0F;       ///< so far beside it at most, metres
         glm::vec3 from{0.0F};      ///< where the agent stands, world frame
     };
-    /// What happened to an agent in the last steer().
-    enum Happening : std::uint8_t { ReachedPlace = 1, EndedPath = 2, EndedErrand = 4 };
 
     /// Sentences for the artist about paths and assignments that cannot be walked; those are left
     /// out. Who walks goes on where the new paths allow.
@@ -60,15 +60,14 @@ public:
     /// To a point, before anything else; stays there until told to go on. At his own pace, or at
     /// `atLeast` (m/s) where that is faster.
     void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast);
-    void stop(std::uint32_t agent) { touch(agent).isHeld = true; }
+    void stop(std::uint32_t agent) { markDirty(agent).isHeld = true; }
     void goOn(std::uint32_t agent);
     /// He is somewhere else now: the way is looked for anew.
     void forgetWay(std::uint32_t agent);
     void setPace(std::uint32_t agent, float metresPerSecond);
     [[nodiscard]] float pace(std::uint32_t agent) const { return m_walks[agent].pace; }
-    /// Agents are other ones now: keep[i] is the former agent, or kNobody for a new one.
+    /// Agents are other ones now: keep[i] is the former agent, or kNoAgent for a new one.
     void rearrange(std::span<const std::uint32_t> keep);
-    static constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
     /// Sets desired velocities and preferred speeds, and places of those who jump to the first
     /// place.
@@ -82,8 +81,8 @@ public:
     [[nodiscard]] std::size_t nextPlace(std::uint32_t agent) const { return m_walks[agent].next; }
     /// Whether its path has ended.
     [[nodiscard]] bool hasArrived(std::uint32_t agent) const { return m_walks[agent].hasArrived; }
-    /// Happening, by agent.
-    [[nodiscard]] std::span<const std::uint8_t> happenings() const { return m_happened; }
+    /// TravelEvent bits of the last steer(), by agent.
+    [[nodiscard]] std::span<const std::uint8_t> travelEvents() const { return m_events; }
     /// Of a path's stop that was reached last.
     [[nodiscard]] model::PlaceId reachedPlace(std::uint32_t agent) const
     {
@@ -162,9 +161,9 @@ private:
     [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
     /// Where somebody at `from` goes first: the end of the leg that passes nearest to him.
     [[nodiscard]] static std::uint32_t nextStop(const Route& route, const glm::vec3& from);
-    /// Something else is to be done with somebody: the next step looks at him.
-    Walk& touch(std::uint32_t agent);
-    void touchAll();
+    /// Something else is to be done with somebody: the next step updates at him.
+    Walk& markDirty(std::uint32_t agent);
+    void markAllDirty();
     /// Returns what happened.
     [[nodiscard]] std::uint8_t passStop(Body& body, float& height, Walk& walk) const;
     void setAim(std::uint32_t agent);
@@ -191,10 +190,10 @@ private:
 
     std::vector<Route> m_routes;
     std::vector<SlowArea> m_slow;
-    std::vector<Party> m_parties;         ///< by Walk::party
-    std::vector<Walk> m_walks;            ///< by agent
-    std::vector<std::uint8_t> m_happened; ///< Happening, by agent
-    Aims m_aims;                          ///< of those who go straight on, by agent
+    std::vector<Party> m_parties;       ///< by Walk::party
+    std::vector<Walk> m_walks;          ///< by agent
+    std::vector<std::uint8_t> m_events; ///< TravelEvent bits, by agent
+    Aims m_aims;                        ///< of those who go straight on, by agent
     std::shared_ptr<const WalkSurface> m_surface;
 };
 

@@ -9,12 +9,14 @@
 #include <glm/vec2.hpp>
 
 #include "behavior/crowd/Body.h"
-#include "behavior/session/Bearings.h"
+#include "behavior/motion/MotionState.h"
 
-/// What everybody does in a step as long as nothing happens to him, many people at once. Agents
-/// are given from a multiple of kLanes on. Each function returns how many of them need a look by
-/// themselves, whom it has left alone, and lists those, ascending. At most kStrideBlock agents at a
-/// time; the same bits for any division, and whatever the processor can do.
+/// Steering and motion of agents in UpdateMode::Continue, many at once in vector registers. `begin`
+/// is a multiple of kLanes, and at most kStrideBlock agents are given at a time. Each function
+/// leaves the agents that need a full update as they are, lists them in ascending order in
+/// `needUpdate` (kStrideBlock + kLanes elements), and returns how many those are. The same bits for
+/// any division into calls and on any processor. Any thread; calls for disjoint agents may run at
+/// the same time.
 namespace crowd::behavior {
 
 /// A multiple of kLanes, so that what is kept of them fits the stack.
@@ -28,13 +30,13 @@ struct SlowArea
     float share = 1.0F; ///< of the usual speed
 };
 
-/// Where people go while they go straight on, by agent; with spare elements as in Bearings.
+/// Where agents go while they go straight on, by agent; with spare elements as in MotionState.
 struct Aims
 {
     std::vector<float> x;
     std::vector<float> z;
-    std::vector<float> pace;          ///< m/s; 0: stands
-    std::vector<std::int32_t> course; ///< Course
+    std::vector<float> pace;        ///< m/s; 0: stands
+    std::vector<std::int32_t> mode; ///< UpdateMode
 };
 
 /// Who goes nearer than this has arrived, metres.
@@ -48,7 +50,7 @@ inline constexpr float kPassedMetres = 1.5F;
 /// Lets people wish to go where they aim at.
 std::size_t steerStraightOn(std::span<Body> bodies, const Aims& aims,
                             std::span<const SlowArea> slow, std::size_t begin, std::size_t end,
-                            std::uint32_t* look, bool hasPlainInstructions = false);
+                            std::uint32_t* needUpdate, bool hasPlainInstructions = false);
 
 /// Constants of a session.
 struct StrideParameters
@@ -62,9 +64,9 @@ struct StrideParameters
     bool hasPlainInstructions = false; ///< as ForceParameters::plainInstructions
 };
 
-/// Bearings after bodies have moved.
+/// Takes the new positions and speeds over into the motion state after bodies have moved.
 std::size_t strideOn(std::span<const Body> bodies, std::span<const float> heights,
-                     Bearings& bearings, const StrideParameters& parameters, std::size_t begin,
-                     std::size_t end, std::uint32_t* look);
+                     MotionState& motion, const StrideParameters& parameters, std::size_t begin,
+                     std::size_t end, std::uint32_t* needUpdate);
 
 } // namespace crowd::behavior
