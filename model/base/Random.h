@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace crowd::model {
 
@@ -22,6 +23,16 @@ template<class... Keys>
 {
     std::uint64_t hash = 0;
     ((hash = mixBits(hash ^ static_cast<std::uint64_t>(keys))), ...);
+    return hash;
+}
+
+/// A key from a name (FNV-1a, Fowler, Noll, Vo).
+[[nodiscard]] constexpr std::uint64_t hashText(std::string_view text)
+{
+    std::uint64_t hash = 0xCBF29CE484222325ULL;
+    for (const char each : text) {
+        hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001B3ULL;
+    }
     return hash;
 }
 

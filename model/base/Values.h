@@ -43,6 +43,10 @@ struct ClipWeight
     friend bool operator==(const ClipWeight&, const ClipWeight&) = default;
 };
 
+/// Legal scales of height and girth, of whoever sets them.
+inline constexpr double kMinScale = 0.01;
+inline constexpr double kMaxScale = 100.0;
+
 using PaintColor = std::array<std::uint8_t, 3>; ///< sRGB red, green, blue
 
 } // namespace crowd::model

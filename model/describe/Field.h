@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include <QtCore/QtGlobal>
 #include <glm/vec3.hpp>
 
 #include "model/base/Color.h"
@@ -44,7 +45,7 @@ struct BrushSettings;
 /// A value of any described member. Integers of all widths and members of enumerations are
 /// std::int64_t here; float stays float, so that its text is as short as its precision.
 using FieldValue =
-    std::variant<bool, std::int64_t, float, std::string, PaintColor, Tint, ValueRange, glm::vec3,
+    std::variant<bool, std::int64_t, float, double, std::string, PaintColor, Tint, ValueRange, glm::vec3,
                  std::optional<bool>, std::vector<int>, std::vector<PaintColor>,
                  std::vector<ClipWeight>, std::vector<TemplateWeight>, DistributionCurve>;
 
@@ -67,11 +68,12 @@ enum class FieldRole : std::uint8_t {
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 
-/// A member of an enumeration: `key` in scripts and files, `label` on screen.
+/// A member of an enumeration: `key` in scripts and files, `label` and `tip` on screen.
 struct FieldChoice
 {
     const char* key;
     const char* label;
+    const char* tip = "";
 };
 
 /// What a field's being shown may depend on besides its own struct; null where there is none.
@@ -99,7 +101,7 @@ struct FieldMeta
     bool isLogarithmic = false;
     double shownScale = 1.0;
     FieldRole role = FieldRole::Plain;
-    std::span<const FieldChoice> choices{}; ///< of enumerations, from 0 on
+    std::span<const FieldChoice> choices{}; ///< of enumerations, and of flags that are shown as two
     const char* section = "";               ///< heading of a form under which it and those after
                                             ///< it stand; empty: the same as before
     bool isBeside = false;                  ///< shown in one row with the one before
@@ -196,31 +198,37 @@ struct AlternativeIndex<T, std::variant<Alternatives...>>
     static_assert(value < sizeof...(Alternatives), "FieldValue holds no value of this type");
 };
 
-template<class S, class T>
+/// Owner: the struct whose fields they are; S: that, or one of its bases.
+template<class Owner, class S, class T>
 [[nodiscard]] FieldInfo erased(const Field<S, T>& field)
 {
+    const auto in = [](const void* object) {
+        return static_cast<const S*>(static_cast<const Owner*>(object));
+    };
+    const auto editable = [](void* object) { return static_cast<S*>(static_cast<Owner*>(object)); };
     FieldInfo info;
     info.meta = field.meta;
     const auto member = field.member;
     if (field.isShown != nullptr) {
-        info.isShown = [shown = field.isShown](const void* object, const FieldContext& context) {
-            return shown(*static_cast<const S*>(object), context);
+        info.isShown = [in, shown = field.isShown](const void* object,
+                                                   const FieldContext& context) {
+            return shown(*in(object), context);
         };
     }
     if constexpr (Described<T>) {
         info.children = fieldsOf<T>();
         info.structType = typeid(T);
-        info.childOf = [member](void* object) -> void* {
-            return &(static_cast<S*>(object)->*member);
+        info.childOf = [member, editable](void* object) -> void* {
+            return &(editable(object)->*member);
         };
     } else {
         using Value = FieldValueOf<T>;
         info.type = AlternativeIndex<Value, FieldValue>::value;
-        info.get = [member](const void* object) {
-            return FieldValue(static_cast<Value>(static_cast<const S*>(object)->*member));
+        info.get = [member, in](const void* object) {
+            return FieldValue(static_cast<Value>(in(object)->*member));
         };
-        info.set = [member](void* object, const FieldValue& value) {
-            static_cast<S*>(object)->*member = static_cast<T>(std::get<Value>(value));
+        info.set = [member, editable](void* object, const FieldValue& value) {
+            editable(object)->*member = static_cast<T>(std::get<Value>(value));
         };
     }
     return info;
@@ -238,7 +246,7 @@ template<class S>
 std::span<const FieldInfo> fieldsOf()
 {
     static const std::vector<FieldInfo> kFields = std::apply(
-        [](const auto&... each) { return std::vector<FieldInfo>{detail::erased(each)...}; },
+        [](const auto&... each) { return std::vector<FieldInfo>{detail::erased<S>(each)...}; },
         S::fields());
     return kFields;
 }

@@ -105,6 +105,7 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
         Overloaded{
             [&](std::int64_t number) { return checkInteger(meta, number, name); },
             [&](float number) { return checkNumber(meta, static_cast<double>(number), name); },
+            [&](double number) { return checkNumber(meta, number, name); },
             [&](const ValueRange& range) { return checkRange(meta, range, name); },
             [&](const glm::vec3& point) {
                 return checkEach(meta, std::array{point.x, point.y, point.z}, name);
