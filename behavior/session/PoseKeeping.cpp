@@ -2,7 +2,6 @@
 #include "behavior/session/PoseKeeping.h"
 
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace crowd::behavior {
@@ -30,20 +29,6 @@ struct Kept
         edit.setColumn(key, ids, std::span<const T>(values));
     }
 };
-
-template<class T, class ValueOf>
-void keepSet(model::SceneEdit& edit, const std::vector<SetLook>& looks, model::ColumnKey<T> key,
-             const ValueOf& valueOf)
-{
-    Kept<T> kept;
-    for (const SetLook& look : looks) {
-        const std::optional<T> value = valueOf(look);
-        if (value && edit.scene().population.rowOf(look.id) != model::Population::npos) {
-            kept.add(look.id, *value);
-        }
-    }
-    kept.write(edit, key);
-}
 
 /// How many people are elsewhere, or look another way.
 int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
@@ -79,21 +64,15 @@ int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
     return static_cast<int>(positions.ids.size());
 }
 
-void keepLooks(model::SceneEdit& edit, const std::vector<SetLook>& looks)
+void keepOverrides(model::SceneEdit& edit, const OverrideColumns& overrides)
 {
-    for (int slot = 0; slot < model::kMaxTintSlots; ++slot) {
-        keepSet(edit, looks, keys::tint(slot), [slot](const SetLook& look) {
-            return (look.tinted >> slot & 1) != 0
-                       ? std::optional(look.tints[static_cast<std::size_t>(slot)])
-                       : std::nullopt;
-        });
+    for (std::size_t index = 0; index < model::kColumnCount; ++index) {
+        const auto id = static_cast<model::ColumnId>(index);
+        if (const OverrideColumn* column = overrides.column(id)) {
+            const OverrideColumn there = presentIn(edit.scene().population, id, *column);
+            edit.setColumn(id, there.ids, there.bytes);
+        }
     }
-    keepSet(edit, looks, keys::height, [](const SetLook& look) { return look.height; });
-    keepSet(edit, looks, keys::tags, [](const SetLook& look) { return look.tags; });
-    keepSet(edit, looks, keys::clip, [](const SetLook& look) { return look.clip; });
-    keepSet(edit, looks, keys::playbackSpeed,
-            [](const SetLook& look) { return look.playbackSpeed; });
-    keepSet(edit, looks, keys::phase, [](const SetLook& look) { return look.phase; });
 }
 
 void keepNumbers(model::SceneEdit& edit, const std::vector<OwnNumber>& numbers)
@@ -120,8 +99,8 @@ void keepNumbers(model::SceneEdit& edit, const std::vector<OwnNumber>& numbers)
 int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose)
 {
     const int people = keepPlaces(edit, shown);
-    if (pose != nullptr && pose->looks) {
-        keepLooks(edit, *pose->looks);
+    if (pose != nullptr && pose->overrides) {
+        keepOverrides(edit, *pose->overrides);
     }
     if (pose != nullptr && pose->numbers) {
         keepNumbers(edit, *pose->numbers);

@@ -162,7 +162,7 @@ void SessionPlayer::give(std::function<void(Run& run)> order)
 
 void SessionPlayer::adopt(const model::Scene& scene, bool arePosesKept)
 {
-    // A copy without what a session does not look at: stages are large names only, columns shared.
+    // A snapshot: columns and assets are shared, not copied.
     give([copy = std::make_shared<const model::Scene>(scene), arePosesKept](Run& run) {
         run.session->adopt(*copy, arePosesKept);
     });

@@ -2,8 +2,12 @@
 #include "behavior/session/SessionPose.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "behavior/agents/Turning.h"
 
 namespace crowd::behavior {
 
@@ -199,45 +203,32 @@ void Between::apply(model::CrowdFrame& frame) const
     }
 }
 
-/// Tints, heights and tags that rules have set; ids that are not there are passed over.
-void applyLooks(const std::vector<SetLook>& looks, model::Population& people)
+/// Columns of a frame that come from the pose itself.
+constexpr std::array kPosed{model::ColumnId::Position, model::ColumnId::Heading,
+                            model::ColumnId::Clip,     model::ColumnId::Phase,
+                            model::ColumnId::Seat,     model::ColumnId::PlaybackSpeed};
+
+/// What rules have set of all other properties; ids that are not there are passed over.
+void applyOverrides(const OverrideColumns& overrides, model::Population& people)
 {
-    namespace keys = model::columns;
-    const auto write = [&](const auto& key, const auto& valueOf) {
-        using Value = std::remove_cvref_t<decltype(*valueOf(looks.front()))>;
-        std::vector<model::IndividualId> ids;
-        std::vector<Value> values;
-        for (const SetLook& look : looks) {
-            const auto value = valueOf(look);
-            if (value && people.rowOf(look.id) != model::Population::npos) {
-                ids.push_back(look.id);
-                values.push_back(*value);
+    for (std::size_t index = 0; index < model::kColumnCount; ++index) {
+        const auto id = static_cast<model::ColumnId>(index);
+        const OverrideColumn* column = overrides.column(id);
+        if (column != nullptr && std::ranges::find(kPosed, id) == kPosed.end()) {
+            const OverrideColumn there = presentIn(people, id, *column);
+            if (!there.ids.empty()) {
+                people.setValues(id, there.ids, there.bytes);
             }
         }
-        if (!ids.empty()) {
-            people.setValues<Value>(key, ids, values);
-        }
-    };
-    if (looks.empty()) {
-        return;
     }
-    for (int slot = 0; slot < 8; ++slot) {
-        write(keys::tint(slot), [slot](const SetLook& look) {
-            return (look.tinted >> slot & 1) != 0
-                       ? std::optional(look.tints[static_cast<std::size_t>(slot)])
-                       : std::nullopt;
-        });
-    }
-    write(keys::height, [](const SetLook& look) { return look.height; });
-    write(keys::tags, [](const SetLook& look) { return look.tags; });
 }
 
 } // namespace
 
 void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame)
 {
-    if (before.looks) {
-        applyLooks(*before.looks, frame.population);
+    if (before.overrides) {
+        applyOverrides(*before.overrides, frame.population);
     }
     if (!before.ids.empty()) {
         Between(before, after, frame.seconds).apply(frame);

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
+#include "behavior/agents/ParkedDetours.h"
+
 #include <cmath>
 
 #include "behavior/crowd/Chunks.h"
-#include "behavior/session/Session.h"
-#include "behavior/surface/WalkSurface.h"
 
-/// How people get around what stands in their way and is no part of the stage.
 namespace crowd::behavior {
 
-void Session::goAroundParked()
+void ParkedDetours::apply(CrowdSimulation& crowd, const PathFollower& follower,
+                          const WalkSurface* surface)
 {
-    if (m_crowd.longBodies().empty()) {
+    if (crowd.longBodies().empty()) {
         return;
     }
-    const std::span<Body> bodies = m_crowd.bodies();
-    const std::span<const float> heights = m_crowd.heights();
-    m_parked.gather(m_crowd.longBodies(), bodies, heights);
+    const std::span<Body> bodies = crowd.bodies();
+    const std::span<const float> heights = crowd.heights();
+    m_parked.gather(crowd.longBodies(), bodies, heights);
     if (m_parked.isEmpty()) {
         return;
     }
@@ -27,13 +27,13 @@ void Session::goAroundParked()
             }
             const float height = heights[row];
             const auto isClear = [&](const glm::vec2& from, const glm::vec2& to) {
-                return !m_surface ||
-                       m_surface->isStraight({from.x, height, from.y}, {to.x, height, to.y})
+                return surface == nullptr ||
+                       surface->isStraight({from.x, height, from.y}, {to.x, height, to.y})
                            .value_or(true);
             };
             const auto agent = static_cast<std::uint32_t>(row);
             const auto aside = m_parked.around(
-                {{body.x, body.z}, m_follower.nextAim(agent), body.radius, height}, isClear);
+                {{body.x, body.z}, follower.nextAim(agent), body.radius, height}, isClear);
             if (aside) {
                 const float speed =
                     std::sqrt(body.desiredX * body.desiredX + body.desiredZ * body.desiredZ);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "behavior/agents/AgentColumns.h"
+#include "behavior/agents/AgentUpdate.h"
+#include "behavior/agents/ClipAnimation.h"
+#include "behavior/agents/GroundContact.h"
+#include "behavior/agents/IdleClips.h"
+#include "behavior/agents/ParkedDetours.h"
+#include "behavior/agents/PropertyOverrides.h"
+#include "behavior/agents/Seating.h"
+#include "behavior/agents/SessionClock.h"
+#include "behavior/agents/TemplateTables.h"
+#include "behavior/agents/Walkers.h"
+#include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/motion/PathFollower.h"
+#include "behavior/rules/RuleEngine.h"
+#include "behavior/session/SessionPlan.h"
+#include "behavior/session/SessionProblems.h"
+#include "behavior/surface/WalkSurface.h"
+#include "model/scene/Scene.h"
+
+namespace crowd::behavior {
+
+/// What a session consists of: what it has read of the scene, the state of its agents in columns,
+/// and components that each do one thing over them. Components refer to each other: neither copied
+/// nor moved. Row i of the population is agent i.
+struct SessionParts
+{
+    explicit SessionParts(const model::Scene& scene, const SessionPlan& plan);
+    SessionParts(const SessionParts&) = delete;
+    SessionParts& operator=(const SessionParts&) = delete;
+
+    /// Reads an agent's columns from a row of people, which is the population or replaces it.
+    void initAgent(const model::Population& people, std::uint32_t row);
+    /// Gives the crowd bodies anew, once agents without a position have left.
+    void resetBodies(const model::Population& people);
+    /// Walls anew, from the plan, the surface and the places.
+    void resetWalls();
+    /// Says anew what is wrong with where people are to walk.
+    void checkWays();
+    /// An agent leaves the scene.
+    void leave(std::uint32_t agent);
+
+    // Of the scene.
+    model::Population population;
+    std::vector<model::Place> places;
+    std::vector<model::Path> paths;
+    std::vector<Wall> plannedWalls;
+    std::shared_ptr<const WalkSurface> surface; ///< null: open ground
+    TemplateTables templates;
+    // Of the run.
+    SessionClock clock;
+    SessionProblems problems;
+    AgentColumns agents;
+    PropertyOverrides overrides;
+    CrowdSimulation crowd;
+    PathFollower follower;
+    RuleEngine rules;
+    Walkers walkers;
+    IdleClips idle;
+    ClipAnimation animation;
+    Seating seating;
+    GroundContact ground;
+    ParkedDetours detours;
+    AgentUpdate update;
+    // As of the last step.
+    std::shared_ptr<const OverrideColumns> shownOverrides;
+    std::shared_ptr<const std::vector<OwnNumber>> shownNumbers;
+
+private:
+    void dismissWithoutPosition();
+};
+
+} // namespace crowd::behavior
