@@ -74,6 +74,7 @@ struct FieldChoice
     const char* key;
     const char* label;
     const char* tip = "";
+    bool isOffered = true; ///< else shown only where it is what is chosen
 };
 
 /// What a field's being shown may depend on besides its own struct; null where there is none.
@@ -101,11 +102,15 @@ struct FieldMeta
     bool isLogarithmic = false;
     double shownScale = 1.0;
     FieldRole role = FieldRole::Plain;
-    std::span<const FieldChoice> choices{}; ///< of enumerations, and of flags that are shown as two
+    std::span<const FieldChoice> choices{}; ///< of enumerations, from 0 on; of bools: no and yes
     const char* section = "";               ///< heading of a form under which it and those after
                                             ///< it stand; empty: the same as before
     bool isBeside = false;                  ///< shown in one row with the one before
     bool isRemembered = true;               ///< by the next start of the editor
+    /// What is shown instead of the lowest number, of no reference or of an empty text, where that
+    /// has a meaning of its own; empty: it has none.
+    const char* zero = "";
+    bool isStored = true; ///< in files and scripts; see computed()
 };
 
 /// A member with its facts. S: the struct; T: the member's type.
@@ -131,6 +136,24 @@ template<class S, class T>
 [[nodiscard]] constexpr Field<S, T> field(T S::*member, const FieldMeta& meta)
 {
     return {member, meta, nullptr};
+}
+
+/// What forms show and set although no member is just that. Files and scripts do not have it.
+template<class S, class T>
+struct ComputedField
+{
+    T (*get)(const S&);
+    void (*set)(S&, T);
+    FieldMeta meta;
+    bool (*isShown)(const S&, const FieldContext&) = nullptr;
+};
+
+template<class S, class T>
+[[nodiscard]] constexpr ComputedField<S, T> computed(T (*get)(const S&), void (*set)(S&, T),
+                                                     FieldMeta meta)
+{
+    meta.isStored = false;
+    return {get, set, meta};
 }
 
 /// A described member without its types. Lives as long as the program.
@@ -231,6 +254,27 @@ template<class Owner, class S, class T>
             editable(object)->*member = static_cast<T>(std::get<Value>(value));
         };
     }
+    return info;
+}
+
+template<class Owner, class S, class T>
+[[nodiscard]] FieldInfo erased(const ComputedField<S, T>& field)
+{
+    using Value = FieldValueOf<T>;
+    FieldInfo info;
+    info.meta = field.meta;
+    if (field.isShown != nullptr) {
+        info.isShown = [shown = field.isShown](const void* object, const FieldContext& context) {
+            return shown(*static_cast<const S*>(object), context);
+        };
+    }
+    info.type = AlternativeIndex<Value, FieldValue>::value;
+    info.get = [get = field.get](const void* object) {
+        return FieldValue(static_cast<Value>(get(*static_cast<const S*>(object))));
+    };
+    info.set = [set = field.set](void* object, const FieldValue& value) {
+        set(*static_cast<S*>(object), static_cast<T>(std::get<Value>(value)));
+    };
     return info;
 }
 
