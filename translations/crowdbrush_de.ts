@@ -639,6 +639,22 @@
         <source>Put all panels back, and show in the picture what was shown at first</source>
         <translation>Alle Tafeln zurückstellen und im Bild zeigen, was am Anfang gezeigt wurde</translation>
     </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe und Fülle</translation>
+    </message>
+    <message>
+        <source>Make the characters under the brush taller or stouter</source>
+        <translation>Figuren unter dem Pinsel größer oder fülliger machen</translation>
+    </message>
+    <message>
+        <source>Material (te&amp;xtures)</source>
+        <translation>Material (Te&amp;xturen)</translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush other materials</source>
+        <translation>Figuren unter dem Pinsel andere Materialien geben</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -649,22 +665,6 @@
 </context>
 <context>
     <name>BrushTexts</name>
-    <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Spray</source>
-        <translation>Sprühen</translation>
-    </message>
-    <message>
-        <source>All in the circle</source>
-        <translation>Alle im Kreis</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rechteck</translation>
-    </message>
     <message>
         <source>Seats filled, %</source>
         <translation>Besetzte Sitze, %</translation>
@@ -762,66 +762,6 @@
         <translation>Radius: %1 m</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation>Hindernis</translation>
-    </message>
-    <message>
-        <source>Attractor</source>
-        <translation>Anziehendes</translation>
-    </message>
-    <message>
-        <source>Repeller</source>
-        <translation>Abstoßendes</translation>
-    </message>
-    <message>
-        <source>Exit</source>
-        <translation>Ausgang</translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation>Langsamer Boden</translation>
-    </message>
-    <message>
-        <source>Forbidden ground</source>
-        <translation>Verbotener Boden</translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation>Beliebter Boden</translation>
-    </message>
-    <message>
-        <source>Somewhere to go to; does nothing by itself</source>
-        <translation>Ein Ziel; tut von sich aus nichts</translation>
-    </message>
-    <message>
-        <source>Nobody walks into it</source>
-        <translation>Niemand geht hinein</translation>
-    </message>
-    <message>
-        <source>Draws those who walk near it</source>
-        <translation>Zieht an, wer in der Nähe geht</translation>
-    </message>
-    <message>
-        <source>Those who walk near it keep away</source>
-        <translation>Wer in der Nähe geht, hält Abstand</translation>
-    </message>
-    <message>
-        <source>Who reaches it leaves the scene</source>
-        <translation>Wer ihn erreicht, verlässt die Szene</translation>
-    </message>
-    <message>
-        <source>Nobody walks there; ways lead around it</source>
-        <translation>Niemand geht dort; Wege führen darum herum</translation>
-    </message>
-    <message>
-        <source>Ways lead over it where that is not much longer</source>
-        <translation>Wege führen darüber, wo es kaum länger ist</translation>
-    </message>
-    <message>
         <source>Characters per m²</source>
         <translation>Figuren je m²</translation>
     </message>
@@ -830,12 +770,16 @@
         <translation>Dichte: %1 Figuren je m²</translation>
     </message>
     <message>
-        <source>Characters walk slower there</source>
-        <translation>Figuren gehen dort langsamer</translation>
-    </message>
-    <message>
         <source>Tag %1</source>
         <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height: × %1</source>
+        <translation>Höhe: × %1</translation>
     </message>
 </context>
 <context>
@@ -1011,6 +955,28 @@
     <message>
         <source>Drag: let the script change characters · Escape: take it back</source>
         <translation>Ziehen: das Skript Figuren ändern lassen · Esc: zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Drag: scale characters · + −: how tall</source>
+        <translation>Ziehen: Größe der Figuren ändern · + −: wie groß</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters scaled</source>
+        <translation>
+            <numerusform>%n Figur in der Größe geändert</numerusform>
+            <numerusform>%n Figuren in der Größe geändert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give characters other materials</source>
+        <translation>Ziehen: Figuren andere Materialien geben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given another material</source>
+        <translation>
+            <numerusform>%n Figur mit anderem Material</numerusform>
+            <numerusform>%n Figuren mit anderem Material</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1161,28 @@
         <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
         <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem Figuren zu erschaffen</translation>
     </message>
+    <message numerus="yes">
+        <source>Scale %n character(s)</source>
+        <translation>
+            <numerusform>Größe von %n Figur ändern</numerusform>
+            <numerusform>Größe von %n Figuren ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this size</source>
+        <translation>Alle haben diese Größe schon</translation>
+    </message>
+    <message numerus="yes">
+        <source>Give %n character(s) another material</source>
+        <translation>
+            <numerusform>Material von %n Figur ändern</numerusform>
+            <numerusform>Material von %n Figuren ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this material</source>
+        <translation>Alle haben dieses Material schon</translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1264,6 +1252,509 @@
     <message>
         <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
         <translation>Es wird noch herausgefunden, wo Figuren gehen können: Stichworte hören sie, sobald sie sich bewegen.</translation>
+    </message>
+</context>
+<context>
+    <name>Fields</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation>Sprühen</translation>
+    </message>
+    <message>
+        <source>All in the circle</source>
+        <translation>Alle im Kreis</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Hindurch</translation>
+    </message>
+    <message>
+        <source>Also characters hidden behind others or the stage</source>
+        <translation>Auch Figuren, die von anderen oder der Bühne verdeckt sind</translation>
+    </message>
+    <message>
+        <source>Build up</source>
+        <translation>Aufbauen</translation>
+    </message>
+    <message>
+        <source>Each dab changes again whom it touches</source>
+        <translation>Jeder Tupfer ändert erneut, wen er berührt</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Pen: size</source>
+        <translation>Stift: Größe</translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the larger</source>
+        <translation>Je fester der Stift drückt, desto größer</translation>
+    </message>
+    <message>
+        <source>Pen: rate</source>
+        <translation>Stift: Rate</translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the more</source>
+        <translation>Je fester der Stift drückt, desto mehr</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Häufigkeit</translation>
+    </message>
+    <message>
+        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
+        <translation>Wie oft niedrige (links) bis hohe Werte (rechts) vorkommen: zeichnen; ein Doppelklick macht alle gleich</translation>
+    </message>
+    <message>
+        <source>From the lower to the higher values along the line.</source>
+        <translation>Vom niedrigen zum hohen Wert entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>Clips</translation>
+    </message>
+    <message>
+        <source>Clips (none: as they are)</source>
+        <translation>Clips (keiner: wie sie sind)</translation>
+    </message>
+    <message>
+        <source>Change the phase</source>
+        <translation>Phase ändern</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Change the speed</source>
+        <translation>Tempo ändern</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>From the first to the last colour along the line.</source>
+        <translation>Von der ersten zur letzten Farbe entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Slot</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Anstrich</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Blend the colours</source>
+        <translation>Farben mischen</translation>
+    </message>
+    <message>
+        <source>Also what lies between the colours, not only one of them</source>
+        <translation>Auch was zwischen den Farben liegt, nicht nur eine davon</translation>
+    </message>
+    <message>
+        <source>Each slot its own</source>
+        <translation>Jeder Slot eigens</translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a character</source>
+        <translation>Eine andere Farbe für jeden Slot einer Figur</translation>
+    </message>
+    <message>
+        <source>Only on free seats</source>
+        <translation>Nur auf freie Sitze</translation>
+    </message>
+    <message>
+        <source>Seat grid: characters sit down where they may</source>
+        <translation>Sitzraster: Figuren setzen sich, wo sie dürfen</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Rows counted from the front, as 1, 3-5</source>
+        <translation>Reihen von vorn gezählt, etwa 1, 3-5</translation>
+    </message>
+    <message>
+        <source>Wedges</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Wedges of seats, as 1, 3-5</source>
+        <translation>Sitzblöcke, etwa 1, 3-5</translation>
+    </message>
+    <message>
+        <source>Of the seats</source>
+        <translation>Von den Sitzen</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Also on roofs, trees and wherever else nobody can walk to</source>
+        <translation>Auch auf Dächern, Bäumen und wo sonst niemand hingehen kann</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source> /m²</source>
+        <translation> /m²</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Outfits</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>Each wears any of the clothes that the template has</source>
+        <translation>Jede Figur trägt irgendetwas von der Kleidung der Vorlage</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Gesichter</translation>
+    </message>
+    <message>
+        <source>Each has any of the skins, faces and hair that the template has</source>
+        <translation>Haut, Gesicht und Haar jeder Figur sind irgendwelche der Vorlage</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
+        <translation>Jeder trägt einige Teile der Vorlage, wie Hüte und Taschen</translation>
+    </message>
+    <message>
+        <source>Clips (none: what suits)</source>
+        <translation>Clips (keiner: was passt)</translation>
+    </message>
+    <message>
+        <source>Of them</source>
+        <translation>Davon</translation>
+    </message>
+    <message>
+        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation>Figuren unter dem Pinsel hören das Ereignis, während abgespielt wird. Regeln sagen, was sie dann tun; die Zahl kann ein Gehtempo sein.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>They face along the line that is drawn.</source>
+        <translation>Sie sehen entlang der gezogenen Linie.</translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
+        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation>Weiter zum ersten Ort</translation>
+    </message>
+    <message>
+        <source>Jump to the first place</source>
+        <translation>Zum ersten Ort springen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Somewhere to go to; does nothing by itself</source>
+        <translation>Ein Ziel; tut von sich aus nichts</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Nobody walks into it</source>
+        <translation>Niemand geht hinein</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Anziehendes</translation>
+    </message>
+    <message>
+        <source>Draws those who walk near it</source>
+        <translation>Zieht an, wer in der Nähe geht</translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation>Abstoßendes</translation>
+    </message>
+    <message>
+        <source>Those who walk near it keep away</source>
+        <translation>Wer in der Nähe geht, hält Abstand</translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Who reaches it leaves the scene</source>
+        <translation>Wer ihn erreicht, verlässt die Szene</translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation>Langsamer Boden</translation>
+    </message>
+    <message>
+        <source>Characters walk slower there</source>
+        <translation>Figuren gehen dort langsamer</translation>
+    </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation>Verbotener Boden</translation>
+    </message>
+    <message>
+        <source>Nobody walks there; ways lead around it</source>
+        <translation>Niemand geht dort; Wege führen darum herum</translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation>Beliebter Boden</translation>
+    </message>
+    <message>
+        <source>Ways lead over it where that is not much longer</source>
+        <translation>Wege führen darüber, wo es kaum länger ist</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Change the height</source>
+        <translation>Höhe ändern</translation>
+    </message>
+    <message>
+        <source>Change the girth</source>
+        <translation>Umfang ändern</translation>
+    </message>
+    <message>
+        <source>From the slower to the faster along the line.</source>
+        <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
+    </message>
+    <message>
+        <source>Change how they walk</source>
+        <translation>Gangart ändern</translation>
+    </message>
+    <message>
+        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
+        <translation>Mit welchem Clip Figuren gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
+    </message>
+    <message>
+        <source>Walk with</source>
+        <translation>Gehen mit</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Change the path</source>
+        <translation>Weg ändern</translation>
+    </message>
+    <message>
+        <source>Characters walk along it when it plays</source>
+        <translation>Figuren gehen ihn entlang, wenn abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>A direction</source>
+        <translation>Eine Richtung</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>Along the stroke</source>
+        <translation>Entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Ein Punkt</translation>
+    </message>
+    <message>
+        <source>The viewer</source>
+        <translation>Der Betrachter</translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>The point to face</source>
+        <translation>Punkt, zu dem sie schauen</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operator</translation>
+    </message>
+    <message>
+        <source>From the first to the last material along the line.</source>
+        <translation>Vom ersten zum letzten Material entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Another material for each slot of a character</source>
+        <translation>Ein anderes Material für jeden Slot einer Figur</translation>
     </message>
 </context>
 <context>
@@ -2672,6 +3163,14 @@
         <source>Walking Style Brush</source>
         <translation>Gangartpinsel</translation>
     </message>
+    <message>
+        <source>Scale Brush</source>
+        <translation>Größen-Pinsel</translation>
+    </message>
+    <message>
+        <source>Material Brush</source>
+        <translation>Material-Pinsel</translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -3685,445 +4184,6 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
-    <name>crowd::widgets::BrushForm</name>
-    <message>
-        <source>all</source>
-        <translation>alle</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Rate</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /s</translation>
-    </message>
-    <message>
-        <source>Through</source>
-        <translation>Hindurch</translation>
-    </message>
-    <message>
-        <source>Build up</source>
-        <translation>Aufbauen</translation>
-    </message>
-    <message>
-        <source>Each dab changes again whom it touches</source>
-        <translation>Jeder Tupfer ändert erneut, wen er berührt</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Operator</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
-        <source>Uniform</source>
-        <translation>Gleich</translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation>Zufall</translation>
-    </message>
-    <message>
-        <source>Gradient</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Facing</source>
-        <translation>Blickrichtung</translation>
-    </message>
-    <message>
-        <source>Towards</source>
-        <translation>Nach</translation>
-    </message>
-    <message>
-        <source>A direction</source>
-        <translation>Eine Richtung</translation>
-    </message>
-    <message>
-        <source>Along the stroke</source>
-        <translation>Entlang des Strichs</translation>
-    </message>
-    <message>
-        <source>A point</source>
-        <translation>Ein Punkt</translation>
-    </message>
-    <message>
-        <source>The viewer</source>
-        <translation>Der Betrachter</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Spread</source>
-        <translation>Streuung</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>Only on free seats</source>
-        <translation>Nur auf freie Sitze</translation>
-    </message>
-    <message>
-        <source>Rows counted from the front, as 1, 3-5</source>
-        <translation>Reihen von vorn gezählt, etwa 1, 3-5</translation>
-    </message>
-    <message>
-        <source>Wedges</source>
-        <translation>Blöcke</translation>
-    </message>
-    <message>
-        <source>Wedges of seats, as 1, 3-5</source>
-        <translation>Sitzblöcke, etwa 1, 3-5</translation>
-    </message>
-    <message>
-        <source>Of the seats</source>
-        <translation>Von den Sitzen</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Dichte</translation>
-    </message>
-    <message>
-        <source> /m²</source>
-        <translation> /m²</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Variation</source>
-        <translation>Variation</translation>
-    </message>
-    <message>
-        <source>Clips (none: what suits)</source>
-        <translation>Clips (keiner: was passt)</translation>
-    </message>
-    <message>
-        <source>All tintable</source>
-        <translation>Alle färbbaren</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Anstrich</translation>
-    </message>
-    <message>
-        <source>Slot</source>
-        <translation>Slot</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Clips (none: as they are)</source>
-        <translation>Clips (keiner: wie sie sind)</translation>
-    </message>
-    <message>
-        <source>Change the phase</source>
-        <translation>Phase ändern</translation>
-    </message>
-    <message>
-        <source>Change the speed</source>
-        <translation>Tempo ändern</translation>
-    </message>
-    <message>
-        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
-        <translation>Wie oft niedrige (links) bis hohe Werte (rechts) vorkommen: zeichnen; ein Doppelklick macht alle gleich</translation>
-    </message>
-    <message>
-        <source>Pen pressure</source>
-        <translation>Stiftdruck</translation>
-    </message>
-    <message>
-        <source>The harder the pen presses, the larger</source>
-        <translation>Je fester der Stift drückt, desto größer</translation>
-    </message>
-    <message>
-        <source>The harder the pen presses, the more</source>
-        <translation>Je fester der Stift drückt, desto mehr</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Fluss</translation>
-    </message>
-    <message>
-        <source>Choose in the Picture</source>
-        <translation>Im Bild wählen</translation>
-    </message>
-    <message>
-        <source>Then click the point to face</source>
-        <translation>Dann den Punkt anklicken, zu dem sie sehen</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>Gedreht um</translation>
-    </message>
-    <message>
-        <source>Outfits</source>
-        <translation>Kleidung</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
-        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
-        <translation>Jeder trägt einige Teile der Vorlage, wie Hüte und Taschen</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>Girth</source>
-        <translation>Umfang</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
-        <source>Tint</source>
-        <translation>Farbton</translation>
-    </message>
-    <message>
-        <source>Also places hidden behind the stage</source>
-        <translation>Auch Orte, die die Bühne verdeckt</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Orte</translation>
-    </message>
-    <message>
-        <source>Blend the colours</source>
-        <translation>Farben mischen</translation>
-    </message>
-    <message>
-        <source>Also what lies between the colours, not only one of them</source>
-        <translation>Auch was zwischen den Farben liegt, nicht nur eine davon</translation>
-    </message>
-    <message>
-        <source>Each slot its own</source>
-        <translation>Jeder Slot eigens</translation>
-    </message>
-    <message>
-        <source>Timing</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Of them</source>
-        <translation>Davon</translation>
-    </message>
-    <message>
-        <source>From the first to the last colour along the line.</source>
-        <translation>Von der ersten zur letzten Farbe entlang der Linie.</translation>
-    </message>
-    <message>
-        <source>They face along the line that is drawn.</source>
-        <translation>Sie sehen entlang der gezogenen Linie.</translation>
-    </message>
-    <message>
-        <source>From the lower to the higher values along the line.</source>
-        <translation>Vom niedrigen zum hohen Wert entlang der Linie.</translation>
-    </message>
-    <message>
-        <source>Frequency</source>
-        <translation>Häufigkeit</translation>
-    </message>
-    <message>
-        <source>None: stay</source>
-        <translation>Keiner: bleiben</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Change the path</source>
-        <translation>Weg ändern</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
-    </message>
-    <message>
-        <source>Walking</source>
-        <translation>Gehen</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
-    </message>
-    <message>
-        <source>Tag</source>
-        <translation>Marke</translation>
-    </message>
-    <message>
-        <source>Event</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Known</source>
-        <translation>Bekannte</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
-        <source>At the end</source>
-        <translation>Am Ende</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>On to the first place</source>
-        <translation>Weiter zum ersten Ort</translation>
-    </message>
-    <message>
-        <source>Jump to the first place</source>
-        <translation>Zum ersten Ort springen</translation>
-    </message>
-    <message>
-        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
-        <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Change how they walk</source>
-        <translation>Gangart ändern</translation>
-    </message>
-    <message>
-        <source>Named</source>
-        <translation>Namens</translation>
-    </message>
-    <message>
-        <source>From the slower to the faster along the line.</source>
-        <translation>Entlang der Linie vom Langsameren zum Schnelleren.</translation>
-    </message>
-    <message>
-        <source>Walk with</source>
-        <translation>Gehen mit</translation>
-    </message>
-    <message>
-        <source>The nearest</source>
-        <translation>Dem nächsten</translation>
-    </message>
-    <message>
-        <source>no name yet; the Rules panel gives it one</source>
-        <translation>noch ohne Namen; der Bereich Regeln gibt ihr einen</translation>
-    </message>
-    <message>
-        <source>Characters walk along it when it plays</source>
-        <translation>Figuren gehen ihn entlang, wenn abgespielt wird</translation>
-    </message>
-    <message>
-        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
-        <translation>Mit welchem Clip Figuren gehen. Keiner: was zum Tempo passt. Clips auf der Stelle fehlen hier.</translation>
-    </message>
-    <message>
-        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
-        <translation>Figuren unter dem Pinsel hören das Ereignis, während abgespielt wird. Regeln sagen, was sie dann tun; die Zahl kann ein Gehtempo sein.</translation>
-    </message>
-    <message>
-        <source>Anywhere</source>
-        <translation>Überall</translation>
-    </message>
-    <message>
-        <source>Also on roofs, trees and wherever else nobody can walk to</source>
-        <translation>Auch auf Dächern, Bäumen und wo sonst niemand hingehen kann</translation>
-    </message>
-    <message>
-        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
-        <translation>Jeder Klick fügt einen Ort hinzu, Eingabe beendet den Weg; ein Klick auf seinen ersten Ort schließt ihn. Der nächste Klick beginnt einen neuen.</translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>Also characters hidden behind others or the stage</source>
-        <translation>Auch Figuren, die von anderen oder der Bühne verdeckt sind</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Reihen</translation>
-    </message>
-    <message>
-        <source>Each wears any of the clothes that the template has</source>
-        <translation>Jede Figur trägt irgendetwas von der Kleidung der Vorlage</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Gesichter</translation>
-    </message>
-    <message>
-        <source>Each has any of the skins, faces and hair that the template has</source>
-        <translation>Haut, Gesicht und Haar jeder Figur sind irgendwelche der Vorlage</translation>
-    </message>
-    <message>
-        <source>Seat grid: characters sit down where they may</source>
-        <translation>Sitzraster: Figuren setzen sich, wo sie dürfen</translation>
-    </message>
-    <message>
-        <source>Clothes</source>
-        <translation>Kleidung</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Modus</translation>
-    </message>
-    <message>
-        <source>Multiply</source>
-        <translation>Multiplizieren</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>Another colour for each slot of a character</source>
-        <translation>Eine andere Farbe für jeden Slot einer Figur</translation>
-    </message>
-</context>
-<context>
     <name>crowd::widgets::BrushPaletteDock</name>
     <message>
         <source>Brushes</source>
@@ -4563,6 +4623,61 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
         <translation>%1 &lt;a href=&quot;people&quot;&gt;Auswählen&lt;/a&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FieldForm</name>
+    <message>
+        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
+        <translation>Skripte bringen Pinsel mit: Eine Python-Klasse mit apply(selection), bekannt gemacht mit crowdbrush.register_brush(MyBrush), hat ihren Platz in der Palette und hier ihre Einstellungen.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>All tintable</source>
+        <translation>Alle färbbaren</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>None: stay</source>
+        <translation>Keiner: bleiben</translation>
+    </message>
+    <message>
+        <source>The nearest</source>
+        <translation>Dem nächsten</translation>
+    </message>
+    <message>
+        <source>no name yet; the Rules panel gives it one</source>
+        <translation>noch ohne Namen; der Bereich Regeln gibt ihr einen</translation>
+    </message>
+    <message>
+        <source>Named</source>
+        <translation>Namens</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannte</translation>
+    </message>
+    <message>
+        <source>Choose in the Picture</source>
+        <translation>Im Bild wählen</translation>
+    </message>
+    <message>
+        <source>Then click the point to face</source>
+        <translation>Dann den Punkt anklicken, zu dem sie sehen</translation>
+    </message>
+    <message>
+        <source>Any, by the operator</source>
+        <translation>Irgendeines, nach dem Operator</translation>
     </message>
 </context>
 <context>

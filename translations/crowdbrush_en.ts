@@ -639,6 +639,22 @@
         <source>Put all panels back, and show in the picture what was shown at first</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the characters under the brush taller or stouter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material (te&amp;xtures)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush other materials</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -649,22 +665,6 @@
 </context>
 <context>
     <name>BrushTexts</name>
-    <message>
-        <source>Point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spray</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All in the circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Seats filled, %</source>
         <translation type="unfinished"></translation>
@@ -762,66 +762,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Obstacle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Attractor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Repeller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slow ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forbidden ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Liked ground</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Somewhere to go to; does nothing by itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody walks into it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Draws those who walk near it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Those who walk near it keep away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Who reaches it leaves the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody walks there; ways lead around it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ways lead over it where that is not much longer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Characters per m²</source>
         <translation type="unfinished"></translation>
     </message>
@@ -830,11 +770,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Characters walk slower there</source>
+        <source>Tag %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tag %1</source>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height: × %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1011,6 +955,28 @@
     <message>
         <source>Drag: let the script change characters · Escape: take it back</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: scale characters · + −: how tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters scaled</source>
+        <translation>
+            <numerusform>%n character scaled</numerusform>
+            <numerusform>%n characters scaled</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give characters other materials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given another material</source>
+        <translation>
+            <numerusform>%n character given another material</numerusform>
+            <numerusform>%n characters given another material</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1161,28 @@
         <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Scale %n character(s)</source>
+        <translation>
+            <numerusform>Scale %n character</numerusform>
+            <numerusform>Scale %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Give %n character(s) another material</source>
+        <translation>
+            <numerusform>Give %n character another material</numerusform>
+            <numerusform>Give %n characters another material</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this material</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1263,6 +1251,509 @@
     </message>
     <message>
         <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Fields</name>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All in the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also characters hidden behind others or the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each dab changes again whom it touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pen: size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pen: rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The harder the pen presses, the more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the lower to the higher values along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips (none: as they are)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the first to the last colour along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend the colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also what lies between the colours, not only one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each slot its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for each slot of a character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only on free seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seat grid: characters sit down where they may</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows counted from the front, as 1, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wedges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wedges of seats, as 1, 3-5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the seats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also on roofs, trees and wherever else nobody can walk to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> /m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outfits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each wears any of the clothes that the template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each has any of the skins, faces and hair that the template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips (none: what suits)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They face along the line that is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On to the first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jump to the first place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somewhere to go to; does nothing by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws those who walk near it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those who walk near it keep away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who reaches it leaves the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters walk slower there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forbidden ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody walks there; ways lead around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liked ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ways lead over it where that is not much longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the girth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the slower to the faster along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change how they walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters walk along it when it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the first to the last material along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another material for each slot of a character</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2672,6 +3163,14 @@
         <source>Walking Style Brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Scale Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -3678,445 +4177,6 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
-    <name>crowd::widgets::BrushForm</name>
-    <message>
-        <source>all</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Through</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Build up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each dab changes again whom it touches</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Uniform</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gradient</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Facing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Towards</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the stroke</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The viewer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spread</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only on free seats</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rows counted from the front, as 1, 3-5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wedges</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wedges of seats, as 1, 3-5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the seats</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> /m²</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Variation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clips (none: what suits)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All tintable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clips (none: as they are)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the phase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How often low (left) to high values (right) come: draw it; a double click makes all equal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pen pressure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The harder the pen presses, the larger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The harder the pen presses, the more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose in the Picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Then click the point to face</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Outfits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each wears some of the template&apos;s parts, as hats and bags</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Girth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Also places hidden behind the stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blend the colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Also what lies between the colours, not only one of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each slot its own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Timing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the first to the last colour along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They face along the line that is drawn.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the lower to the higher values along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frequency</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None: stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walking</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Event</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Known</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On to the first place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jump to the first place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change how they walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the slower to the faster along the line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walk with</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The nearest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no name yet; the Rules panel gives it one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Characters walk along it when it plays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With which clip characters walk. None: what fits the speed. A clip that stays in place is left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Characters under the brush hear the event while it plays. Rules say what they do then; the number can be a walking speed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Anywhere</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Also on roofs, trees and wherever else nobody can walk to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each click adds a place, Enter ends the path; a click on its first place closes it. The next click begins another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Also characters hidden behind others or the stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each wears any of the clothes that the template has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each has any of the skins, faces and hair that the template has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Seat grid: characters sit down where they may</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clothes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Multiply</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another colour for each slot of a character</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>crowd::widgets::BrushPaletteDock</name>
     <message>
         <source>Brushes</source>
@@ -4555,6 +4615,61 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FieldForm</name>
+    <message>
+        <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tintable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no name yet; the Rules panel gives it one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose in the Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click the point to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any, by the operator</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -155,12 +155,12 @@ private:
 StrokeTimes PaintBench::paint(model::BrushKind kind)
 {
     model::BrushSettings settings;
-    settings.kind = kind;
+    settings.setKind(kind);
     settings.selection = model::BrushSelection::AllInCircle;
     settings.op = model::BrushOperator::Random;
     settings.radiusPixels = kRadiusPixels;
-    settings.create.mix = {{1, 1.0F}, {2, 1.0F}};
-    settings.create.minimalDistance = 0.3F;
+    settings.as<model::CreateSettings>().mix = {{1, 1.0F}, {2, 1.0F}};
+    settings.as<model::CreateSettings>().minimalDistance = 0.3F;
     const auto inputAt = [](int dab) {
         // A quarter of the radius from dab to dab, to and fro over the lower half of the picture.
         const int column = dab % 75;
@@ -187,10 +187,10 @@ StrokeTimes PaintBench::paint(model::BrushKind kind)
 double PaintBench::medianUndo()
 {
     model::BrushSettings settings;
-    settings.kind = model::BrushKind::Colour;
+    settings.setKind(model::BrushKind::Colour);
     settings.selection = model::BrushSelection::Rectangle;
     settings.op = model::BrushOperator::Random;
-    settings.colour.blends = true;
+    settings.as<model::ColourSettings>().blends = true;
     settings.through = true;
     const auto stroke =
         model::Stroke::begin(m_document, context(), settings, 2, PointerInput::at({0.0, 0.0}, 0.0));

@@ -48,13 +48,13 @@ widgets::ScriptField fieldOf(const py::tuple& said)
     field.name = said[0].cast<std::string>();
     const QString label =
         QString::fromStdString(field.name).replace(QLatin1Char('_'), QLatin1Char(' '));
-    field.label = label.left(1).toUpper() + label.mid(1);
+    field.label = (label.left(1).toUpper() + label.mid(1)).toStdString();
     field.low = said[2].cast<double>();
     field.high = said[3].cast<double>();
     field.step = said[4].cast<double>();
     field.decimals = said[5].cast<int>();
     for (const py::handle& choice : said[6]) {
-        field.choices << QString::fromStdString(choice.cast<std::string>());
+        field.choices.push_back(choice.cast<std::string>());
     }
     return field;
 }
@@ -67,13 +67,16 @@ py::cpp_function brushListener(Interpreter& owner)
         widgets::ScriptBrush brush;
         brush.tip = QString::fromStdString(tip);
         brush.settings = area.settings();
-        brush.settings.script.brush = name;
+        brush.settings.as<model::ScriptSettings>().brush = name;
+        std::vector<widgets::ScriptField> said;
+        auto& script = brush.settings.as<model::ScriptSettings>();
         for (const py::handle& each : fields) {
-            const auto said = each.cast<py::tuple>();
-            brush.fields.push_back(fieldOf(said));
-            brush.settings.script.values.push_back(
-                {brush.fields.back().name, said[1].cast<decltype(model::ScriptValue::value)>()});
+            const auto field = each.cast<py::tuple>();
+            said.push_back(fieldOf(field));
+            script.values.push_back(
+                {said.back().name, field[1].cast<decltype(model::ScriptValue::value)>()});
         }
+        brush.fields = widgets::describeScriptFields(std::move(said), script.values);
         QMetaObject::invokeMethod(
             &owner, [&owner, brush] { Q_EMIT owner.brushRegistered(brush); }, Qt::QueuedConnection);
     };

@@ -33,12 +33,12 @@ bool StrokePainter::begin(const model::BrushContext& context, const model::Brush
                           std::uint64_t seed, const model::PointerInput& press)
 {
     const auto link = std::make_shared<ScriptStrokeLink>();
-    if (isPainting() || !m_interpreter.paint(settings.script, link)) {
+    if (isPainting() || !m_interpreter.paint(settings.as<model::ScriptSettings>(), link)) {
         m_state.showStatus(tr("A script is running: wait for it, or stop it in the console."));
         return false;
     }
     m_link = link;
-    m_name = QString::fromStdString(settings.script.brush);
+    m_name = QString::fromStdString(settings.as<model::ScriptSettings>().brush);
     m_released.invalidate();
     model::BrushContext own = context;
     own.script = link.get();

@@ -16,6 +16,7 @@
 
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
+#include "model/describe/Field.h"
 
 /// What the parts of the Python module share.
 namespace crowd::app {
@@ -24,7 +25,6 @@ namespace py = pybind11;
 
 class ScriptSession;
 struct PythonBrush;
-struct PythonCreateSettings;
 
 /// crowdbrush.Error, with the message the editor would show.
 class ScriptError : public std::runtime_error
@@ -143,6 +143,8 @@ void refuseUnmade(const py::handle& given);
 /// Types that are classes in Python.
 template<class T>
 inline constexpr bool kIsBound = false;
+template<model::Described T>
+inline constexpr bool kIsBound<T> = true;
 template<>
 inline constexpr bool kIsBound<ScriptScene> = true;
 template<>
@@ -163,24 +165,6 @@ template<>
 inline constexpr bool kIsBound<model::StrokeOutcome> = true;
 template<>
 inline constexpr bool kIsBound<PythonBrush> = true;
-template<>
-inline constexpr bool kIsBound<model::HeadingSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::SeatGridSettings> = true;
-template<>
-inline constexpr bool kIsBound<PythonCreateSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::DeleteSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::ColourSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::OrientationSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::AnimationSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::WalkSettings> = true;
-template<>
-inline constexpr bool kIsBound<model::StyleSettings> = true;
 template<>
 inline constexpr bool kIsBound<model::BrushKind> = true;
 template<>

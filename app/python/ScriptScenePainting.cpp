@@ -131,10 +131,11 @@ Result<StrokeOutcome> ScriptScene::stroke(const ScriptStroke& stroke, const Pain
     recording.camera = camera.value();
     recording.viewSize = stroke.viewSize;
     recording.inputs = stroke.inputs;
-    if (stroke.settings.kind == BrushKind::Script) {
+    if (stroke.settings.kind() == BrushKind::Script) {
         return scriptStroke(recording, paint);
     }
-    if (stroke.settings.kind == BrushKind::Create && !stroke.settings.create.anywhere) {
+    if (stroke.settings.kind() == BrushKind::Create &&
+        !stroke.settings.as<CreateSettings>().anywhere) {
         (void)m_ground.of(*now); // takes long: not while a host waits
     }
     return onDocument([&]() -> Result<StrokeOutcome> {

@@ -65,18 +65,22 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
         if (given.kind == BrushKind::Script) {
             throw ScriptError("Give the brush itself, the object with apply(selection).");
         }
-        const auto& owners = given.creation.owners;
+        if (!given.isKnownKind()) {
+            throw ScriptError("brush.kind is none of the choices there are.");
+        }
+        const auto& owners = given.part<CreateSettings>().owners;
         if (given.kind == BrushKind::Create &&
             std::ranges::any_of(owners, [&](const auto& each) { return each.lock() != scene; })) {
-            throw ScriptError("brush.create.mix holds a template of another scene: take those of "
-                              "scene.templates, or add it here with add_template.");
+            throw ScriptError(
+                "brush.as<CreateSettings>().mix holds a template of another scene: take those of "
+                "scene.templates, or add it here with add_template.");
         }
         return given.settings();
     }
     const py::module_ module = py::module_::import("crowdbrush");
     module.attr("_check")(brush);
     BrushSettings settings = module.attr("_area_of")(brush).cast<const PythonBrush&>().settings();
-    settings.script.brush = module.attr("_known_name")(brush).cast<std::string>();
+    settings.as<ScriptSettings>().brush = module.attr("_known_name")(brush).cast<std::string>();
     return settings;
 }
 

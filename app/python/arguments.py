@@ -57,6 +57,8 @@ def _is_row(value):
 
 def _fits(kind, value):
     """Whether it may be meant; True where nobody knows."""
+    if kind == "object":
+        return True
     if kind == "None":
         return value is None
     if kind.startswith("Optional["):

@@ -97,6 +97,8 @@ class BrushKind:
     CREATE: ClassVar[BrushKind]
     DELETE: ClassVar[BrushKind]
     COLOUR: ClassVar[BrushKind]
+    SCALE: ClassVar[BrushKind]
+    MATERIAL: ClassVar[BrushKind]
     ORIENTATION: ClassVar[BrushKind]
     ANIMATION: ClassVar[BrushKind]
     WALK: ClassVar[BrushKind]
@@ -147,16 +149,16 @@ class HeadingSettings:
     def mode(self, value: Facing) -> None:
         ...
     @property
+    def towards_point(self) -> Sequence[float]:
+        """(x, y, z) in metres."""
+    @towards_point.setter
+    def towards_point(self, value: Sequence[float]) -> None:
+        ...
+    @property
     def heading(self) -> float:
         """Radians, 0 faces +Z."""
     @heading.setter
     def heading(self, value: float) -> None:
-        ...
-    @property
-    def spread(self) -> float:
-        """Radians to each side."""
-    @spread.setter
-    def spread(self, value: float) -> None:
         ...
     @property
     def turn(self) -> float:
@@ -165,10 +167,10 @@ class HeadingSettings:
     def turn(self, value: float) -> None:
         ...
     @property
-    def towards_point(self) -> Sequence[float]:
-        """World frame, metres."""
-    @towards_point.setter
-    def towards_point(self, value: Sequence[float]) -> None:
+    def spread(self) -> float:
+        """Radians to each side."""
+    @spread.setter
+    def spread(self, value: float) -> None:
         ...
 
 
@@ -203,6 +205,31 @@ class CreateSettings:
     def mix(self, value: Dict[Any, Any]) -> None:
         ...
     @property
+    def seats(self) -> SeatGridSettings:
+        ...
+    @seats.setter
+    def seats(self, value: SeatGridSettings) -> None:
+        ...
+    @property
+    def seat_percent(self) -> float:
+        """Per cent, rectangles."""
+    @seat_percent.setter
+    def seat_percent(self, value: float) -> None:
+        ...
+    @property
+    def anywhere(self) -> bool:
+        """Also on roofs, trees and wherever else nobody can walk to. False: only where people
+        can walk, which takes seconds to find on large stages."""
+    @anywhere.setter
+    def anywhere(self, value: bool) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """Persons per m², rectangles."""
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
     def minimal_distance(self) -> float:
         """Metres."""
     @minimal_distance.setter
@@ -221,10 +248,10 @@ class CreateSettings:
     def girth(self, value: Tuple[float, float]) -> None:
         ...
     @property
-    def palette(self) -> List[Sequence[int]]:
-        """List of (red, green, blue), 0–255. Assign a whole list."""
-    @palette.setter
-    def palette(self, value: List[Sequence[int]]) -> None:
+    def phase(self) -> Tuple[float, float]:
+        """(lowest, highest), 0–1 of the clip at time 0."""
+    @phase.setter
+    def phase(self, value: Tuple[float, float]) -> None:
         ...
     @property
     def palette_strength(self) -> float:
@@ -251,16 +278,10 @@ class CreateSettings:
     def varies_parts(self, value: bool) -> None:
         ...
     @property
-    def phase(self) -> Tuple[float, float]:
-        ...
-    @phase.setter
-    def phase(self, value: Tuple[float, float]) -> None:
-        ...
-    @property
-    def clips(self) -> Dict[Any, Any]:
-        """Name → weight; empty: what suits the place."""
-    @clips.setter
-    def clips(self, value: Dict[Any, Any]) -> None:
+    def palette(self) -> List[Sequence[int]]:
+        """List of (red, green, blue), 0–255. Assign a whole list."""
+    @palette.setter
+    def palette(self, value: List[Sequence[int]]) -> None:
         ...
     @property
     def facing(self) -> HeadingSettings:
@@ -269,29 +290,10 @@ class CreateSettings:
     def facing(self, value: HeadingSettings) -> None:
         ...
     @property
-    def density(self) -> float:
-        """Persons per m², rectangles."""
-    @density.setter
-    def density(self, value: float) -> None:
-        ...
-    @property
-    def seat_percent(self) -> float:
-        """Per cent, rectangles."""
-    @seat_percent.setter
-    def seat_percent(self, value: float) -> None:
-        ...
-    @property
-    def seats(self) -> SeatGridSettings:
-        ...
-    @seats.setter
-    def seats(self, value: SeatGridSettings) -> None:
-        ...
-    @property
-    def anywhere(self) -> bool:
-        """Also on roofs, trees and wherever else nobody can walk to. False: only where people
-        can walk, which takes seconds to find on large stages."""
-    @anywhere.setter
-    def anywhere(self, value: bool) -> None:
+    def clips(self) -> Dict[Any, Any]:
+        """Name → weight; empty: what suits the place."""
+    @clips.setter
+    def clips(self, value: Dict[Any, Any]) -> None:
         ...
 
 
@@ -377,7 +379,7 @@ class AnimationSettings:
         ...
     @property
     def phase(self) -> Tuple[float, float]:
-        ...
+        """(lowest, highest), 0–1 of the clip at time 0."""
     @phase.setter
     def phase(self, value: Tuple[float, float]) -> None:
         ...
@@ -389,7 +391,7 @@ class AnimationSettings:
         ...
     @property
     def speed(self) -> Tuple[float, float]:
-        ...
+        """(lowest, highest), 1 as authored."""
     @speed.setter
     def speed(self, value: Tuple[float, float]) -> None:
         ...
@@ -448,6 +450,74 @@ class StyleSettings:
         """m/s, (lowest, highest)."""
     @speed.setter
     def speed(self, value: Tuple[float, float]) -> None:
+        ...
+
+
+class ScaleSettings:
+    """Height and girth, each with a range and an operator."""
+    @property
+    def sets_height(self) -> bool:
+        ...
+    @sets_height.setter
+    def sets_height(self, value: bool) -> None:
+        ...
+    @property
+    def height(self) -> Tuple[float, float]:
+        """Scale, (lowest, highest)."""
+    @height.setter
+    def height(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def height_operator(self) -> Operator:
+        """How the values vary: lowest for all, drawn, or along the line."""
+    @height_operator.setter
+    def height_operator(self, value: Operator) -> None:
+        ...
+    @property
+    def sets_girth(self) -> bool:
+        ...
+    @sets_girth.setter
+    def sets_girth(self, value: bool) -> None:
+        ...
+    @property
+    def girth(self) -> Tuple[float, float]:
+        """Scale, (lowest, highest)."""
+    @girth.setter
+    def girth(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def girth_operator(self) -> Operator:
+        """How the values vary: lowest for all, drawn, or along the line."""
+    @girth_operator.setter
+    def girth_operator(self, value: Operator) -> None:
+        ...
+
+
+class MaterialSettings:
+    """Which of its materials a slot has."""
+    @property
+    def slot(self) -> str:
+        """By name; empty: all slots."""
+    @slot.setter
+    def slot(self, value: str) -> None:
+        ...
+    @property
+    def spares_body(self) -> bool:
+        """Of all slots, not skin, hair and face, where there is anything else."""
+    @spares_body.setter
+    def spares_body(self, value: bool) -> None:
+        ...
+    @property
+    def choice(self) -> str:
+        """By name; empty: any of the slot's, by the operator."""
+    @choice.setter
+    def choice(self, value: str) -> None:
+        ...
+    @property
+    def each_slot_apart(self) -> bool:
+        ...
+    @each_slot_apart.setter
+    def each_slot_apart(self, value: bool) -> None:
         ...
 
 
@@ -567,6 +637,18 @@ class Brush:
         ...
     @style.setter
     def style(self, value: StyleSettings) -> None:
+        ...
+    @property
+    def scale(self) -> ScaleSettings:
+        ...
+    @scale.setter
+    def scale(self, value: ScaleSettings) -> None:
+        ...
+    @property
+    def material(self) -> MaterialSettings:
+        ...
+    @material.setter
+    def material(self, value: MaterialSettings) -> None:
         ...
     @property
     def tag(self) -> int:

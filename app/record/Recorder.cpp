@@ -93,7 +93,8 @@ void Recorder::commit(const StepCommitted& step)
     m_left.reset();
     m_index = m_document.undoStack().index() + 1;
     m_script.end = m_index;
-    const bool isStroke = step.stroke != nullptr && step.stroke->settings.kind != BrushKind::Script;
+    const bool isStroke =
+        step.stroke != nullptr && step.stroke->settings.kind() != BrushKind::Script;
     if (isStroke && step.stroke->isExact) {
         add(m_script.strokes.write(*step.stroke));
     } else {

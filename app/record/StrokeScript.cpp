@@ -9,58 +9,10 @@ using namespace model;
 
 namespace {
 
-struct BrushName
+/// Of the script: "colour_brush".
+std::string variableOf(BrushKind kind)
 {
-    const char* variable;
-    const char* kind;
-};
-
-BrushName nameOf(BrushKind kind)
-{
-    switch (kind) {
-    case BrushKind::Create:
-        return {"create_brush", "CREATE"};
-    case BrushKind::Delete:
-        return {"delete_brush", "DELETE"};
-    case BrushKind::Colour:
-        return {"colour_brush", "COLOUR"};
-    case BrushKind::Orientation:
-        return {"orientation_brush", "ORIENTATION"};
-    case BrushKind::Walk:
-        return {"walk_brush", "WALK"};
-    case BrushKind::Style:
-        return {"style_brush", "STYLE"};
-    case BrushKind::Tag:
-        return {"tag_brush", "TAG"};
-    case BrushKind::Untag:
-        return {"untag_brush", "UNTAG"};
-    case BrushKind::Animation:
-    case BrushKind::Event:
-    case BrushKind::Path:
-    case BrushKind::Environment:
-    case BrushKind::Script:
-        break;
-    }
-    return {"animation_brush", "ANIMATION"};
-}
-
-std::string textOf(BrushSelection selection)
-{
-    constexpr const char* kNames[] = {"POINT", "SPRAY", "ALL_IN_CIRCLE", "RECTANGLE"};
-    return std::string("crowdbrush.Selection.") + kNames[static_cast<int>(selection)];
-}
-
-std::string textOf(BrushOperator op)
-{
-    constexpr const char* kNames[] = {"UNIFORM", "RANDOM", "GRADIENT"};
-    return std::string("crowdbrush.Operator.") + kNames[static_cast<int>(op)];
-}
-
-std::string textOf(HeadingMode mode)
-{
-    constexpr const char* kNames[] = {"DIRECTION", "RANDOM", "ALONG_STROKE", "TOWARDS_POINT",
-                                      "TOWARDS_VIEWER"};
-    return std::string("crowdbrush.Facing.") + kNames[static_cast<int>(mode)];
+    return std::string(brushType(kind).info.id) + "_brush";
 }
 
 std::string textOf(const ValueRange& range)
@@ -78,13 +30,18 @@ std::string textOf(const std::vector<int>& numbers)
     return pythonList(items, 0);
 }
 
+std::string textOf(const PaintColor& color)
+{
+    return '(' + pythonText(color[0]) + ", " + pythonText(color[1]) + ", " + pythonText(color[2]) +
+           ')';
+}
+
 std::string textOf(const std::vector<PaintColor>& colors)
 {
     std::vector<std::string> items;
     items.reserve(colors.size());
     for (const PaintColor& each : colors) {
-        items.push_back('(' + pythonText(each[0]) + ", " + pythonText(each[1]) + ", " +
-                        pythonText(each[2]) + ')');
+        items.push_back(textOf(each));
     }
     return pythonList(items, 0);
 }
@@ -123,102 +80,49 @@ std::string textOf(const std::optional<bool>& value)
     return value ? pythonText(*value) : "None";
 }
 
-template<class T>
-std::string textOf(const T& value)
+std::string textOf(const FieldInfo& field, std::int64_t value)
 {
-    return pythonText(value);
+    const auto choices = field.meta.choices;
+    if (choices.empty()) {
+        return pythonText(value);
+    }
+    const char* type = choices.data() == kSelections        ? "Selection"
+                       : choices.data() == kOperatorChoices ? "Operator"
+                                                            : "Facing";
+    return std::string("crowdbrush.") + type + '.' + choices[static_cast<std::size_t>(value)].key;
 }
 
-/// Assignments of what differs between two settings.
-class Differences
+template<class T>
+std::string textOf(const FieldInfo& /*field*/, const T& value)
 {
-public:
-    explicit Differences(std::string variable) : m_variable(std::move(variable)) {}
+    // A number would become a flag on its way to std::optional<bool>.
+    if constexpr (!std::is_arithmetic_v<T> && requires { textOf(value); }) {
+        return textOf(value);
+    } else {
+        return pythonText(value);
+    }
+}
 
-    template<class T>
-    void add(const char* attribute, const T& was, const T& now)
-    {
-        if (!(was == now)) {
-            m_text += m_variable + '.' + attribute + " = " + textOf(now) + '\n';
+/// Assignments of what differs between two objects.
+std::string differences(std::span<const FieldInfo> fields, const void* was, const void* now,
+                        const std::string& name)
+{
+    std::string text;
+    for (const FieldInfo& field : fields) {
+        const std::string attribute = name + '.' + field.meta.key;
+        if (field.isGroup()) {
+            // What is inside is only read.
+            text += differences(field.children, field.childOf(const_cast<void*>(was)),
+                                field.childOf(const_cast<void*>(now)), attribute);
+            continue;
+        }
+        const FieldValue value = field.get(now);
+        if (value != field.get(was)) {
+            text += attribute + " = " +
+                    std::visit([&](const auto& held) { return textOf(field, held); }, value) + '\n';
         }
     }
-    void addHeading(const std::string& attribute, const HeadingSettings& was,
-                    const HeadingSettings& now)
-    {
-        add((attribute + ".mode").c_str(), was.mode, now.mode);
-        add((attribute + ".heading").c_str(), was.headingRadians, now.headingRadians);
-        add((attribute + ".spread").c_str(), was.spreadRadians, now.spreadRadians);
-        add((attribute + ".turn").c_str(), was.turnRadians, now.turnRadians);
-        add((attribute + ".towards_point").c_str(), was.towardsPoint, now.towardsPoint);
-    }
-    [[nodiscard]] const std::string& text() const { return m_text; }
-
-private:
-    std::string m_variable;
-    std::string m_text;
-};
-
-void addCreation(Differences& all, const CreateSettings& was, const CreateSettings& now)
-{
-    all.add("create.mix", was.mix, now.mix);
-    all.add("create.minimal_distance", was.minimalDistance, now.minimalDistance);
-    all.add("create.height", was.height, now.height);
-    all.add("create.girth", was.girth, now.girth);
-    all.add("create.palette", was.palette, now.palette);
-    all.add("create.palette_strength", was.paletteStrength, now.paletteStrength);
-    all.add("create.varies_outfit", was.variesOutfit, now.variesOutfit);
-    all.add("create.varies_faces", was.variesFaces, now.variesFaces);
-    all.add("create.varies_parts", was.variesParts, now.variesParts);
-    all.add("create.phase", was.phase, now.phase);
-    all.add("create.clips", was.clips, now.clips);
-    all.addHeading("create.facing", was.heading, now.heading);
-    all.add("create.density", was.density, now.density);
-    all.add("create.seat_percent", was.seatPercent, now.seatPercent);
-    all.add("create.seats.is_on", was.seats.isOn, now.seats.isOn);
-    all.add("create.seats.ranks", was.seats.ranks, now.seats.ranks);
-    all.add("create.seats.wedges", was.seats.wedges, now.seats.wedges);
-    all.add("create.anywhere", was.anywhere, now.anywhere);
-}
-
-void addReach(Differences& all, const BrushSettings& was, const BrushSettings& now)
-{
-    all.add("selection", was.selection, now.selection);
-    all.add("operator", was.op, now.op);
-    all.add("radius", was.radiusPixels, now.radiusPixels);
-    all.add("rate", was.ratePerSecond, now.ratePerSecond);
-    all.add("through", was.through, now.through);
-    all.add("build_up", was.buildUp, now.buildUp);
-    all.add("flow", was.flow, now.flow);
-    all.add("pressure_size", was.pressureSize, now.pressureSize);
-    all.add("pressure_rate", was.pressureRate, now.pressureRate);
-    all.add("distribution", was.distribution, now.distribution);
-}
-
-void addChanges(Differences& all, const BrushSettings& was, const BrushSettings& now)
-{
-    all.add("removal.percent", was.removal.percent, now.removal.percent);
-    all.add("colour.slot", was.colour.slot, now.colour.slot);
-    all.add("colour.spares_body", was.colour.sparesBody, now.colour.sparesBody);
-    all.add("colour.replaces", was.colour.replaces, now.colour.replaces);
-    all.add("colour.colors", was.colour.colors, now.colour.colors);
-    all.add("colour.strength", was.colour.strength, now.colour.strength);
-    all.add("colour.blends", was.colour.blends, now.colour.blends);
-    all.add("colour.each_slot_apart", was.colour.eachSlotApart, now.colour.eachSlotApart);
-    all.addHeading("orientation.facing", was.orientation.heading, now.orientation.heading);
-    all.add("animation.clips", was.animation.clips, now.animation.clips);
-    all.add("animation.sets_phase", was.animation.setsPhase, now.animation.setsPhase);
-    all.add("animation.phase", was.animation.phase, now.animation.phase);
-    all.add("animation.sets_speed", was.animation.setsSpeed, now.animation.setsSpeed);
-    all.add("animation.speed", was.animation.speed, now.animation.speed);
-    all.add("walk.sets_path", was.walk.setsPath, now.walk.setsPath);
-    all.add("walk.path", was.walk.path, now.walk.path);
-    all.add("walk.sets_speed", was.walk.setsSpeed, now.walk.setsSpeed);
-    all.add("walk.speed", was.walk.speed, now.walk.speed);
-    all.add("style.sets_style", was.style.setsStyle, now.style.setsStyle);
-    all.add("style.clips", was.style.clips, now.style.clips);
-    all.add("style.sets_speed", was.style.setsSpeed, now.style.setsSpeed);
-    all.add("style.speed", was.style.speed, now.style.speed);
-    all.add("tag", was.tag.tag, now.tag.tag);
+    return text;
 }
 
 std::string points(const std::vector<PointerInput>& inputs)
@@ -237,26 +141,28 @@ std::string points(const std::vector<PointerInput>& inputs)
 
 std::string StrokeScript::brush(const BrushSettings& settings)
 {
-    const BrushName name = nameOf(settings.kind);
+    const BrushType& type = brushType(settings.kind());
+    const std::string variable = variableOf(settings.kind());
     std::string text;
-    const auto known = m_said.find(settings.kind);
-    BrushSettings was;
+    const auto known = m_said.find(settings.kind());
+    BrushSettings was(settings.kind());
     if (known == m_said.end()) {
-        text = std::string(name.variable) + " = crowdbrush.Brush(crowdbrush.BrushKind." +
-               name.kind + ")\n";
+        text =
+            variable + " = crowdbrush.Brush(crowdbrush.BrushKind." + type.info.scriptKind + ")\n";
         // Said whatever it is: it is what brushes of scripts and of the window begin with
         // differently.
-        was.create.anywhere =
-            settings.kind == BrushKind::Create ? !settings.create.anywhere : was.create.anywhere;
+        if (auto* create = was.find<CreateSettings>()) {
+            create->anywhere = !settings.as<CreateSettings>().anywhere;
+        }
     } else {
         was = known->second;
     }
-    Differences all(name.variable);
-    addReach(all, was, settings);
-    addCreation(all, was.create, settings.create);
-    addChanges(all, was, settings);
-    m_said[settings.kind] = settings;
-    return text + all.text();
+    const std::string section = type.info.scriptName;
+    text += differences(fieldsOf<BrushSettings>(), &was, &settings, variable);
+    text += differences(type.fields, type.settings(was), type.settings(settings),
+                        section.empty() ? variable : variable + '.' + section);
+    m_said[settings.kind()] = settings;
+    return text;
 }
 
 std::string StrokeScript::write(const RecordedStroke& stroke)
@@ -266,7 +172,7 @@ std::string StrokeScript::write(const RecordedStroke& stroke)
         m_camera = stroke.camera;
         text += "view = " + pythonText(stroke.camera) + '\n';
     }
-    return text + "scene.stroke(" + nameOf(stroke.settings.kind).variable + ", " +
+    return text + "scene.stroke(" + variableOf(stroke.settings.kind()) + ", " +
            points(stroke.inputs) + ", camera=view, size=(" + pythonText(stroke.viewSize.x) + ", " +
            pythonText(stroke.viewSize.y) + "), seed=" + pythonText(stroke.seed) + ")\n";
 }

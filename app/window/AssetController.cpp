@@ -51,9 +51,9 @@ std::string entryName(const QString& path)
 void paintWith(widgets::EditorState& state, const std::vector<model::TemplateId>& ids)
 {
     model::BrushSettings brush = state.brush(model::BrushKind::Create);
-    brush.create.mix.clear();
+    brush.as<model::CreateSettings>().mix.clear();
     for (const model::TemplateId id : ids) {
-        brush.create.mix.push_back({id, 1.0F});
+        brush.as<model::CreateSettings>().mix.push_back({id, 1.0F});
     }
     state.setBrush(brush);
 }

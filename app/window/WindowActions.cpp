@@ -282,29 +282,6 @@ constexpr const char* kEditMenu[] = {
     "undo",       "redo", "",           "delete",      "put-on-ground", "@path-of-places",
     "path-end",   "",     "select-all", "select-none", "select-invert", "",
     "preferences"};
-constexpr const char* kBrushMenu[] = {"select",
-                                      "navigate",
-                                      "",
-                                      "brush-create",
-                                      "brush-delete",
-                                      "brush-colour",
-                                      "brush-orientation",
-                                      "brush-animation",
-                                      "brush-script",
-                                      "",
-                                      "brush-path",
-                                      "brush-walk",
-                                      "brush-style",
-                                      "brush-environment",
-                                      "brush-event",
-                                      "brush-tag",
-                                      "brush-untag",
-                                      "",
-                                      "brush-larger",
-                                      "brush-smaller",
-                                      "brush-reset",
-                                      "",
-                                      "seat-grid"};
 constexpr const char* kViewMenu[] = {
     "frame-selection", "frame-all",  "",      "view-front", "view-side",
     "view-top",        "projection", "",      "camera-add", "@cameras",
@@ -317,16 +294,32 @@ constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"welcome", "keys", "about"};
 
-constexpr MenuSpec kMenus[] = {
-    {QT_TRANSLATE_NOOP("Menus", "&File"), kFileMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Edit"), kEditMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Brush"), kBrushMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&View"), kViewMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Script"), kScriptMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Window"), kWindowMenu},
-    {QT_TRANSLATE_NOOP("Menus", "&Help"), kHelpMenu},
-};
+/// Brushes that change how people look and what they do come before those that say where they go.
+constexpr int kFirstWalkingBrush = 80;
+
+void appendBrushes(std::vector<const char*>& ids, bool isWalking)
+{
+    for (const model::BrushKind kind : model::shownBrushes()) {
+        const bool isLate = model::brushType(kind).info.order >= kFirstWalkingBrush;
+        if (isLate == isWalking && kind != model::BrushKind::Script) {
+            ids.push_back(widgets::toolInfo(widgets::toolOf(kind)).stableId);
+        }
+    }
+}
+
+std::span<const char* const> brushMenu()
+{
+    static const std::vector<const char*> kIds = [] {
+        std::vector<const char*> ids{"select", "navigate", ""};
+        appendBrushes(ids, false);
+        ids.insert(ids.end(), {"brush-script", ""});
+        appendBrushes(ids, true);
+        ids.insert(ids.end(),
+                   {"", "brush-larger", "brush-smaller", "brush-reset", "", "seat-grid"});
+        return ids;
+    }();
+    return kIds;
+}
 
 struct Submenu
 {
@@ -343,82 +336,27 @@ constexpr Submenu kSubmenus[] = {
     {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 
-constexpr const char* kToolBar[] = {"new-theatre",
-                                    "open",
-                                    "save",
-                                    "",
-                                    "undo",
-                                    "redo",
-                                    "",
-                                    "select",
-                                    "navigate",
-                                    "brush-create",
-                                    "brush-delete",
-                                    "brush-colour",
-                                    "brush-orientation",
-                                    "brush-animation",
-                                    "brush-path",
-                                    "brush-walk",
-                                    "brush-style",
-                                    "brush-environment",
-                                    "brush-event",
-                                    "brush-tag",
-                                    "brush-untag",
-                                    "",
-                                    "seat-grid",
-                                    "ground-grid",
-                                    "look-lit",
-                                    "frame-all",
-                                    "",
-                                    "stop",
-                                    "play",
-                                    "step",
-                                    "keep-pose"};
+constexpr const char* kToolBarHead[] = {"new-theatre", "open", "save",   "",        "undo",
+                                        "redo",        "",     "select", "navigate"};
+constexpr const char* kToolBarTail[] = {"", "seat-grid", "ground-grid", "look-lit", "frame-all",
+                                        "", "stop",      "play",        "step",     "keep-pose"};
+
+void addTool(MainWindow& window, widgets::ToolId id, const char* text, const char* tip)
+{
+    const widgets::ToolInfo& info = widgets::toolInfo(id);
+    window.actions().add({info.stableId, text, info.stableId, info.shortcut, tip, true},
+                         [&window, id](bool) { window.state().setTool(id); });
+}
 
 void addTools(MainWindow& window)
 {
-    static constexpr const char* kTips[] = {
-        QT_TRANSLATE_NOOP("Actions", "Select characters, move them, delete them"),
-        QT_TRANSLATE_NOOP("Actions", "Turn, shift and zoom the view"),
-        QT_TRANSLATE_NOOP("Actions", "Spray new characters into the scene"),
-        QT_TRANSLATE_NOOP("Actions", "Spray characters away"),
-        QT_TRANSLATE_NOOP("Actions", "Recolour the characters under the brush"),
-        QT_TRANSLATE_NOOP("Actions", "Turn the characters under the brush"),
-        QT_TRANSLATE_NOOP("Actions", "Give the characters under the brush another animation"),
-        QT_TRANSLATE_NOOP("Actions", "Paint places on the ground that make a path"),
-        QT_TRANSLATE_NOOP("Actions", "Let the characters under the brush walk along a path"),
-        QT_TRANSLATE_NOOP("Actions", "Set with which clip and how fast characters walk"),
-        QT_TRANSLATE_NOOP("Actions",
-                          "Paint obstacles, attractors, exits, slow, forbidden and liked ground"),
-        QT_TRANSLATE_NOOP("Actions", "Let an event happen to the characters under the brush"),
-        QT_TRANSLATE_NOOP("Actions", "Tag the characters under the brush, for rules to ask for"),
-        QT_TRANSLATE_NOOP("Actions", "Take a tag off the characters under the brush"),
-        QT_TRANSLATE_NOOP("Actions", "Paint with a brush that a script brought along"),
-    };
-    static const char* const kTexts[] = {
-        QT_TRANSLATE_NOOP("Actions", "&Select"),
-        QT_TRANSLATE_NOOP("Actions", "&Navigate"),
-        QT_TRANSLATE_NOOP("Actions", "&Create"),
-        QT_TRANSLATE_NOOP("Actions", "&Delete"),
-        QT_TRANSLATE_NOOP("Actions", "C&olour"),
-        QT_TRANSLATE_NOOP("Actions", "O&rientation"),
-        QT_TRANSLATE_NOOP("Actions", "&Animation"),
-        QT_TRANSLATE_NOOP("Actions", "&Path"),
-        QT_TRANSLATE_NOOP("Actions", "&Walk"),
-        QT_TRANSLATE_NOOP("Actions", "Walking St&yle"),
-        QT_TRANSLATE_NOOP("Actions", "En&vironment"),
-        QT_TRANSLATE_NOOP("Actions", "&Event"),
-        QT_TRANSLATE_NOOP("Actions", "&Tag"),
-        QT_TRANSLATE_NOOP("Actions", "&Untag"),
-        QT_TRANSLATE_NOOP("Actions", "Scr&ipt"),
-    };
-    std::size_t i = 0;
-    for (const widgets::ToolInfo& info : widgets::toolTable()) {
-        const widgets::ToolId id = info.id;
-        window.actions().add(
-            {info.stableId, kTexts[i], info.stableId, info.shortcut, kTips[i], true},
-            [&window, id](bool) { window.state().setTool(id); });
-        ++i;
+    addTool(window, widgets::ToolId::Select, QT_TRANSLATE_NOOP("Actions", "&Select"),
+            QT_TRANSLATE_NOOP("Actions", "Select characters, move them, delete them"));
+    addTool(window, widgets::ToolId::Navigate, QT_TRANSLATE_NOOP("Actions", "&Navigate"),
+            QT_TRANSLATE_NOOP("Actions", "Turn, shift and zoom the view"));
+    for (const model::BrushKind kind : model::shownBrushes()) {
+        const model::BrushInfo& info = model::brushType(kind).info;
+        addTool(window, widgets::toolOf(kind), info.menu, info.tip);
     }
 }
 
@@ -445,6 +383,16 @@ void addWindowActions(MainWindow& window)
 
 std::span<const MenuSpec> menuTable()
 {
+    static const MenuSpec kMenus[] = {
+        {QT_TRANSLATE_NOOP("Menus", "&File"), kFileMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Edit"), kEditMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Brush"), brushMenu()},
+        {QT_TRANSLATE_NOOP("Menus", "&View"), kViewMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Script"), kScriptMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Window"), kWindowMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Help"), kHelpMenu},
+    };
     return kMenus;
 }
 
@@ -455,7 +403,14 @@ const char* submenuTitle(std::string_view id)
 
 std::span<const char* const> toolBarTable()
 {
-    return kToolBar;
+    static const std::vector<const char*> kIds = [] {
+        std::vector<const char*> ids(std::begin(kToolBarHead), std::end(kToolBarHead));
+        appendBrushes(ids, false);
+        appendBrushes(ids, true);
+        ids.insert(ids.end(), std::begin(kToolBarTail), std::end(kToolBarTail));
+        return ids;
+    }();
+    return kIds;
 }
 
 } // namespace crowd::app

@@ -3,57 +3,251 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "model/brush/ColumnWriting.h"
+#include "model/brush/PropertyChange.h"
 
 namespace crowd::model {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-bool followsSomething(HeadingMode mode)
+/// Those of a kind that say nothing of their own have one number in common: the spray's rate.
+template<class Settings>
+BrushType typeOf()
 {
-    return mode != HeadingMode::Direction && mode != HeadingMode::Random;
-}
-
-bool isAmong(const std::vector<int>& chosen, int number)
-{
-    return chosen.empty() || std::ranges::find(chosen, number) != chosen.end();
-}
-
-MainNumber numberOfCreation(const BrushSettings& settings)
-{
-    if (settings.create.seats.isOn) {
-        return {MainQuantity::SeatPercent, settings.create.seatPercent, 0.0, 100.0, 5.0, 0};
+    BrushType type{Settings::kInfo,
+                   fieldsOf<Settings>(),
+                   typeid(Settings),
+                   [] { return BrushChange(Settings()); },
+                   [](BrushSettings& brush) { brush.selection = BrushSelection::AllInCircle; },
+                   nullptr,
+                   &rateOf,
+                   [](BrushSettings& brush, float value) { brush.ratePerSecond = value; },
+                   [](const BrushSettings& brush) { return operatorInfo(brush.op).followsLine; },
+                   [](const BrushSettings& brush) -> const void* { return &brush.as<Settings>(); },
+                   [](BrushSettings& brush) -> void* { return &brush.as<Settings>(); }};
+    if constexpr (requires(BrushSettings & brush) { Settings::prepare(brush); }) {
+        type.prepare = [](BrushSettings& brush) { Settings::prepare(brush); };
     }
-    if (settings.selection == BrushSelection::Point) {
-        return {MainQuantity::Distance, settings.create.minimalDistance, 0.1, 10.0, 0.1, 2};
+    if constexpr (requires { Settings::columnRanges(); }) {
+        type.change = [](const ChangeRequest& request) {
+            return changeRanges(request, request.settings.as<Settings>());
+        };
+        type.followsLine = [](const BrushSettings& brush) {
+            const auto& settings = brush.as<Settings>();
+            return std::ranges::any_of(Settings::columnRanges(), [&](const auto& range) {
+                return settings.*range.isOn && operatorInfo(settings.*range.op).followsLine;
+            });
+        };
+    } else if constexpr (requires(const ChangeRequest& request) { Settings::change(request); }) {
+        type.change = [](const ChangeRequest& request) { return Settings::change(request); };
     }
-    return {MainQuantity::Density, settings.create.density, 0.05, 6.0, 0.25, 2};
+    if constexpr (requires(BrushSettings & brush) { Settings::mainNumber(brush); }) {
+        type.mainNumber = [](const BrushSettings& brush) { return Settings::mainNumber(brush); };
+        type.setMainNumber = [](BrushSettings& brush, float value) {
+            Settings::setMainNumber(brush, value);
+        };
+    }
+    return type;
 }
 
-MainNumber numberOfOrientation(const HeadingSettings& heading)
+const BrushInfo& infoOf(const BrushSettings& brush)
 {
-    const bool isTurn = followsSomething(heading.mode);
-    return {isTurn ? MainQuantity::Turn : MainQuantity::Heading,
-            (isTurn ? heading.turnRadians : heading.headingRadians) * kDegrees,
-            -180.0,
-            180.0,
+    return brushType(brush.kind()).info;
+}
+
+/// Whether dabs are applied one by one.
+bool isDabbed(const BrushSettings& brush)
+{
+    return brush.selection != BrushSelection::Rectangle && !brush.followsLine();
+}
+
+template<class Brush>
+auto headingIn(Brush& brush) -> decltype(brush.heading())
+{
+    if (auto* create = brush.template find<CreateSettings>()) {
+        return &create->heading;
+    }
+    auto* orientation = brush.template find<OrientationSettings>();
+    return orientation != nullptr ? &orientation->heading : nullptr;
+}
+
+template<class Brush>
+auto placeIn(Brush& brush) -> decltype(brush.place())
+{
+    if (auto* path = brush.template find<PathSettings>()) {
+        return path;
+    }
+    return brush.template find<EnvironmentSettings>();
+}
+
+} // namespace
+
+BrushSettings::BrushSettings(BrushKind kind) : change(brushType(kind).make()) {}
+
+void BrushSettings::setKind(BrushKind kind)
+{
+    if (kind != this->kind()) {
+        change = brushType(kind).make();
+    }
+}
+
+HeadingSettings* BrushSettings::heading()
+{
+    return headingIn(*this);
+}
+
+const HeadingSettings* BrushSettings::heading() const
+{
+    return headingIn(*this);
+}
+
+PlaceSettings* BrushSettings::place()
+{
+    return placeIn(*this);
+}
+
+const PlaceSettings* BrushSettings::place() const
+{
+    return placeIn(*this);
+}
+
+const TagSettings* BrushSettings::tag() const
+{
+    if (const auto* given = find<TagSettings>()) {
+        return given;
+    }
+    return find<UntagSettings>();
+}
+
+MainNumber BrushSettings::mainNumber() const
+{
+    return brushType(kind()).mainNumber(*this);
+}
+
+BrushSettings BrushSettings::withMainNumber(double value) const
+{
+    BrushSettings changed = *this;
+    const MainNumber number = mainNumber();
+    // Turning on past the back comes out at the other side.
+    const double kept = number.isCyclic ? std::remainder(value, number.high - number.low)
+                                        : std::clamp(value, number.low, number.high);
+    brushType(kind()).setMainNumber(changed, static_cast<float>(kept));
+    return changed;
+}
+
+BrushSettings BrushSettings::resized(float deltaPixels) const
+{
+    BrushSettings changed = *this;
+    changed.radiusPixels =
+        std::clamp(radiusPixels + deltaPixels, kMinRadiusPixels, kMaxRadiusPixels);
+    return changed;
+}
+
+bool BrushSettings::followsLine() const
+{
+    return brushType(kind()).followsLine(*this);
+}
+
+bool BrushSettings::isReevaluated() const
+{
+    const bool asksLine = followsLine() && infoOf(*this).family == StrokeFamily::People &&
+                          !find<DeleteSettings>() && !find<EventSettings>();
+    return selection == BrushSelection::Rectangle || asksLine;
+}
+
+std::span<const BrushType> brushTypes()
+{
+#define CROWD_BRUSH_TYPE(name, settings) typeOf<settings>(),
+    static const std::array<BrushType, kBrushCount> kTypes{CROWD_BRUSHES(CROWD_BRUSH_TYPE)};
+#undef CROWD_BRUSH_TYPE
+    return kTypes;
+}
+
+const BrushType& brushType(BrushKind kind)
+{
+    assert(static_cast<std::size_t>(kind) < kBrushCount);
+    return brushTypes()[static_cast<std::size_t>(kind)];
+}
+
+std::span<const BrushKind> shownBrushes()
+{
+    static const auto kShown = [] {
+        std::array<BrushKind, kBrushCount> kinds{};
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            kinds[i] = static_cast<BrushKind>(i);
+        }
+        std::ranges::stable_sort(kinds, {},
+                                 [](BrushKind kind) { return brushType(kind).info.order; });
+        return kinds;
+    }();
+    return kShown;
+}
+
+BrushSettings initialBrush(BrushKind kind)
+{
+    BrushSettings brush(kind);
+    brushType(kind).prepare(brush);
+    return brush;
+}
+
+MainNumber rateOf(const BrushSettings& brush)
+{
+    return {QT_TRANSLATE_NOOP("BrushTexts", "Rate, a second"),
+            QT_TRANSLATE_NOOP("BrushTexts", "Rate: %1 a second"),
+            brush.ratePerSecond,
+            1.0,
+            500.0,
             5.0,
             0};
 }
 
-/// The range from another lowest speed on, as wide as before where that can be walked.
 ValueRange movedTo(float low, const ValueRange& range)
 {
     return {low, std::min(kMaxWalkingSpeed, std::max(low, low + range.high - range.low))};
 }
 
-} // namespace
-
-bool SeatGridSettings::allows(int rank, int wedge) const
+bool hasReach(const BrushSettings& brush)
 {
-    return isAmong(ranks, rank) && isAmong(wedges, wedge);
+    return infoOf(brush).family == StrokeFamily::People;
+}
+
+bool canBuildUp(const BrushSettings& brush)
+{
+    return infoOf(brush).buildsUp && isDabbed(brush);
+}
+
+bool canFlow(const BrushSettings& brush)
+{
+    return infoOf(brush).flows && isDabbed(brush);
+}
+
+bool fillsArea(const FieldContext& context)
+{
+    return context.brush != nullptr && (context.brush->selection == BrushSelection::AllInCircle ||
+                                        context.brush->selection == BrushSelection::Rectangle);
+}
+
+bool takesShare(const FieldContext& context)
+{
+    return context.brush != nullptr && context.brush->takesShare();
+}
+
+bool isDrawn(const FieldContext& context)
+{
+    return context.brush != nullptr && operatorInfo(context.brush->op).usesDistribution;
+}
+
+bool isGradient(const FieldContext& context)
+{
+    return context.brush != nullptr && operatorInfo(context.brush->op).followsLine;
+}
+
+bool spreads(const HeadingSettings& heading, const FieldContext& context)
+{
+    const bool isTurned = context.brush != nullptr && isDrawn(context) &&
+                          context.brush->find<OrientationSettings>() != nullptr;
+    return heading.mode == HeadingMode::Random || isTurned;
 }
 
 double DistributionCurve::sample(double u) const
@@ -74,117 +268,6 @@ double DistributionCurve::sample(double u) const
         left -= weight;
     }
     return 1.0;
-}
-
-MainNumber BrushSettings::mainNumber() const
-{
-    switch (kind) {
-    case BrushKind::Create:
-        if (takesShare()) {
-            return numberOfCreation(*this);
-        }
-        break;
-    case BrushKind::Delete:
-        if (takesShare()) {
-            return {MainQuantity::DeletePercent, removal.percent, 5.0, 100.0, 5.0, 0};
-        }
-        break;
-    case BrushKind::Colour:
-        return {MainQuantity::Strength, colour.strength * 100.0, 0.0, 100.0, 5.0, 0};
-    case BrushKind::Orientation:
-        return numberOfOrientation(orientation.heading);
-    case BrushKind::Animation:
-        return {MainQuantity::Speed, animation.speed.low, 0.0, 4.0, 0.1, 1};
-    case BrushKind::Walk:
-        return {MainQuantity::WalkSpeed, walk.speed.low, 0.0, kMaxWalkingSpeed, 0.1, 1};
-    case BrushKind::Style:
-        return {MainQuantity::WalkSpeed, style.speed.low, 0.0, kMaxWalkingSpeed, 0.1, 1};
-    case BrushKind::Tag:
-    case BrushKind::Untag:
-        return {MainQuantity::Tag, tag.tag + 1.0, 1.0, kTagCount, 1.0, 0};
-    case BrushKind::Event:
-        return {MainQuantity::Payload, event.payload, -1000.0, 1000.0, 0.1, 1};
-    case BrushKind::Path:
-    case BrushKind::Environment:
-        return {MainQuantity::PlaceRadius,
-                place.radiusMetres,
-                kMinPlaceRadius,
-                kMaxPlaceRadius,
-                0.25,
-                2};
-    case BrushKind::Script:
-        break;
-    }
-    return {MainQuantity::Rate, ratePerSecond, 1.0, 500.0, 5.0, 0};
-}
-
-BrushSettings BrushSettings::withMainNumber(double value) const
-{
-    BrushSettings changed = *this;
-    const MainNumber number = mainNumber();
-    const auto kept = static_cast<float>(std::clamp(value, number.low, number.high));
-    switch (number.quantity) {
-    case MainQuantity::Density:
-        changed.create.density = kept;
-        break;
-    case MainQuantity::SeatPercent:
-        changed.create.seatPercent = kept;
-        break;
-    case MainQuantity::Distance:
-        changed.create.minimalDistance = kept;
-        break;
-    case MainQuantity::Rate:
-        changed.ratePerSecond = kept;
-        break;
-    case MainQuantity::DeletePercent:
-        changed.removal.percent = kept;
-        break;
-    case MainQuantity::Strength:
-        changed.colour.strength = kept / 100.0F;
-        break;
-    case MainQuantity::Heading:
-        // Turning on past the back comes out at the other side.
-        changed.orientation.heading.headingRadians =
-            static_cast<float>(std::remainder(value, 360.0) / kDegrees);
-        break;
-    case MainQuantity::Turn:
-        changed.orientation.heading.turnRadians =
-            static_cast<float>(std::remainder(value, 360.0) / kDegrees);
-        break;
-    case MainQuantity::Speed:
-        changed.animation.speed.high =
-            std::max(kept, kept + animation.speed.high - animation.speed.low);
-        changed.animation.speed.low = kept;
-        changed.animation.setsSpeed = true;
-        break;
-    case MainQuantity::WalkSpeed:
-        if (kind == BrushKind::Style) {
-            changed.style.speed = movedTo(kept, style.speed);
-            changed.style.setsSpeed = true;
-        } else {
-            changed.walk.speed = movedTo(kept, walk.speed);
-            changed.walk.setsSpeed = true;
-        }
-        break;
-    case MainQuantity::Tag:
-        changed.tag.tag = static_cast<std::uint8_t>(std::lround(kept) - 1);
-        break;
-    case MainQuantity::Payload:
-        changed.event.payload = kept;
-        break;
-    case MainQuantity::PlaceRadius:
-        changed.place.radiusMetres = kept;
-        break;
-    }
-    return changed;
-}
-
-BrushSettings BrushSettings::resized(float deltaPixels) const
-{
-    BrushSettings changed = *this;
-    changed.radiusPixels =
-        std::clamp(radiusPixels + deltaPixels, kMinRadiusPixels, kMaxRadiusPixels);
-    return changed;
 }
 
 } // namespace crowd::model

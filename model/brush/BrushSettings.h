@@ -1,225 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
+#include <cassert>
+#include <span>
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
-#include "model/base/Values.h"
-#include "model/population/Columns.h"
-#include "model/scene/Path.h"
-#include "model/scene/Rule.h"
+#include "model/brush/Brushes.h"
+#include "model/brush/operators/Operators.h"
 
 /// What a brush is set to: plain values, compared and copied freely, kept in preferences and in
 /// recorded strokes. Metres, radians, seconds, logical pixels; colours sRGB.
 namespace crowd::model {
 
-enum class BrushKind : std::uint8_t {
-    Create,
-    Delete,
-    Colour,
-    Orientation,
-    Animation,
-    Walk, ///< which path people follow, and how fast
-    Tag,
-    Untag,
-    Event,       ///< speaks to the running session, never to the document
-    Path,        ///< adds places to a path; no stroke over people
-    Environment, ///< adds places that act by themselves; no stroke over people
-    Script,      ///< what it changes, a script says
-    Style        ///< with which clip and how fast people walk
-};
 enum class BrushSelection : std::uint8_t {
     Point,       ///< what is under the cursor
     Spray,       ///< random points of a circle, so many a second
     AllInCircle, ///< everything in a circle
     Rectangle    ///< everything between press and release
 };
-enum class BrushOperator : std::uint8_t { Uniform, Random, Gradient };
 
-/// Which way the created or the turned ones face. A seat's heading always wins at creation.
-enum class HeadingMode : std::uint8_t {
-    Direction,    ///< headingRadians
-    Random,       ///< headingRadians ± spreadRadians, by the distribution
-    AlongStroke,  ///< the way the pointer goes, on the ground
-    TowardsPoint, ///< towardsPoint
-    TowardsViewer ///< the camera
-};
-
-struct HeadingSettings
-{
-    HeadingMode mode = HeadingMode::Direction;
-    float headingRadians = 0.0F;
-    float spreadRadians = 3.14159265F; ///< to each side
-    glm::vec3 towardsPoint{0.0F};
-    /// Added where the heading follows something else (stroke, point, viewer): π faces away.
-    float turnRadians = 0.0F;
-    friend bool operator==(const HeadingSettings&, const HeadingSettings&) = default;
-};
-
-struct SeatGridSettings
-{
-    bool isOn = true;
-    std::vector<int> ranks;  ///< ascending; empty: all
-    std::vector<int> wedges; ///< ascending; empty: all
-    [[nodiscard]] bool allows(int rank, int wedge) const;
-    [[nodiscard]] bool isLimited() const { return !ranks.empty() || !wedges.empty(); }
-    friend bool operator==(const SeatGridSettings&, const SeatGridSettings&) = default;
-};
-
-struct CreateSettings
-{
-    std::vector<TemplateWeight> mix;
-    float minimalDistance = 0.6F;    ///< metres between foot points, also to those already there
-    ValueRange height{0.95F, 1.05F}; ///< scale
-    ValueRange girth{0.95F, 1.05F};  ///< scale
-    std::vector<PaintColor> palette; ///< tints of clothes; empty: none
-    float paletteStrength = 1.0F;    ///< 0..1
-    bool variesOutfit = true;        ///< any material of each slot, else the first
-    /// Any skin, hair and face; unset: as variesOutfit.
-    std::optional<bool> variesFaces;
-    bool variesParts = false; ///< each part worn or not, else as the template has them
-    ValueRange phase{0.0F, 1.0F};
-    std::vector<ClipWeight> clips; ///< empty: the template's default, seated on a seat
-    HeadingSettings heading{HeadingMode::Random};
-    float density = 1.0F;       ///< persons per m², filling areas without seat grid
-    float seatPercent = 100.0F; ///< share of the free seats, filling areas with seat grid
-    SeatGridSettings seats;
-    /// Also on roofs, crowns of trees and wherever else nobody can walk to. Strokes of before there
-    /// was a choice say nothing of it.
-    bool anywhere = true;
-    friend bool operator==(const CreateSettings&, const CreateSettings&) = default;
-};
-
-struct DeleteSettings
-{
-    float percent = 100.0F; ///< of those in the area, for thinning out; a spray takes whom it hits
-    friend bool operator==(const DeleteSettings&, const DeleteSettings&) = default;
-};
-
-struct ColourSettings
-{
-    std::string slot;        ///< by name; empty: all tintable slots
-    bool sparesBody = false; ///< of all, not skin, hair and face, where there is anything else
-    /// The colour as it was chosen, whatever the material's; else it multiplies that one.
-    bool replaces = false;
-    /// Uniform takes the first; Random one of them, or between them with `blends`; Gradient runs
-    /// through them from first to last. Never empty.
-    std::vector<PaintColor> colors{{214, 64, 48}, {48, 96, 214}};
-    float strength = 1.0F; ///< 0..1
-    bool blends = false;
-    bool eachSlotApart = false; ///< Random: another draw for each slot
-    friend bool operator==(const ColourSettings&, const ColourSettings&) = default;
-};
-
-struct OrientationSettings
-{
-    HeadingSettings heading{HeadingMode::AlongStroke};
-    friend bool operator==(const OrientationSettings&, const OrientationSettings&) = default;
-};
-
-struct AnimationSettings
-{
-    std::vector<ClipWeight> clips; ///< empty: the clip stays
-    bool setsPhase = true;
-    ValueRange phase{0.0F, 1.0F}; ///< Uniform takes low; Gradient runs from low to high
-    bool setsSpeed = false;
-    ValueRange speed{1.0F, 1.0F};
-    friend bool operator==(const AnimationSettings&, const AnimationSettings&) = default;
-};
-
-struct WalkSettings
-{
-    bool setsPath = true;
-    PathId path = 0; ///< 0: follow none; kNearestPath: the one that each is nearest to
-    bool setsSpeed = true;
-    ValueRange speed{1.1F, 1.5F}; ///< m/s
-    friend bool operator==(const WalkSettings&, const WalkSettings&) = default;
-};
-
-struct StyleSettings
-{
-    bool setsStyle = true;
-    std::vector<ClipWeight> clips; ///< to walk with; empty: the one that fits the speed
-    bool setsSpeed = true;
-    ValueRange speed{1.1F, 1.5F}; ///< m/s
-    friend bool operator==(const StyleSettings&, const StyleSettings&) = default;
-};
-
-struct TagSettings
-{
-    std::uint8_t tag = 0; ///< bit
-    friend bool operator==(const TagSettings&, const TagSettings&) = default;
-};
-
-struct EventSettings
-{
-    std::string name = "cheer";
-    float payload = 2.5F;
-    friend bool operator==(const EventSettings&, const EventSettings&) = default;
-};
-
-/// Of the brushes that add places.
-struct PlaceSettings
-{
-    float radiusMetres = 1.5F;
-    PathKind kind = PathKind::Simple;     ///< of new paths
-    PlaceRole role = PlaceRole::Obstacle; ///< of the environment brush
-    bool anywhere = true;                 ///< also where nobody can walk to
-    friend bool operator==(const PlaceSettings&, const PlaceSettings&) = default;
-};
-
-/// A setting that a script brush brings along.
-struct ScriptValue
-{
-    std::string name;
-    std::variant<bool, std::int64_t, double, std::string, PaintColor> value;
-    friend bool operator==(const ScriptValue&, const ScriptValue&) = default;
-};
-
-struct ScriptSettings
-{
-    std::string brush; ///< the name it was registered by
-    std::vector<ScriptValue> values;
-    friend bool operator==(const ScriptSettings&, const ScriptSettings&) = default;
-};
-
-/// The number that + and - change, and what it is.
-enum class MainQuantity : std::uint8_t {
-    Density,       ///< create in an area without seat grid: persons per m²
-    SeatPercent,   ///< create in an area on seats
-    Distance,      ///< create at points without seat grid: metres
-    Rate,          ///< sprays that create or delete: points a second
-    DeletePercent, ///< delete in an area
-    Strength,      ///< colour: per cent
-    Heading,       ///< orientation: degrees
-    Turn,          ///< orientation by something else: degrees from it
-    Speed,         ///< animation: playback speed
-    WalkSpeed,     ///< walk and style: m/s
-    Tag,           ///< tag and untag: which
-    Payload,       ///< event: the number that goes with it
-    PlaceRadius    ///< path and environment: metres
-};
-
-struct MainNumber
-{
-    MainQuantity quantity;
-    double value;
-    double low;
-    double high;
-    double step;
-    int decimals;
-};
+inline constexpr float kMinRadiusPixels = 1.0F;
+inline constexpr float kMaxRadiusPixels = 1000.0F;
 
 struct BrushSettings
 {
-    BrushKind kind = BrushKind::Create;
+    BrushChange change; ///< which brush it is, and what it alone is set to
     BrushSelection selection = BrushSelection::Spray;
     BrushOperator op = BrushOperator::Uniform;
     float radiusPixels = 40.0F;
@@ -231,17 +35,51 @@ struct BrushSettings
     bool pressureRate = false;   ///< pressure scales the spray's rate
     DistributionCurve distribution;
 
-    CreateSettings create;
-    DeleteSettings removal;
-    ColourSettings colour;
-    OrientationSettings orientation;
-    AnimationSettings animation;
-    WalkSettings walk;
-    TagSettings tag;
-    EventSettings event;
-    PlaceSettings place;
-    ScriptSettings script;
-    StyleSettings style;
+    BrushSettings() = default;
+    /// A brush of a kind, set as its settings say.
+    explicit BrushSettings(BrushKind kind);
+    template<class Settings>
+    explicit BrushSettings(
+        Settings settings) requires std::is_constructible_v<BrushChange, Settings>
+        : change(std::move(settings))
+    {
+    }
+
+    [[nodiscard]] BrushKind kind() const { return static_cast<BrushKind>(change.index()); }
+    /// Another kind of brush with the same area; its own settings are new.
+    void setKind(BrushKind kind);
+    /// Settings of the kind that it is; any other is the caller's mistake.
+    template<class Settings>
+    [[nodiscard]] Settings& as()
+    {
+        assert(std::holds_alternative<Settings>(change));
+        return *std::get_if<Settings>(&change);
+    }
+    template<class Settings>
+    [[nodiscard]] const Settings& as() const
+    {
+        assert(std::holds_alternative<Settings>(change));
+        return *std::get_if<Settings>(&change);
+    }
+    /// Null where it is another kind.
+    template<class Settings>
+    [[nodiscard]] Settings* find()
+    {
+        return std::get_if<Settings>(&change);
+    }
+    template<class Settings>
+    [[nodiscard]] const Settings* find() const
+    {
+        return std::get_if<Settings>(&change);
+    }
+    /// The heading that it sets; null where it sets none.
+    [[nodiscard]] HeadingSettings* heading();
+    [[nodiscard]] const HeadingSettings* heading() const;
+    /// Where it adds places; null where it paints on people.
+    [[nodiscard]] PlaceSettings* place();
+    [[nodiscard]] const PlaceSettings* place() const;
+    /// The tag that it gives or takes; null where it does neither.
+    [[nodiscard]] const TagSettings* tag() const;
 
     [[nodiscard]] MainNumber mainNumber() const;
     /// The same brush with another main number, kept within its limits.
@@ -255,23 +93,147 @@ struct BrushSettings
                (selection == BrushSelection::Spray || selection == BrushSelection::AllInCircle);
     }
     /// Whether it sets places on the ground instead of painting on people.
-    [[nodiscard]] bool addsPlaces() const
-    {
-        return kind == BrushKind::Path || kind == BrushKind::Environment;
-    }
+    [[nodiscard]] bool addsPlaces() const { return place() != nullptr; }
     /// Whether a share of what is inside is meant, not so much a second.
     [[nodiscard]] bool takesShare() const { return selection != BrushSelection::Spray; }
+    /// Whether values run along the line from press to current.
+    [[nodiscard]] bool followsLine() const;
     /// Whether a stroke is re-evaluated from press to current until release.
-    [[nodiscard]] bool isReevaluated() const
-    {
-        return selection == BrushSelection::Rectangle ||
-               (op == BrushOperator::Gradient && kind != BrushKind::Create &&
-                kind != BrushKind::Delete && kind != BrushKind::Event);
-    }
+    [[nodiscard]] bool isReevaluated() const;
+
+    /// What all brushes can be set to: area, reach, operator.
+    static constexpr auto fields();
     friend bool operator==(const BrushSettings&, const BrushSettings&) = default;
 };
 
-inline constexpr float kMinRadiusPixels = 1.0F;
-inline constexpr float kMaxRadiusPixels = 1000.0F;
+struct ChangeRequest;
+struct ChangeResult;
+
+/// What there is to know of a kind of brush, without its type.
+struct BrushType
+{
+    const BrushInfo& info;
+    std::span<const FieldInfo> fields; ///< of the settings, which BrushChange holds
+    std::type_index settingsType;
+    BrushChange (*make)();
+    /// Sets it as it is when the editor starts.
+    void (*prepare)(BrushSettings&);
+    /// Null: it changes no properties by itself (creation, deletion, events, places, scripts).
+    ChangeResult (*change)(const ChangeRequest&);
+    MainNumber (*mainNumber)(const BrushSettings&);
+    void (*setMainNumber)(BrushSettings&, float);  ///< of the value as shown, within its limits
+    bool (*followsLine)(const BrushSettings&);     ///< whether an operator of it does
+    const void* (*settings)(const BrushSettings&); ///< what the fields are of
+    void* (*editable)(BrushSettings&);
+};
+
+/// By BrushKind.
+[[nodiscard]] std::span<const BrushType> brushTypes();
+[[nodiscard]] const BrushType& brushType(BrushKind kind);
+/// All kinds in the order in which they are shown.
+[[nodiscard]] std::span<const BrushKind> shownBrushes();
+/// How a brush is set when the editor starts.
+[[nodiscard]] BrushSettings initialBrush(BrushKind kind);
+
+inline constexpr FieldChoice kSelections[] = {
+    {"POINT", QT_TRANSLATE_NOOP("Fields", "Point")},
+    {"SPRAY", QT_TRANSLATE_NOOP("Fields", "Spray")},
+    {"ALL_IN_CIRCLE", QT_TRANSLATE_NOOP("Fields", "All in the circle")},
+    {"RECTANGLE", QT_TRANSLATE_NOOP("Fields", "Rectangle")}};
+
+/// The main number of sprays and of brushes without one of their own.
+[[nodiscard]] MainNumber rateOf(const BrushSettings& brush);
+/// A range from another lowest speed on, as wide as before where that can be walked; m/s.
+[[nodiscard]] ValueRange movedTo(float low, const ValueRange& range);
+
+/// Which of the brush's common fields a form of its kind has.
+[[nodiscard]] bool hasReach(const BrushSettings& brush);
+[[nodiscard]] bool canBuildUp(const BrushSettings& brush);
+[[nodiscard]] bool canFlow(const BrushSettings& brush);
+
+constexpr auto BrushSettings::fields()
+{
+    using S = BrushSettings;
+    using C = FieldContext;
+    const auto withCircle = [](const S& s, const C&) { return s.hasCircle(); };
+    const auto spraying = [](const S& s, const C&) {
+        return s.selection == BrushSelection::Spray && !s.addsPlaces();
+    };
+    return std::tuple(
+        field(&S::selection, {.key = "selection",
+                              .label = QT_TRANSLATE_NOOP("Fields", "Area"),
+                              .choices = kSelections,
+                              .section = QT_TRANSLATE_NOOP("Fields", "Brush")})
+            .when([](const S& s, const C&) { return !s.addsPlaces(); }),
+        field(&S::op, {.key = "operator",
+                       .label = QT_TRANSLATE_NOOP("Fields", "Values"),
+                       .choices = kOperatorChoices}),
+        field(&S::radiusPixels, {.key = "radius",
+                                 .label = QT_TRANSLATE_NOOP("Fields", "Size"),
+                                 .doc = "Logical pixels.",
+                                 .unit = QT_TRANSLATE_NOOP("Fields", " px"),
+                                 .low = kMinRadiusPixels,
+                                 .high = kMaxRadiusPixels,
+                                 .sliderLow = 1.0,
+                                 .sliderHigh = 400.0,
+                                 .step = 5.0,
+                                 .decimals = 0,
+                                 .isLogarithmic = true})
+            .when(withCircle),
+        field(&S::ratePerSecond, {.key = "rate",
+                                  .label = QT_TRANSLATE_NOOP("Fields", "Rate"),
+                                  .doc = "Spray: points a second.",
+                                  .unit = QT_TRANSLATE_NOOP("Fields", " /s"),
+                                  .high = 10'000.0,
+                                  .sliderLow = 1.0,
+                                  .sliderHigh = 500.0,
+                                  .step = 5.0,
+                                  .decimals = 0,
+                                  .isLogarithmic = true})
+            .when(spraying),
+        field(&S::through, {.key = "through",
+                            .label = QT_TRANSLATE_NOOP("Fields", "Through"),
+                            .tip = QT_TRANSLATE_NOOP(
+                                "Fields", "Also characters hidden behind others or the stage"),
+                            .doc = "Also those hidden behind others."})
+            .when([](const S& s, const C& c) {
+                return hasReach(s) || createsOnSeats(c) ||
+                       (s.find<CreateSettings>() && fillsArea(c));
+            }),
+        field(&S::buildUp,
+              {.key = "build_up",
+               .label = QT_TRANSLATE_NOOP("Fields", "Build up"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Each dab changes again whom it touches"),
+               .isBeside = true})
+            .when([](const S& s, const C&) { return canBuildUp(s); }),
+        field(&S::flow, {.key = "flow",
+                         .label = QT_TRANSLATE_NOOP("Fields", "Flow"),
+                         .unit = " %",
+                         .sliderLow = 1.0,
+                         .sliderHigh = 100.0,
+                         .step = 5.0,
+                         .decimals = 0,
+                         .shownScale = 100.0})
+            .when([](const S& s, const C&) { return s.buildUp && canFlow(s); }),
+        field(&S::pressureSize,
+              {.key = "pressure_size",
+               .label = QT_TRANSLATE_NOOP("Fields", "Pen: size"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "The harder the pen presses, the larger")})
+            .when(withCircle),
+        field(&S::pressureRate,
+              {.key = "pressure_rate",
+               .label = QT_TRANSLATE_NOOP("Fields", "Pen: rate"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "The harder the pen presses, the more"),
+               .isBeside = true})
+            .when(spraying),
+        field(&S::distribution,
+              {.key = "distribution",
+               .label = QT_TRANSLATE_NOOP("Fields", "Frequency"),
+               .tip = QT_TRANSLATE_NOOP(
+                   "Fields", "How often low (left) to high values (right) come: draw it; a double "
+                             "click makes all equal"),
+               .doc = "16 weights over the range, for the random operator.",
+               .high = 1e6}));
+}
 
 } // namespace crowd::model

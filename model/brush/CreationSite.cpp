@@ -66,13 +66,15 @@ std::vector<GroundDisc> discsOf(const Scene& scene)
 CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
                            const BrushSettings& settings, std::uint64_t seed)
     : m_scene(scene), m_context(context), m_settings(settings), m_seed(seed),
-      m_seats(scene, context.view, context.stage, settings.create.seats, settings.through),
-      m_usesSeats(settings.create.seats.isOn && m_seats.hasSeats()),
-      m_ground(m_usesSeats || settings.create.anywhere || !context.ground ? nullptr
-                                                                          : context.ground()),
+      m_seats(scene, context.view, context.stage, settings.as<CreateSettings>().seats,
+              settings.through),
+      m_usesSeats(settings.as<CreateSettings>().seats.isOn && m_seats.hasSeats()),
+      m_ground(m_usesSeats || settings.as<CreateSettings>().anywhere || !context.ground
+                   ? nullptr
+                   : context.ground()),
       // Seats keep people apart by themselves.
       m_neighbours(m_usesSeats ? std::vector<GroundDisc>() : discsOf(scene),
-                   settings.create.minimalDistance),
+                   settings.as<CreateSettings>().minimalDistance),
       m_present(m_neighbours.size())
 {
 }
@@ -80,9 +82,9 @@ CreationSite::CreationSite(const Scene& scene, const BrushContext& context,
 /// The room of whoever comes there: a circle, since it is not yet known how he will be turned.
 GroundDisc CreationSite::discAt(const glm::vec3& position, std::uint64_t key) const
 {
-    const TemplateEntry* entry = templateAt(m_scene, m_settings.create, key);
+    const TemplateEntry* entry = templateAt(m_scene, m_settings.as<CreateSettings>(), key);
     const Footprint body = entry != nullptr && entry->asset ? entry->asset->footprint : Footprint{};
-    return {position, widerThanPerson(body.reach() * m_settings.create.girth.high)};
+    return {position, widerThanPerson(body.reach() * m_settings.as<CreateSettings>().girth.high)};
 }
 
 void CreationSite::take(const Spot& spot)
@@ -121,12 +123,12 @@ std::optional<Spot> CreationSite::onSeat(glm::dvec2 pixel, const std::optional<S
 {
     const auto seat = m_seats.nearestFree(pixel, area);
     if (!seat) {
-        m_reason = m_settings.create.seats.isLimited() ? StrokeReason::NoChosenSeat
-                                                       : StrokeReason::NoFreeSeat;
+        m_reason = m_settings.as<CreateSettings>().seats.isLimited() ? StrokeReason::NoChosenSeat
+                                                                     : StrokeReason::NoFreeSeat;
         return std::nullopt;
     }
     // A point that is dragged along seats leaves its share of them free; a click always seats.
-    const double share = std::clamp(m_settings.create.seatPercent / 100.0, 0.0, 1.0);
+    const double share = std::clamp(m_settings.as<CreateSettings>().seatPercent / 100.0, 0.0, 1.0);
     if (m_settings.selection == BrushSelection::Point && m_given > 0 &&
         randomUnit(hashKeys(m_seed, seat->id), DrawPurpose::SeatShare) >= share) {
         return std::nullopt;
@@ -167,7 +169,7 @@ std::vector<Spot> CreationSite::fill(const ScreenArea& area, bool isWhole)
 
 std::vector<Spot> CreationSite::fillSeats(const ScreenArea& area, bool isWhole)
 {
-    const double share = std::clamp(m_settings.create.seatPercent / 100.0, 0.0, 1.0);
+    const double share = std::clamp(m_settings.as<CreateSettings>().seatPercent / 100.0, 0.0, 1.0);
     std::vector<Spot> spots;
     for (const WorldSeat& seat : m_seats.freeIn(area)) {
         const bool isFirst = m_tried.insert(seat.id).second;
@@ -177,8 +179,8 @@ std::vector<Spot> CreationSite::fillSeats(const ScreenArea& area, bool isWhole)
         }
     }
     if (spots.empty()) {
-        m_reason = m_settings.create.seats.isLimited() ? StrokeReason::NoChosenSeat
-                                                       : StrokeReason::NoFreeSeat;
+        m_reason = m_settings.as<CreateSettings>().seats.isLimited() ? StrokeReason::NoChosenSeat
+                                                                     : StrokeReason::NoFreeSeat;
     }
     if (isWhole) {
         // The first so many in an order of their own: growing the area keeps most of them.
@@ -204,7 +206,7 @@ std::uint64_t CreationSite::keyOf(Cell cell) const
 std::vector<CreationSite::Cell> CreationSite::cellsUnder(const ScreenArea& area)
 {
     const View& view = m_context.view;
-    const float step = 1.0F / std::sqrt(std::max(m_settings.create.density, 0.001F));
+    const float step = 1.0F / std::sqrt(std::max(m_settings.as<CreateSettings>().density, 0.001F));
     const float reach = view.camera().projection == Projection::Perspective
                             ? kReachMetres
                             : std::numeric_limits<float>::infinity();
@@ -249,7 +251,7 @@ std::vector<CreationSite::Cell> CreationSite::cellsUnder(const ScreenArea& area)
 std::optional<glm::vec3> CreationSite::candidate(const ScreenArea& area, Cell cell, int attempt,
                                                  StrokeReason& against) const
 {
-    const float step = 1.0F / std::sqrt(std::max(m_settings.create.density, 0.001F));
+    const float step = 1.0F / std::sqrt(std::max(m_settings.as<CreateSettings>().density, 0.001F));
     const std::uint64_t key = keyOf(cell);
     const auto tried = static_cast<std::uint64_t>(attempt);
     const auto place = [&](int index, DrawPurpose purpose) {

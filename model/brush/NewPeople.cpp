@@ -44,7 +44,7 @@ public:
 
     void write(std::size_t row, const TemplateEntry& entry, const Spot& spot)
     {
-        const CreateSettings& create = m_settings.create;
+        const CreateSettings& create = m_settings.as<CreateSettings>();
         const bool isSeated = spot.seat != kNoSeat;
         const auto wanted = chosenClip(entry, create.clips, draw(spot, DrawPurpose::Clip));
         m_rows.column(columns::templateId)[row] = entry.id;
@@ -77,7 +77,7 @@ private:
         if (spot.seat != kNoSeat) {
             return wrappedAngle(spot.seatHeading);
         }
-        const HeadingSettings& wanted = m_settings.create.heading;
+        const HeadingSettings& wanted = m_settings.as<CreateSettings>().heading;
         return headingFor(wanted, m_view, spot.position, m_strokeHeading,
                           draw(spot, DrawPurpose::Heading))
             .value_or(wrappedAngle(wanted.headingRadians));
@@ -85,7 +85,8 @@ private:
     [[nodiscard]] std::uint32_t parts(const Template& asset, const Spot& spot) const
     {
         std::uint32_t shown = defaultParts(asset);
-        const std::size_t count = m_settings.create.variesParts ? asset.parts.size() : 0;
+        const std::size_t count =
+            m_settings.as<CreateSettings>().variesParts ? asset.parts.size() : 0;
         for (std::size_t part = 0; part < std::min<std::size_t>(count, 32); ++part) {
             const std::uint32_t bit = std::uint32_t{1} << part;
             shown =
@@ -97,7 +98,7 @@ private:
     {
         MaterialChoices& choices = m_rows.column(columns::materialChoices)[row];
         const std::size_t slots = std::min(asset.slots.size(), choices.size());
-        const CreateSettings& create = m_settings.create;
+        const CreateSettings& create = m_settings.as<CreateSettings>();
         for (std::size_t slot = 0; slot < slots; ++slot) {
             const bool varies = isOfTheBody(asset.slots[slot].name)
                                     ? create.variesFaces.value_or(create.variesOutfit)
@@ -115,7 +116,7 @@ private:
     }
     void writeTints(std::size_t row, const Template& asset, const Spot& spot)
     {
-        const CreateSettings& create = m_settings.create;
+        const CreateSettings& create = m_settings.as<CreateSettings>();
         const std::size_t slots = std::min<std::size_t>(asset.slots.size(), kMaxTintSlots);
         for (std::size_t slot = 0; slot < slots && !create.palette.empty(); ++slot) {
             const Slot& painted = asset.slots[slot];
@@ -155,7 +156,7 @@ NewPeople peopleFor(const Scene& scene, const View& view, const BrushSettings& s
     std::vector<const TemplateEntry*> entries;
     std::vector<const Spot*> kept;
     for (const Spot& spot : spots) {
-        const TemplateEntry* entry = templateAt(scene, settings.create, spot.key);
+        const TemplateEntry* entry = templateAt(scene, settings.as<CreateSettings>(), spot.key);
         if (entry != nullptr && entry->asset) {
             entries.push_back(entry);
             kept.push_back(&spot);

@@ -43,6 +43,17 @@ double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra)
     return unitDouble(hashKeys(key, static_cast<std::uint64_t>(purpose), extra));
 }
 
+OperatorResult GradientOperator::evaluate(const OperatorRequest& request)
+{
+    OperatorResult result;
+    result.shares.reserve(request.ids.size());
+    for (const glm::vec3& position : request.positions) {
+        const auto foot = request.view.project(position);
+        result.shares.push_back(foot ? gradientShare(request.line, {foot->x, foot->y}) : 0.0);
+    }
+    return result;
+}
+
 double gradientShare(const StrokeLine& line, glm::dvec2 point)
 {
     const glm::dvec2 way = line.to - line.from;

@@ -39,13 +39,6 @@ enum class DrawPurpose : std::uint8_t {
 
 [[nodiscard]] double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra = 0);
 
-/// The pointer's way so far, for operators that follow it. Logical pixels.
-struct StrokeLine
-{
-    glm::dvec2 from{0.0};
-    glm::dvec2 to{0.0};
-};
-
 /// Share of the way from `from` to `to` at which a point lies, 0..1; 0 for a line without length.
 [[nodiscard]] double gradientShare(const StrokeLine& line, glm::dvec2 point);
 

@@ -15,8 +15,11 @@
 namespace crowd::model {
 
 /// What a change may depend on besides the individual.
+struct ChangeTools;
+
 struct ChangeRequest
 {
+    using Tools = ChangeTools; ///< what changes are made of: see ColumnWriting.h
     SceneEdit& edit;
     const BrushSettings& settings;
     const View& view;

@@ -29,18 +29,18 @@ bool isOfTheBody(const std::string& slot)
     return false;
 }
 
-ColourSlots::ColourSlots(const Template& asset, const ColourSettings& settings)
-    : m_settings(settings),
-      m_sparesBody(settings.sparesBody && std::ranges::any_of(asset.slots, [](const Slot& slot) {
-                       return slot.tintable && !isOfTheBody(slot.name);
+ColourSlots::ColourSlots(const Template& asset, const std::string& slot, bool sparesBody)
+    : m_slot(slot),
+      m_sparesBody(sparesBody && std::ranges::any_of(asset.slots, [](const Slot& each) {
+                       return each.tintable && !isOfTheBody(each.name);
                    }))
 {
 }
 
 bool ColourSlots::contains(const Slot& slot) const
 {
-    if (!m_settings.slot.empty()) {
-        return slot.name == m_settings.slot;
+    if (!m_slot.empty()) {
+        return slot.name == m_slot;
     }
     return slot.tintable && !(m_sparesBody && isOfTheBody(slot.name));
 }

@@ -11,15 +11,20 @@ namespace crowd::model {
 /// Whether a slot is skin, hair or face rather than something worn, going by the words of its name.
 [[nodiscard]] bool isOfTheBody(const std::string& slot);
 
-/// Which slots of a template the colour brush means.
+/// Which slots of a template a brush means.
 class ColourSlots
 {
 public:
-    ColourSlots(const Template& asset, const ColourSettings& settings);
+    /// `slot` by name, empty: all, where `sparesBody` leaves out skin, hair and face.
+    ColourSlots(const Template& asset, const std::string& slot, bool sparesBody);
+    ColourSlots(const Template& asset, const ColourSettings& settings)
+        : ColourSlots(asset, settings.slot, settings.sparesBody)
+    {
+    }
     [[nodiscard]] bool contains(const Slot& slot) const;
 
 private:
-    const ColourSettings& m_settings;
+    const std::string& m_slot;
     bool m_sparesBody; ///< where nothing is worn, the body is meant
 };
 

@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/Random.h"
+#include "model/brush/StrokeEffect.h"
 #include "model/brush/StrokeText.h"
-#include "model/brush/StrokeWork.h"
 
 namespace crowd::model {
 
@@ -35,8 +35,9 @@ Sampler samplerFor(const BrushSettings& settings)
 
 bool needsDirection(const BrushSettings& settings)
 {
-    return settings.kind == BrushKind::Orientation && !settings.isReevaluated() &&
-           settings.orientation.heading.mode == HeadingMode::AlongStroke;
+    const auto* turns = settings.find<OrientationSettings>();
+    return turns != nullptr && !settings.isReevaluated() &&
+           turns->heading.mode == HeadingMode::AlongStroke;
 }
 
 } // namespace
@@ -58,11 +59,11 @@ glm::dvec2 sprayPoint(const BrushSettings& settings, std::uint64_t seed, const D
 
 struct Stroke::Private
 {
-    Private(StrokeGround strokeGround, const PointerInput& press);
+    Private(StrokeContext strokeGround, const PointerInput& press);
 
-    StrokeGround ground;
+    StrokeContext ground;
     Sampler sampler;
-    std::unique_ptr<StrokeWork> work;
+    std::unique_ptr<StrokeEffect> work;
     RecordedStroke recording;
     // The direction of the way, measured from dab to dab.
     glm::dvec2 trail{0.0};
@@ -83,7 +84,7 @@ struct Stroke::Private
     }
 };
 
-Stroke::Private::Private(StrokeGround strokeGround, const PointerInput& press)
+Stroke::Private::Private(StrokeContext strokeGround, const PointerInput& press)
     : ground(std::move(strokeGround)), sampler(samplerFor(ground.settings)), trail(press.pixels())
 {
     recording.settings = ground.settings;
@@ -92,10 +93,10 @@ Stroke::Private::Private(StrokeGround strokeGround, const PointerInput& press)
     recording.viewSize = ground.context.view.size();
     ground.seats = ground.document.scene().worldSeats();
     ground.edit = ground.document.beginEdit();
-    if (ground.settings.kind == BrushKind::Create) {
-        work = std::make_unique<CreationWork>(ground);
+    if (ground.settings.kind() == BrushKind::Create) {
+        work = std::make_unique<CreationEffect>(ground);
     } else {
-        work = std::make_unique<SelectionWork>(ground);
+        work = std::make_unique<SelectionEffect>(ground);
     }
     bakedBefore = ground.context.keyframes.version();
     recording.isExact = !seesStandIns();
@@ -175,7 +176,7 @@ std::unique_ptr<Stroke> Stroke::begin(SceneDocument& document, const BrushContex
                                       const PointerInput& press)
 {
     return std::unique_ptr<Stroke>(new Stroke(std::make_unique<Private>(
-        StrokeGround{document, context, settings, seed, nullptr, {}}, press)));
+        StrokeContext{document, context, settings, seed, nullptr, {}}, press)));
 }
 
 void Stroke::move(const PointerInput& input)
@@ -211,12 +212,12 @@ StrokeOutcome Stroke::finish()
     outcome.isCommitted =
         d.ground.edit->commit(strokeText(d.ground.settings, outcome.affected), &d.recording);
     d.ground.edit.reset();
-    outcome.isSent = d.ground.settings.kind == BrushKind::Event && outcome.affected > 0;
+    outcome.isSent = d.ground.settings.kind() == BrushKind::Event && outcome.affected > 0;
     outcome.reason = outcome.isCommitted || outcome.isSent ? StrokeReason::None : d.work->reason();
     if (!outcome.isCommitted && !outcome.isSent && outcome.reason == StrokeReason::None) {
         outcome.reason = StrokeReason::ScriptChangedNothing;
     }
-    outcome.message = reasonText(outcome.reason);
+    outcome.message = reasonText(outcome.reason, d.ground.settings.kind());
     return outcome;
 }
 
@@ -278,7 +279,7 @@ IndividualRows previewGhosts(const SceneDocument& document, const BrushContext& 
                              const BrushSettings& settings, std::uint64_t seed,
                              const PointerInput& at)
 {
-    if (settings.kind != BrushKind::Create) {
+    if (settings.kind() != BrushKind::Create) {
         return IndividualRows::withDefaults({});
     }
     CreationSite site(document.scene(), context, settings, seed);

@@ -31,13 +31,8 @@ enum class StrokeReason : std::uint8_t {
     AreaTooFar,
     TooFewInArea,
     ShareTooSmall, ///< thinning out so little came to nobody
-    AlreadyThisColour,
+    Unchanged,     ///< all of them were so already: BrushInfo::unchanged says it
     NoSuchSlot,
-    AlreadyThisHeading,
-    AlreadyThisAnimation,
-    AlreadyThisWalk,
-    AlreadyThisTag,
-    WithoutThisTag,
     NoSession, ///< an event that nobody could hear
     NoSuchClip,
     NothingChosen, ///< a brush that is set to change nothing
@@ -45,8 +40,8 @@ enum class StrokeReason : std::uint8_t {
     NoDirection ///< facing along a stroke that did not go anywhere
 };
 
-/// The reason as a sentence for the status bar; empty for None and Cancelled.
-[[nodiscard]] QString reasonText(StrokeReason reason);
+/// The reason of a brush as a sentence for the status bar; empty for None and Cancelled.
+[[nodiscard]] QString reasonText(StrokeReason reason, BrushKind kind = BrushKind::Create);
 
 struct StrokeOutcome
 {
@@ -54,7 +49,7 @@ struct StrokeOutcome
     bool isSent = false;      ///< an event reached a session
     int affected = 0;         ///< individuals created, removed or changed
     StrokeReason reason = StrokeReason::None;
-    QString message; ///< reasonText(reason)
+    QString message; ///< reasonText()
 };
 
 /// Everything that decides what a stroke does, besides the scene and its assets. Replayed on the

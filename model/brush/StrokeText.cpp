@@ -19,35 +19,10 @@ struct Brushes
 
 QString strokeText(const BrushSettings& settings, int affected)
 {
-    switch (settings.kind) {
-    case BrushKind::Create:
-        return Brushes::tr("Create %n character(s)", nullptr, affected);
-    case BrushKind::Delete:
-        return Brushes::tr("Delete %n character(s)", nullptr, affected);
-    case BrushKind::Colour:
-        return Brushes::tr("Colour %n character(s)", nullptr, affected);
-    case BrushKind::Orientation:
-        return Brushes::tr("Turn %n character(s)", nullptr, affected);
-    case BrushKind::Animation:
-        return Brushes::tr("Animate %n character(s)", nullptr, affected);
-    case BrushKind::Walk:
-        return Brushes::tr("Set the walk of %n character(s)", nullptr, affected);
-    case BrushKind::Style:
-        return Brushes::tr("Set how %n character(s) walk", nullptr, affected);
-    case BrushKind::Tag:
-        return Brushes::tr("Tag %n character(s)", nullptr, affected);
-    case BrushKind::Untag:
-        return Brushes::tr("Untag %n character(s)", nullptr, affected);
-    case BrushKind::Event:
-        return Brushes::tr("Event reached %n character(s)", nullptr, affected);
-    case BrushKind::Path:
-    case BrushKind::Environment:
-        break;
-    case BrushKind::Script:
-        return Brushes::tr("%1: %n character(s)", nullptr, affected)
-            .arg(QString::fromStdString(settings.script.brush));
-    }
-    return {};
+    const QString text = QCoreApplication::translate(
+        "Brushes", brushType(settings.kind()).info.undo, nullptr, affected);
+    const auto* script = settings.find<ScriptSettings>();
+    return script != nullptr ? text.arg(QString::fromStdString(script->brush)) : text;
 }
 
 QString moveText(int affected)
@@ -55,7 +30,7 @@ QString moveText(int affected)
     return Brushes::tr("Move %n character(s)", nullptr, affected);
 }
 
-QString reasonText(StrokeReason reason)
+QString reasonText(StrokeReason reason, BrushKind kind)
 {
     switch (reason) {
     case StrokeReason::None:
@@ -86,20 +61,10 @@ QString reasonText(StrokeReason reason)
         return Brushes::tr("The area is too small for anybody at this density");
     case StrokeReason::ShareTooSmall:
         return Brushes::tr("So small a share of them is nobody");
-    case StrokeReason::AlreadyThisColour:
-        return Brushes::tr("All of them already have this colour");
+    case StrokeReason::Unchanged:
+        return QCoreApplication::translate("Brushes", brushType(kind).info.unchanged);
     case StrokeReason::NoSuchSlot:
         return Brushes::tr("None of them has the chosen slot");
-    case StrokeReason::AlreadyThisHeading:
-        return Brushes::tr("All of them already face this way");
-    case StrokeReason::AlreadyThisAnimation:
-        return Brushes::tr("All of them already move like this");
-    case StrokeReason::AlreadyThisWalk:
-        return Brushes::tr("All of them already walk like this");
-    case StrokeReason::AlreadyThisTag:
-        return Brushes::tr("All of them already have this tag");
-    case StrokeReason::WithoutThisTag:
-        return Brushes::tr("None of them has this tag");
     case StrokeReason::NoSession:
         return Brushes::tr(
             "Nothing runs that could hear an event: give the scene rules, or characters "

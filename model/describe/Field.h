@@ -45,8 +45,8 @@ struct BrushSettings;
 /// A value of any described member. Integers of all widths and members of enumerations are
 /// std::int64_t here; float stays float, so that its text is as short as its precision.
 using FieldValue =
-    std::variant<bool, std::int64_t, float, double, std::string, PaintColor, Tint, ValueRange, glm::vec3,
-                 std::optional<bool>, std::vector<int>, std::vector<PaintColor>,
+    std::variant<bool, std::int64_t, float, double, std::string, PaintColor, Tint, ValueRange,
+                 glm::vec3, std::optional<bool>, std::vector<int>, std::vector<PaintColor>,
                  std::vector<ClipWeight>, std::vector<TemplateWeight>, DistributionCurve>;
 
 /// What a value stands for, where its type does not say it: which control edits it, and what a
@@ -65,6 +65,7 @@ enum class FieldRole : std::uint8_t {
     Point,        ///< glm::vec3 of the scene, metres
     WalkingClips, ///< of clips those that move over ground alone
     SeatNumbers,  ///< rows or wedges of seats
+    Material,     ///< a name of a slot's materials; empty: any
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

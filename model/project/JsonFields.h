@@ -42,6 +42,23 @@ public:
         return {object, std::move(place), m_problem, m_tolerated};
     }
 
+    /// An object of a list that is a member.
+    [[nodiscard]] JsonFields item(const nlohmann::json& object, const char* list,
+                                  std::size_t index) const
+    {
+        return part(object, placeOf(list) + "[" + std::to_string(index) + "]");
+    }
+    /// The same object, with what is wrong told to somebody else.
+    [[nodiscard]] JsonFields apart(std::string& problem) const
+    {
+        return {m_object, m_place, problem, nullptr};
+    }
+    [[nodiscard]] std::string placeOf(std::string_view key) const
+    {
+        return m_place + (m_place.empty() ? "" : ".") + std::string(key);
+    }
+    [[nodiscard]] bool isSound() const { return m_problem.empty(); }
+
     template<class Target>
     void read(std::string_view key, Target& target)
     {

@@ -346,7 +346,11 @@ void MainWindowTest::severalImportedFilesAreOneMix()
     QTRY_VERIFY(!m_window->assets().isBusy());
     QCOMPARE(dialogs, 3);
     QCOMPARE(document().scene().templates.size(), std::size_t{3});
-    QCOMPARE(m_window->state().brush(model::BrushKind::Create).create.mix.size(), std::size_t{2});
+    QCOMPARE(m_window->state()
+                 .brush(model::BrushKind::Create)
+                 .as<crowd::model::CreateSettings>()
+                 .mix.size(),
+             std::size_t{2});
 }
 
 void MainWindowTest::severalDroppedFilesNeedOneAnswer()
@@ -463,7 +467,11 @@ void MainWindowTest::libraryAddsWhomTheArtistChooses()
     QVERIFY(answer.hasAnswered());
     QVERIFY(offered.size() > 10);
     QCOMPARE(document().scene().templates.size(), std::size_t{3});
-    QCOMPARE(m_window->state().brush(model::BrushKind::Create).create.mix.size(), std::size_t{2});
+    QCOMPARE(m_window->state()
+                 .brush(model::BrushKind::Create)
+                 .as<crowd::model::CreateSettings>()
+                 .mix.size(),
+             std::size_t{2});
     document().undoStack().undo();
     QCOMPARE(document().scene().templates.size(), std::size_t{1});
 }

@@ -253,7 +253,9 @@ void PanelsTest::endedTypingGivesTheKeysBack()
     QTest::keyClicks(field, QStringLiteral("wave"));
     QTest::keyClick(m_window->windowHandle(), key);
     QTRY_VERIFY(m_window->viewport().hasFocus());
-    QCOMPARE(m_window->state().brush(model::BrushKind::Event).event.name, name.toStdString());
+    QCOMPARE(
+        m_window->state().brush(model::BrushKind::Event).as<crowd::model::EventSettings>().name,
+        name.toStdString());
     QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
     QCOMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
 }
@@ -276,7 +278,9 @@ void PanelsTest::returnIsTheFieldsEvenWhileAPathIsPainted()
     field->selectAll();
     QTest::keyClicks(field, QStringLiteral("wave"));
     QTest::keyClick(m_window->windowHandle(), Qt::Key_Return);
-    QCOMPARE(m_window->state().brush(model::BrushKind::Event).event.name, std::string("wave"));
+    QCOMPARE(
+        m_window->state().brush(model::BrushKind::Event).as<crowd::model::EventSettings>().name,
+        std::string("wave"));
 }
 
 void PanelsTest::nothingTellsHowToBringBackWhatIsBack()
@@ -295,36 +299,39 @@ void PanelsTest::brushesAreRemembered()
     model::BrushSettings create = state.brush(BrushKind::Create);
     create.radiusPixels = 77.0F;
     create.selection = model::BrushSelection::AllInCircle;
-    create.create.height = {0.75F, 1.25F};
-    create.create.palette = {{1, 2, 3}, {200, 100, 50}};
-    create.create.clips = {{"idle", 0.5F}};
-    create.create.mix = {{9, 1.0F}};
+    create.as<crowd::model::CreateSettings>().height = {0.75F, 1.25F};
+    create.as<crowd::model::CreateSettings>().palette = {{1, 2, 3}, {200, 100, 50}};
+    create.as<crowd::model::CreateSettings>().clips = {{"idle", 0.5F}};
+    create.as<crowd::model::CreateSettings>().mix = {{9, 1.0F}};
     create.distribution.weights[3] = 0.25F;
     state.setBrush(create);
     model::BrushSettings walk = state.brush(BrushKind::Walk);
-    walk.walk.speed = {2.0F, 3.5F};
-    walk.walk.path = 7;
+    walk.as<crowd::model::WalkSettings>().speed = {2.0F, 3.5F};
+    walk.as<crowd::model::WalkSettings>().path = 7;
     state.setBrush(walk);
     model::BrushSettings exits = state.brush(BrushKind::Environment);
-    exits.place.anywhere = true;
-    exits.place.role = model::PlaceRole::Exit;
+    exits.place()->anywhere = true;
+    exits.as<crowd::model::EnvironmentSettings>().role = model::PlaceRole::Exit;
     state.setBrush(exits);
     const model::BrushSettings untouched = state.brush(BrushKind::Orientation);
     QVERIFY(m_window->close());
     openWindow();
     const model::BrushSettings& after = m_window->state().brush(BrushKind::Create);
-    QVERIFY2(after.create.mix != create.create.mix, "templates are of a scene");
-    create.create.mix = after.create.mix;
+    QVERIFY2(after.as<crowd::model::CreateSettings>().mix !=
+                 create.as<crowd::model::CreateSettings>().mix,
+             "templates are of a scene");
+    create.as<crowd::model::CreateSettings>().mix = after.as<crowd::model::CreateSettings>().mix;
     QVERIFY(after == create);
-    const model::WalkSettings& walking = m_window->state().brush(BrushKind::Walk).walk;
+    const model::WalkSettings& walking =
+        m_window->state().brush(BrushKind::Walk).as<crowd::model::WalkSettings>();
     QCOMPARE(walking.speed, (model::ValueRange{2.0F, 3.5F}));
     QVERIFY2(walking.path != 7, "paths are of a scene");
-    QVERIFY(m_window->state().brush(BrushKind::Environment).place.anywhere);
-    QVERIFY(!m_window->state().brush(BrushKind::Path).place.anywhere);
+    QVERIFY(m_window->state().brush(BrushKind::Environment).place()->anywhere);
+    QVERIFY(!m_window->state().brush(BrushKind::Path).place()->anywhere);
     QVERIFY(m_window->state().brush(BrushKind::Orientation) == untouched);
     m_window->actions().action("brush-reset")->trigger();
     QCOMPARE(m_window->state().brush(BrushKind::Create).radiusPixels,
-             widgets::initialBrush(BrushKind::Create).radiusPixels);
+             model::initialBrush(BrushKind::Create).radiusPixels);
 }
 
 void PanelsTest::damagedMemoryOfBrushesDoesNoHarm()
@@ -335,14 +342,13 @@ void PanelsTest::damagedMemoryOfBrushesDoesNoHarm()
     settings.setValue(QStringLiteral("brushes/brush-create"), QByteArray("{\"radius\": 1e30, "));
     settings.setValue(QStringLiteral("brushes/brush-colour"),
                       QByteArray(R"({"radius": 1e30, "rate": "many", "selection": 99,
-                                     "colours": [], "operator": -4})"));
+                                     "colors": [], "operator": -4})"));
     settings.sync();
     openWindow();
     model::BrushSettings colour = m_window->state().brush(model::BrushKind::Colour);
-    QCOMPARE(colour.radiusPixels, model::kMaxRadiusPixels);
-    QVERIFY(!colour.colour.colors.empty());
-    colour.radiusPixels = before.radiusPixels;
-    colour.colour = before.colour;
+    QCOMPARE(colour.radiusPixels, before.radiusPixels); // what is wrong is as if it were not there
+    QVERIFY(!colour.as<crowd::model::ColourSettings>().colors.empty());
+    colour.as<crowd::model::ColourSettings>() = before.as<crowd::model::ColourSettings>();
     QVERIFY(colour == before);
 }
 

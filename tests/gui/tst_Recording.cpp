@@ -112,9 +112,9 @@ public:
     {
         auto settings = brush(model::BrushKind::Colour, model::BrushSelection::AllInCircle);
         settings.op = model::BrushOperator::Random;
-        settings.colour.colors = {{200, 30, 60}, {20, 120, 220}};
-        settings.colour.strength = 0.73F;
-        settings.colour.blends = true;
+        settings.as<crowd::model::ColourSettings>().colors = {{200, 30, 60}, {20, 120, 220}};
+        settings.as<crowd::model::ColourSettings>().strength = 0.73F;
+        settings.as<crowd::model::ColourSettings>().blends = true;
         m_editor.state().setBrush(settings);
         m_editor.drag(at(0.2, 0.5), at(0.8, 0.55));
     }
@@ -126,7 +126,8 @@ public:
     void animate()
     {
         auto settings = brush(model::BrushKind::Animation, model::BrushSelection::Rectangle);
-        settings.animation.clips = {{"sit_clap", 1.0F}, {"sit_cheer", 0.3F}};
+        settings.as<crowd::model::AnimationSettings>().clips = {{"sit_clap", 1.0F},
+                                                                {"sit_cheer", 0.3F}};
         m_editor.state().setBrush(settings);
         m_editor.drag(at(0.4, 0.4), at(0.7, 0.6));
     }

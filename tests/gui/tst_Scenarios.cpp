@@ -107,7 +107,8 @@ void paintNetwork(Artist& artist)
 {
     constexpr float kStreet = 26.0F;
     artist.key(Qt::Key_P);
-    artist.change(model::BrushKind::Path, [](auto& brush) { brush.place.radiusMetres = 2.0F; });
+    artist.change(model::BrushKind::Path,
+                  [](model::BrushSettings& brush) { brush.place()->radiusMetres = 2.0F; });
     const std::array<glm::vec3, 4> corners = {{{-kStreet, 0.0F, -kStreet},
                                                {kStreet, 0.0F, -kStreet},
                                                {kStreet, 0.0F, kStreet},
@@ -132,9 +133,9 @@ void paintNetwork(Artist& artist)
 void paintWalkers(Artist& artist)
 {
     artist.key(Qt::Key_C);
-    artist.change(model::BrushKind::Create, [](auto& brush) {
+    artist.change(model::BrushKind::Create, [](model::BrushSettings& brush) {
         brush.selection = model::BrushSelection::Rectangle;
-        brush.create.density = 0.5F;
+        brush.as<crowd::model::CreateSettings>().density = 0.5F;
     });
     artist.drag({-20.0F, 0.0F, -20.0F}, {20.0F, 0.0F, -6.0F});
     artist.drag({-20.0F, 0.0F, 7.0F}, {20.0F, 0.0F, 20.0F});
@@ -173,10 +174,10 @@ void TestScenarios::pedestriansFromTheBareCity()
     paintWalkers(artist);
     QVERIFY2(editor.people() >= kWalkers, qPrintable(QString::number(editor.people())));
     artist.key(Qt::Key_W);
-    artist.change(model::BrushKind::Walk, [](auto& brush) {
+    artist.change(model::BrushKind::Walk, [](model::BrushSettings& brush) {
         brush.selection = model::BrushSelection::Rectangle;
         brush.through = true;
-        brush.walk.path = model::kNearestPath;
+        brush.as<crowd::model::WalkSettings>().path = model::kNearestPath;
     });
     editor.drag({2, 2}, {537, 357});
     const auto paths = scene.population.column(model::columns::path);
@@ -195,11 +196,11 @@ void TestScenarios::pedestriansFromTheBareCity()
     QCOMPARE(fasterThan(walking, 2.0F), std::ptrdiff_t{0});
 
     artist.key(Qt::Key_E);
-    artist.change(model::BrushKind::Event, [](auto& brush) {
+    artist.change(model::BrushKind::Event, [](model::BrushSettings& brush) {
         brush.selection = model::BrushSelection::AllInCircle;
         brush.radiusPixels = 14.0F;
         brush.through = true;
-        brush.event = {"run", 3.0F};
+        brush.as<crowd::model::EventSettings>() = {"run", 3.0F};
     });
     artist.drag({-20.0F, 0.0F, -14.0F}, {20.0F, 0.0F, -14.0F});
     QTRY_VERIFY(editor.state().session().firedCount(scene.rules.front().id) > 20);
@@ -227,10 +228,10 @@ void TestScenarios::clappingSpreadsFromWhereItWasSprayed()
     QTRY_VERIFY_WITH_TIMEOUT(editor.state().session().isRunning(), 60000);
 
     artist.key(Qt::Key_E);
-    artist.change(model::BrushKind::Event, [](auto& brush) {
+    artist.change(model::BrushKind::Event, [](model::BrushSettings& brush) {
         brush.selection = model::BrushSelection::AllInCircle;
         brush.radiusPixels = 12.0F;
-        brush.event = {"clap", 1.0F};
+        brush.as<crowd::model::EventSettings>() = {"clap", 1.0F};
     });
     const auto seats = scene.population.column(model::columns::position);
     const glm::vec3 first = *std::ranges::min_element(seats, {}, [](const glm::vec3& seat) {

@@ -180,12 +180,16 @@ void TestScriptBrush::eachHasItsPlaceAndItsSettings()
     QVERIFY(side != choices.end());
     QCOMPARE((*side)->currentText(), QStringLiteral("right"));
     Q_EMIT(*side)->activated(0);
-    const auto& values = m_editor->state().brush(model::BrushKind::Script).script.values;
+    const auto& values =
+        m_editor->state().brush(model::BrushKind::Script).as<crowd::model::ScriptSettings>().values;
     QCOMPARE(std::get<std::string>(values[2].value), std::string("left"));
     choose("Slow");
     choose("Turn");
-    QCOMPARE(std::get<std::string>(
-                 m_editor->state().brush(model::BrushKind::Script).script.values[2].value),
+    QCOMPARE(std::get<std::string>(m_editor->state()
+                                       .brush(model::BrushKind::Script)
+                                       .as<crowd::model::ScriptSettings>()
+                                       .values[2]
+                                       .value),
              std::string("left")); // each keeps its own
     dock->hide();
 }
@@ -194,8 +198,8 @@ void TestScriptBrush::aStrokeIsOneStepAndFollowsTheSettings()
 {
     choose("Turn");
     model::BrushSettings settings = m_editor->state().brush(model::BrushKind::Script);
-    settings.script.values[0].value = 1.5;
-    settings.script.values[2].value = std::string("right");
+    settings.as<crowd::model::ScriptSettings>().values[0].value = 1.5;
+    settings.as<crowd::model::ScriptSettings>().values[2].value = std::string("right");
     m_editor->state().setBrush(settings);
     paint();
     QVERIFY(isDone());
@@ -300,7 +304,7 @@ void TestScriptBrush::recordedAsWhatCameOfIt()
     m_editor->window.recorder().setRecording(true);
     choose("Turn");
     model::BrushSettings settings = m_editor->state().brush(model::BrushKind::Script);
-    settings.script.values[0].value = 0.75;
+    settings.as<crowd::model::ScriptSettings>().values[0].value = 0.75;
     m_editor->state().setBrush(settings);
     paint();
     QVERIFY(isDone());

@@ -58,7 +58,7 @@ void paintPeople(Studio& studio)
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Create);
     brush.selection = model::BrushSelection::AllInCircle;
     brush.radiusPixels = 30.0F;
-    brush.create.density = 0.5F;
+    brush.as<crowd::model::CreateSettings>().density = 0.5F;
     studio.state.setBrush(brush);
     studio.drag({80, 150}, {120, 160});
 }
@@ -110,7 +110,7 @@ void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
     const std::string empty = bytesOf(studio);
     key(studio, Qt::Key_P);
     QCOMPARE(studio.state.tool(), ToolId::BrushPath);
-    const float radius = studio.state.brush(model::BrushKind::Path).place.radiusMetres;
+    const float radius = studio.state.brush(model::BrushKind::Path).place()->radiusMetres;
     click(studio, {80, 80});
     key(studio, Qt::Key_Plus);
     click(studio, {240, 80});
@@ -187,8 +187,8 @@ void TestWalkingCrowd::keysResizeTheSelectedPlaces()
     key(studio, Qt::Key_Plus);
     const auto& places = studio.document.scene().places;
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Path);
-    brush.place.radiusMetres = before[0].radius;
-    QCOMPARE(places[0].radius, steppedMainNumber(brush, 1).place.radiusMetres);
+    brush.place()->radiusMetres = before[0].radius;
+    QCOMPARE(places[0].radius, steppedMainNumber(brush, 1).place()->radiusMetres);
     QCOMPARE(places[1], before[1]);
     QVERIFY(places[2].radius > before[2].radius);
     QCOMPARE(studio.document.undoStack().count(), steps + 1);
@@ -256,7 +256,7 @@ void TestWalkingCrowd::brushesReachPeopleWhoWalk()
         studio.view->tools().queries().view().project(shown + glm::vec3(0.0F, 0.8F, 0.0F));
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Colour);
     brush.selection = model::BrushSelection::Point;
-    brush.colour.colors = {{9, 200, 10}};
+    brush.as<crowd::model::ColourSettings>().colors = {{9, 200, 10}};
     studio.state.setBrush(brush);
     key(studio, Qt::Key_B);
     click(studio, {qRound(pixel->x), qRound(pixel->y)});
@@ -294,7 +294,7 @@ void TestWalkingCrowd::anEventMakesPeopleRun()
     key(studio, Qt::Key_E);
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Event);
     brush.selection = model::BrushSelection::Rectangle;
-    brush.event = {"run", 2.0F};
+    brush.as<crowd::model::EventSettings>() = {"run", 2.0F};
     studio.state.setBrush(brush);
     const int steps = studio.document.undoStack().count();
     studio.drag({5, 5}, {314, 234});
@@ -351,7 +351,7 @@ void TestWalkingCrowd::aWalkingStyleIsPaintedOn()
     QCOMPARE(studio.state.tool(), ToolId::BrushStyle);
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Style);
     brush.selection = model::BrushSelection::Rectangle;
-    brush.style.speed = {2.0F, 2.0F};
+    brush.as<crowd::model::StyleSettings>().speed = {2.0F, 2.0F};
     studio.state.setBrush(brush);
     key(studio, Qt::Key_Plus);
     const std::string before = bytesOf(studio);
@@ -374,7 +374,7 @@ void TestWalkingCrowd::paintedGroundChangesTheWay()
     QCOMPARE(studio.state.session().surfacePolygons(), std::size_t{0}); // open ground
     key(studio, Qt::Key_I);
     model::BrushSettings brush = studio.state.brush(model::BrushKind::Environment);
-    brush.place.role = model::PlaceRole::Forbidden;
+    brush.as<crowd::model::EnvironmentSettings>().role = model::PlaceRole::Forbidden;
     studio.state.setBrush(brush);
     click(studio, {160, 120});
     QTRY_VERIFY(studio.state.session().surfacePolygons() > 0);

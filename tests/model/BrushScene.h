@@ -216,16 +216,18 @@ struct BrushScene
 inline BrushSettings brush(BrushKind kind, BrushSelection selection)
 {
     BrushSettings settings;
-    settings.kind = kind;
+    settings.setKind(kind);
     settings.selection = selection;
-    settings.create.mix = {{1, 1.0F}};
+    if (auto* create = settings.find<CreateSettings>()) {
+        create->mix = {{1, 1.0F}};
+    }
     return settings;
 }
 
 inline BrushSettings colourBrush(BrushSelection selection)
 {
     BrushSettings settings = brush(BrushKind::Colour, selection);
-    settings.colour.colors = {{200, 100, 0}, {0, 100, 200}};
+    settings.as<ColourSettings>().colors = {{200, 100, 0}, {0, 100, 200}};
     return settings;
 }
 

@@ -24,9 +24,10 @@ void tst_BrushAnimation::animatesWithClipsOfTheTemplate()
     const Ids ids = scene.addPeople(crowdGrid());
     BrushSettings settings = brush(BrushKind::Animation, BrushSelection::Rectangle);
     settings.op = BrushOperator::Random;
-    settings.animation.clips = {{"sit", 1.0F}, {"cheer", 3.0F}, {"no such clip", 9.0F}};
-    settings.animation.setsSpeed = true;
-    settings.animation.speed = {0.5F, 1.5F};
+    settings.as<AnimationSettings>().clips = {
+        {"sit", 1.0F}, {"cheer", 3.0F}, {"no such clip", 9.0F}};
+    settings.as<AnimationSettings>().setsSpeed = true;
+    settings.as<AnimationSettings>().speed = {0.5F, 1.5F};
     QCOMPARE(scene.paint(fromAbove(), settings, {{1.0, 1.0}, {1279.0, 767.0}}).affected, 60);
     std::array<int, 3> clips{};
     for (std::size_t row = 0; row < ids.size(); ++row) {
@@ -38,7 +39,7 @@ void tst_BrushAnimation::animatesWithClipsOfTheTemplate()
     QCOMPARE(clips[0], 0);
     QVERIFY(clips[1] >= 5 && clips[1] <= 26);
     settings.op = BrushOperator::Uniform;
-    settings.animation.phase = {0.25F, 1.0F};
+    settings.as<AnimationSettings>().phase = {0.25F, 1.0F};
     scene.paint(fromAbove(), settings, {{1.0, 1.0}, {1279.0, 767.0}});
     QCOMPARE(scene.people().column(columns::clip)[9], std::uint16_t{1});
     QCOMPARE(scene.people().column(columns::phase)[9], 0.25F);
@@ -51,8 +52,8 @@ void tst_BrushAnimation::stylesAreClipsToWalkWith()
     const View view = fromAbove();
     const std::vector<glm::dvec2> all{{1.0, 1.0}, {1279.0, 767.0}};
     BrushSettings settings = brush(BrushKind::Style, BrushSelection::Rectangle);
-    settings.style.clips = {{"idle", 1.0F}, {"cheer", 1.0F}};
-    settings.style.setsSpeed = false;
+    settings.as<StyleSettings>().clips = {{"idle", 1.0F}, {"cheer", 1.0F}};
+    settings.as<StyleSettings>().setsSpeed = false;
     // Nobody gets anywhere with a clip that stays in place.
     QCOMPARE(scene.paint(view, settings, {all[0], all[1]}).affected, 0);
     TemplateEntry entry = scene.document.scene().templates[0];
@@ -60,11 +61,11 @@ void tst_BrushAnimation::stylesAreClipsToWalkWith()
     auto edit = scene.document.beginEdit();
     edit->changeTemplate(entry);
     edit->commit(QStringLiteral("Speed"));
-    settings.style.clips = {{"cheer", 1.0F}};
-    settings.style.setsSpeed = true;
-    settings.style.speed = {2.0F, 3.0F};
-    QCOMPARE(settings.mainNumber().quantity, MainQuantity::WalkSpeed);
-    QCOMPARE(settings.withMainNumber(4.0).style.speed, (ValueRange{4.0F, 5.0F}));
+    settings.as<StyleSettings>().clips = {{"cheer", 1.0F}};
+    settings.as<StyleSettings>().setsSpeed = true;
+    settings.as<StyleSettings>().speed = {2.0F, 3.0F};
+    QCOMPARE(QByteArray(settings.mainNumber().label), QByteArray("Walking speed, m/s"));
+    QCOMPARE(settings.withMainNumber(4.0).as<StyleSettings>().speed, (ValueRange{4.0F, 5.0F}));
     QCOMPARE(scene.paint(view, settings, {all[0], all[1]}).affected, 60);
     float slowest = 9.0F;
     float fastest = 0.0F;
@@ -75,8 +76,8 @@ void tst_BrushAnimation::stylesAreClipsToWalkWith()
     }
     QVERIFY(slowest >= 2.0F && fastest <= 3.0F && fastest - slowest > 0.7F);
     // None ticked: what fits the speed again, and the speed stays.
-    settings.style.clips.clear();
-    settings.style.setsSpeed = false;
+    settings.as<StyleSettings>().clips.clear();
+    settings.as<StyleSettings>().setsSpeed = false;
     QCOMPARE(scene.paint(view, settings, {all[0], all[1]}).affected, 60);
     QCOMPARE(scene.people().column(columns::walkStyle)[7], std::uint16_t{0});
     scene.document.undoStack().undo();

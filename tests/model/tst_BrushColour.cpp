@@ -27,13 +27,13 @@ void tst_BrushColour::coloursOneSlotOrAllTintable()
     BrushScene scene;
     const Ids ids = scene.addPeople({{-2, 0, 0}, {2, 0, 0}});
     BrushSettings settings = colourBrush(BrushSelection::Point);
-    settings.colour.strength = 0.5F;
+    settings.as<ColourSettings>().strength = 0.5F;
     const View view = fromAbove();
     QCOMPARE(scene.paint(view, settings, {pixelOf(view, {-2, 0, 0})}).affected, 1);
     QCOMPARE(tintOf(scene, ids[0], 0), Tint{});
     QCOMPARE(tintOf(scene, ids[0], 1), (Tint{200, 100, 0, 128}));
     QCOMPARE(tintOf(scene, ids[0], 2), (Tint{200, 100, 0, 128}));
-    settings.colour.slot = "bottom";
+    settings.as<ColourSettings>().slot = "bottom";
     QCOMPARE(scene.paint(view, settings, {pixelOf(view, {2, 0, 0})}).affected, 1);
     QCOMPARE(tintOf(scene, ids[1], 1), Tint{});
     QCOMPARE(tintOf(scene, ids[1], 2), (Tint{200, 100, 0, 128}));
@@ -53,8 +53,8 @@ void tst_BrushColour::sparesSkinAndHairWhereThereAreClothes()
         edit->commit(QStringLiteral("Change"));
         const Ids ids = scene.addPeople({{0, 0, 0}});
         BrushSettings settings = colourBrush(BrushSelection::Point);
-        settings.colour.sparesBody = true;
-        settings.colour.slot = chosen;
+        settings.as<ColourSettings>().sparesBody = true;
+        settings.as<ColourSettings>().slot = chosen;
         const View view = fromAbove();
         (void)scene.paint(view, settings, {pixelOf(view, {0, 0, 0})});
         std::string painted;
@@ -78,18 +78,18 @@ void tst_BrushColour::replacesOrMultipliesAndUndoesBoth()
     const auto modes = [&] {
         return static_cast<int>(scene.people().column(columns::tintReplaces)[0]);
     };
-    settings.colour.slot = "top";
-    settings.colour.replaces = true;
+    settings.as<ColourSettings>().slot = "top";
+    settings.as<ColourSettings>().replaces = true;
     QCOMPARE(scene.paint(view, settings, there).affected, 1);
     QCOMPARE(modes(), 2);
-    settings.colour.slot = "bottom";
-    settings.colour.replaces = false;
+    settings.as<ColourSettings>().slot = "bottom";
+    settings.as<ColourSettings>().replaces = false;
     QCOMPARE(scene.paint(view, settings, there).affected, 1);
     QCOMPARE(modes(), 2);
-    settings.colour.slot = "top"; // the same colour in the other way is a change
+    settings.as<ColourSettings>().slot = "top"; // the same colour in the other way is a change
     QCOMPARE(scene.paint(view, settings, there).affected, 1);
     QCOMPARE(modes(), 0);
-    QCOMPARE(scene.paint(view, settings, there).reason, StrokeReason::AlreadyThisColour);
+    QCOMPARE(scene.paint(view, settings, there).reason, StrokeReason::Unchanged);
     scene.document.undoStack().undo();
     QCOMPARE(modes(), 2);
     QCOMPARE(tintOf(scene, ids[0], 1), (Tint{200, 100, 0, 255}));
@@ -159,7 +159,7 @@ void tst_BrushColour::buildsUpOnlyWhenAsked()
         BrushScene scene;
         const Ids ids = scene.addPeople({{0, 0, 0}});
         BrushSettings settings = brush(BrushKind::Colour, BrushSelection::AllInCircle);
-        settings.colour.colors = {{0, 55, 0}};
+        settings.as<ColourSettings>().colors = {{0, 55, 0}};
         settings.buildUp = buildUp;
         settings.flow = 0.5F;
         const glm::dvec2 at = pixelOf(fromAbove(), {0, 0, 0});

@@ -113,7 +113,7 @@ void tst_BrushCreate::refusesSteepSlopes()
     QVERIFY(!refused.isCommitted);
     QCOMPARE(refused.reason, StrokeReason::TooSteep);
     BrushSettings filling = creator(BrushSelection::Rectangle);
-    filling.create.density = 4.0F;
+    filling.as<CreateSettings>().density = 4.0F;
     QCOMPARE(
         steep.paint(view, filling, {pixelOf(view, {-1, 0, -1}), pixelOf(view, {1, 0, 1})}).reason,
         StrokeReason::TooSteep);
@@ -126,12 +126,12 @@ void tst_BrushCreate::keepsTheMinimalDistance()
     BrushSettings settings = creator(BrushSelection::Spray);
     settings.ratePerSecond = 400.0F;
     settings.radiusPixels = 120.0F;
-    settings.create.minimalDistance = 0.5F;
+    settings.as<CreateSettings>().minimalDistance = 0.5F;
     const glm::dvec2 at = pixelOf(fromAbove(), {0, 0, 0});
     QVERIFY(scene.paint(fromAbove(), settings, std::vector<glm::dvec2>(60, at)).affected > 15);
     QVERIFY(nearestPair(scene.people()) >= 0.4999F);
     settings.selection = BrushSelection::Rectangle;
-    settings.create.density = 5.0F;
+    settings.as<CreateSettings>().density = 5.0F;
     QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
     QVERIFY(nearestPair(scene.people()) >= 0.4999F);
 }
@@ -147,17 +147,17 @@ void tst_BrushCreate::wideBodiesTakeMoreRoom()
     edit->commit(QStringLiteral("Add"));
     scene.addPeople({{0, 0, 0}, {3, 0, 0}, {-3, 0, 1}});
     BrushSettings settings = creator(BrushSelection::Spray);
-    settings.create.mix = {{2, 1.0F}};
-    settings.create.girth = {1.0F, 1.0F};
-    settings.create.minimalDistance = 0.5F;
+    settings.as<CreateSettings>().mix = {{2, 1.0F}};
+    settings.as<CreateSettings>().girth = {1.0F, 1.0F};
+    settings.as<CreateSettings>().minimalDistance = 0.5F;
     settings.ratePerSecond = 400.0F;
     settings.radiusPixels = 200.0F;
     const glm::dvec2 at = pixelOf(fromAbove(), {0, 0, 0});
     QVERIFY(scene.paint(fromAbove(), settings, std::vector<glm::dvec2>(60, at)).affected > 2);
     settings.selection = BrushSelection::Rectangle;
-    settings.create.density = 3.0F;
+    settings.as<CreateSettings>().density = 3.0F;
     QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 2);
-    settings.create.mix = {{1, 1.0F}};
+    settings.as<CreateSettings>().mix = {{1, 1.0F}};
     QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 2);
     const auto positions = scene.people().column(columns::position);
     const auto headings = scene.people().column(columns::heading);
@@ -192,11 +192,11 @@ void tst_BrushCreate::variesWithinTheRanges()
 {
     BrushScene scene;
     BrushSettings settings = creator(BrushSelection::Rectangle);
-    settings.create.height = {0.8F, 1.2F};
-    settings.create.girth = {0.9F, 1.0F};
-    settings.create.phase = {0.25F, 0.75F};
-    settings.create.palette = {{10, 20, 30}, {40, 50, 60}};
-    settings.create.paletteStrength = 1.0F;
+    settings.as<CreateSettings>().height = {0.8F, 1.2F};
+    settings.as<CreateSettings>().girth = {0.9F, 1.0F};
+    settings.as<CreateSettings>().phase = {0.25F, 0.75F};
+    settings.as<CreateSettings>().palette = {{10, 20, 30}, {40, 50, 60}};
+    settings.as<CreateSettings>().paletteStrength = 1.0F;
     const int created = scene.paint(fromAbove(), settings, kEverything).affected;
     QVERIFY(created > 100);
     const Population& people = scene.people();
@@ -242,8 +242,8 @@ void tst_BrushCreate::dressesEachInAnOutfit()
         QVERIFY2((parts & 3U) == 1U, "parts as the template has them");
     }
     scene.document.undoStack().undo();
-    settings.create.variesOutfit = false;
-    settings.create.variesParts = true;
+    settings.as<CreateSettings>().variesOutfit = false;
+    settings.as<CreateSettings>().variesParts = true;
     QVERIFY(scene.paint(fromAbove(), settings, kEverything).affected > 100);
     QCOMPARE(countOf(0), std::ssize(scene.people().ids()));
     std::set<std::uint32_t> worn;
@@ -264,8 +264,8 @@ void tst_BrushCreate::facesVaryApartFromOutfits()
         edit->changeTemplate(boxManEntry(1, man));
         edit->commit(QStringLiteral("Change"));
         BrushSettings settings = creator(BrushSelection::Rectangle);
-        settings.create.variesOutfit = outfits;
-        settings.create.variesFaces = faces;
+        settings.as<CreateSettings>().variesOutfit = outfits;
+        settings.as<CreateSettings>().variesFaces = faces;
         (void)scene.paint(fromAbove(), settings, kEverything);
         const auto all = scene.people().column(columns::materialChoices);
         return std::vector<MaterialChoices>(all.begin(), all.end());
@@ -296,9 +296,9 @@ void tst_BrushCreate::mixesTemplatesByWeight()
     edit->addTemplate(boxManEntry(2, boxMan()));
     edit->commit(QStringLiteral("Add"));
     BrushSettings settings = creator(BrushSelection::Rectangle);
-    settings.create.mix = {{1, 1.0F}, {2, 3.0F}};
-    settings.create.density = 2.0F;
-    settings.create.minimalDistance = 0.1F;
+    settings.as<CreateSettings>().mix = {{1, 1.0F}, {2, 3.0F}};
+    settings.as<CreateSettings>().density = 2.0F;
+    settings.as<CreateSettings>().minimalDistance = 0.1F;
     const int created = scene.paint(fromAbove(), settings, kEverything).affected;
     const auto templates = scene.people().column(columns::templateId);
     const double share =
@@ -367,7 +367,7 @@ void tst_BrushCreate::leavesTheColoursOfTheBodyAlone()
     edit->changeTemplate(boxManEntry(1, man));
     edit->commit(QStringLiteral("Change"));
     BrushSettings settings = creator(BrushSelection::Point);
-    settings.create.palette = {{10, 20, 30}};
+    settings.as<CreateSettings>().palette = {{10, 20, 30}};
     QVERIFY(scene.paint(fromAbove(), settings, {{640.0, 384.0}}).isCommitted);
     QCOMPARE(scene.people().column(columns::tint(1))[0],
              isTinted ? (Tint{10, 20, 30, 255}) : Tint{});
@@ -386,15 +386,15 @@ void tst_BrushCreate::leavesTheColoursOfForeignModelsAlone()
     edit->changeTemplate(boxManEntry(1, horse));
     edit->commit(QStringLiteral("Change"));
     BrushSettings settings = creator(BrushSelection::Point);
-    settings.create.palette = {{10, 20, 30}};
+    settings.as<CreateSettings>().palette = {{10, 20, 30}};
     QVERIFY(scene.paint(fromAbove(), settings, {{640.0, 384.0}}).isCommitted);
     for (int slot = 0; slot < 3; ++slot) {
         QCOMPARE(scene.people().column(columns::tint(slot))[0], Tint{});
     }
     BrushSettings colour;
-    colour.kind = BrushKind::Colour;
+    colour.setKind(BrushKind::Colour);
     colour.selection = BrushSelection::Rectangle;
-    colour.colour.colors = {{40, 50, 60}};
+    colour.as<ColourSettings>().colors = {{40, 50, 60}};
     QVERIFY(scene.paint(fromAbove(), colour, kEverything).isCommitted);
     QCOMPARE(scene.people().column(columns::tint(1))[0], (Tint{40, 50, 60, 255}));
 }
@@ -403,8 +403,8 @@ void tst_BrushCreate::keepsToRanksAndWedges()
 {
     BrushScene scene({stageOf({}, seatRows(4, 8))});
     BrushSettings settings = creator(BrushSelection::Rectangle);
-    settings.create.seats.ranks = {1, 3};
-    settings.create.seats.wedges = {1};
+    settings.as<CreateSettings>().seats.ranks = {1, 3};
+    settings.as<CreateSettings>().seats.wedges = {1};
     QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 8);
     for (const WorldSeat& seat : scene.document.scene().worldSeats()) {
         const bool isMeant = seat.seat.rank % 2 == 1 && seat.seat.wedge == 1;
@@ -418,7 +418,7 @@ void tst_BrushCreate::fillsAShareOfTheSeats()
 {
     BrushScene scene({stageOf({}, seatRows(5, 8))});
     BrushSettings settings = creator(BrushSelection::Rectangle);
-    settings.create.seatPercent = 35.0F;
+    settings.as<CreateSettings>().seatPercent = 35.0F;
     QCOMPARE(scene.paint(fromAbove(), settings, kEverything).affected, 14);
 }
 
@@ -426,14 +426,14 @@ void tst_BrushCreate::dotsAlongSeatsLeaveTheirShareFree()
 {
     BrushScene scene({stageOf({}, seatRows(1, 18))});
     BrushSettings settings = brush(BrushKind::Create, BrushSelection::Point);
-    settings.create.seatPercent = 50.0F;
+    settings.as<CreateSettings>().seatPercent = 50.0F;
     const StrokeOutcome outcome = scene.paint(fromAbove(), settings, {{70, 384}, {1210, 384}});
     QVERIFY2(outcome.affected > 4 && outcome.affected < 15,
              qPrintable(QString::number(outcome.affected)));
-    settings.create.seatPercent = 1.0F;
+    settings.as<CreateSettings>().seatPercent = 1.0F;
     scene.document.undoStack().undo();
     QCOMPARE(scene.paint(fromAbove(), settings, {{670, 384}}).affected, 1); // a click seats
-    settings.create.seatPercent = 100.0F;
+    settings.as<CreateSettings>().seatPercent = 100.0F;
     QCOMPARE(scene.paint(fromAbove(), settings, {{70, 384}, {1210, 384}}).affected, 17);
 }
 
@@ -474,8 +474,8 @@ void tst_BrushCreate::fillsByDensity()
 {
     BrushScene scene;
     BrushSettings settings = creator(BrushSelection::Rectangle);
-    settings.create.density = 2.0F;
-    settings.create.minimalDistance = 0.3F;
+    settings.as<CreateSettings>().density = 2.0F;
+    settings.as<CreateSettings>().minimalDistance = 0.3F;
     const View view = fromAbove();
     const int created =
         scene.paint(view, settings, {pixelOf(view, {-6, 0, -4}), pixelOf(view, {6, 0, 4})})
@@ -499,7 +499,7 @@ void tst_BrushCreate::ghostIsWhatAPressCreates()
              {BrushSelection::Point, BrushSelection::Spray, BrushSelection::AllInCircle}) {
             BrushSettings settings = creator(selection);
             settings.radiusPixels = 100.0F;
-            settings.create.palette = {{1, 2, 3}, {4, 5, 6}};
+            settings.as<CreateSettings>().palette = {{1, 2, 3}, {4, 5, 6}};
             const PointerInput press = PointerInput::at(pixelOf(view, {0.4F, 0.0F, -1.2F}), 3.0);
             IndividualRows ghosts =
                 previewGhosts(scene.document, scene.context(view), settings, 99, press);
@@ -522,9 +522,9 @@ void tst_BrushCreate::saysWhyNobodyCame()
     const std::vector<glm::dvec2> middle{pixelOf(view, {0, 0, 0})};
     BrushSettings settings = creator(BrushSelection::Point);
     QCOMPARE(scene.paint(view, settings, middle).reason, StrokeReason::TooNearToOthers);
-    settings.create.mix = {};
+    settings.as<CreateSettings>().mix = {};
     QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::NoTemplateChosen);
-    settings.create.mix = {{1, 1.0F}};
+    settings.as<CreateSettings>().mix = {{1, 1.0F}};
     scene.document.setTemplateAsset(1, nullptr, "gone");
     QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::TemplateNotLoaded);
     const View sky(Camera::lookingAt({0, 2, 0}, {0, 5, 5}), {1280.0F, 768.0F});

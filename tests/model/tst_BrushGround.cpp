@@ -31,9 +31,9 @@ public:
 BrushSettings walkableBrush(BrushSelection selection)
 {
     BrushSettings settings = brush(BrushKind::Create, selection);
-    settings.create.anywhere = false;
-    settings.create.minimalDistance = 0.3F;
-    settings.create.density = 2.0F;
+    settings.as<CreateSettings>().anywhere = false;
+    settings.as<CreateSettings>().minimalDistance = 0.3F;
+    settings.as<CreateSettings>().density = 2.0F;
     return settings;
 }
 
@@ -129,7 +129,8 @@ void TestBrushGround::anywhereIsAsBefore()
 {
     GroundScene scene;
     BrushSettings settings = walkableBrush(BrushSelection::Rectangle);
-    settings.create.anywhere = CreateSettings().anywhere; // what strokes say that say nothing
+    settings.as<CreateSettings>().anywhere =
+        CreateSettings().anywhere; // what strokes say that say nothing
     QVERIFY(scene.paintOnGround(settings, kLeft, kRight).isCommitted);
     QVERIFY(scene.leastX() < -1.0F);
     QCOMPARE(scene.asked, 0);
@@ -148,7 +149,7 @@ void TestBrushGround::aReplayIsTheSame()
 {
     GroundScene painted;
     (void)painted.paintOnGround(walkableBrush(BrushSelection::Spray), kLeft, kRight);
-    QVERIFY(!painted.recorded.settings.create.anywhere);
+    QVERIFY(!painted.recorded.settings.as<CreateSettings>().anywhere);
     GroundScene replayed;
     const auto outcome =
         replay(replayed.document, replayed.keyframes, replayed.rays, painted.recorded,

@@ -34,7 +34,7 @@ void tst_BrushOrientation::turnsAlongTheStroke()
     BrushScene scene;
     const Ids ids = scene.addPeople({{-2, 0, 0}, {2, 0, 0}});
     BrushSettings settings = brush(BrushKind::Orientation, BrushSelection::AllInCircle);
-    settings.orientation.heading.mode = HeadingMode::AlongStroke;
+    settings.as<OrientationSettings>().heading.mode = HeadingMode::AlongStroke;
     const View view = fromAbove();
     const auto outcome =
         scene.paint(view, settings, {pixelOf(view, {-2, 0, 0}), pixelOf(view, {2, 0, 0})});
@@ -50,7 +50,7 @@ void tst_BrushOrientation::turnsAsTheModeSays()
     BrushScene scene;
     const Ids ids = scene.addPeople({{-2, 0, 0}, {2, 0, 1}});
     BrushSettings settings = brush(BrushKind::Orientation, BrushSelection::Rectangle);
-    HeadingSettings& heading = settings.orientation.heading;
+    HeadingSettings& heading = settings.as<OrientationSettings>().heading;
     const std::vector<glm::dvec2> all{{1.0, 1.0}, {1279.0, 767.0}};
     heading.mode = HeadingMode::Direction;
     heading.headingRadians = 1.0F;
@@ -86,8 +86,8 @@ void tst_BrushOrientation::turnsAwayFromAPoint()
     BrushScene scene;
     const Ids ids = scene.addPeople({{0, 0, 0}});
     BrushSettings settings = brush(BrushKind::Orientation, BrushSelection::AllInCircle);
-    settings.orientation.heading.mode = HeadingMode::TowardsPoint;
-    settings.orientation.heading.towardsPoint = {5, 0, 0};
+    settings.as<OrientationSettings>().heading.mode = HeadingMode::TowardsPoint;
+    settings.as<OrientationSettings>().heading.towardsPoint = {5, 0, 0};
     constexpr float kQuarter = std::numbers::pi_v<float> / 2.0F;
     (void)scene.paint(fromAbove(), settings, {{640, 384}});
     QVERIFY(std::abs(headingOf(scene, ids[0]) - kQuarter) < 1.0e-5F);

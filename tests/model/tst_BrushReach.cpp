@@ -141,14 +141,14 @@ void tst_BrushReach::thinsOutByAShare()
     BrushScene scene;
     scene.addPeople(crowdGrid());
     BrushSettings settings = brush(BrushKind::Delete, BrushSelection::Rectangle);
-    settings.removal.percent = 50.0F;
+    settings.as<DeleteSettings>().percent = 50.0F;
     const StrokeOutcome half = scene.paint(fromAbove(), settings, {{100, 50}, {1200, 700}});
     QVERIFY2(half.affected > 18 && half.affected < 42, qPrintable(QString::number(half.affected)));
     settings.selection = BrushSelection::AllInCircle;
     settings.radiusPixels = 1000.0F;
-    settings.removal.percent = 100.0F;
+    settings.as<DeleteSettings>().percent = 100.0F;
     QCOMPARE(scene.paint(fromAbove(), settings, {{640, 384}}).affected, 60 - half.affected);
-    settings.removal.percent = 0.0F;
+    settings.as<DeleteSettings>().percent = 0.0F;
     scene.addPeople({{0, 0, 0}});
     const StrokeOutcome nobody = scene.paint(fromAbove(), settings, {{640, 384}});
     QVERIFY(nobody.reason == StrokeReason::ShareTooSmall && !nobody.message.isEmpty());

@@ -58,14 +58,22 @@ BrushSettings livelyBrush(BrushKind kind, BrushSelection selection, BrushOperato
     BrushSettings settings = brush(kind, selection);
     settings.op = op;
     settings.ratePerSecond = 60.0F;
-    settings.create.minimalDistance = 0.3F;
-    settings.create.palette = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
-    settings.colour.blends = true;
-    settings.orientation.heading.mode =
-        op == BrushOperator::Random ? HeadingMode::Random : HeadingMode::AlongStroke;
-    settings.animation.clips = {{"sit", 1.0F}, {"cheer", 2.0F}};
-    settings.animation.setsSpeed = true;
-    settings.animation.speed = {0.5F, 2.0F};
+    if (auto* create = settings.find<CreateSettings>()) {
+        create->minimalDistance = 0.3F;
+        create->palette = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
+    }
+    if (auto* colour = settings.find<ColourSettings>()) {
+        colour->blends = true;
+    }
+    if (auto* turning = settings.find<OrientationSettings>()) {
+        turning->heading.mode =
+            op == BrushOperator::Random ? HeadingMode::Random : HeadingMode::AlongStroke;
+    }
+    if (auto* animation = settings.find<AnimationSettings>()) {
+        animation->clips = {{"sit", 1.0F}, {"cheer", 2.0F}};
+        animation->setsSpeed = true;
+        animation->speed = {0.5F, 2.0F};
+    }
     return settings;
 }
 
@@ -212,20 +220,20 @@ void tst_BrushStroke::saysWhyNothingHappened()
     QCOMPARE(scene.paint(view, settings, {off}).message, QStringLiteral("Nobody under the brush"));
     QCOMPARE(scene.document.undoStack().count(), steps);
     QVERIFY(scene.paint(view, settings, {on}).isCommitted);
-    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::AlreadyThisColour);
-    settings.colour.slot = "hat";
+    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::Unchanged);
+    settings.as<ColourSettings>().slot = "hat";
     QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::NoSuchSlot);
-    settings.kind = BrushKind::Animation;
-    settings.animation.setsPhase = false;
+    settings.setKind(BrushKind::Animation);
+    settings.as<AnimationSettings>().setsPhase = false;
     QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::NothingChosen);
-    settings.animation.clips = {{"fly", 1.0F}};
+    settings.as<AnimationSettings>().clips = {{"fly", 1.0F}};
     QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::NoSuchClip);
-    settings.animation.clips = {{"idle", 1.0F}};
-    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::AlreadyThisAnimation);
-    settings.kind = BrushKind::Orientation;
+    settings.as<AnimationSettings>().clips = {{"idle", 1.0F}};
+    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::Unchanged);
+    settings.setKind(BrushKind::Orientation);
     QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::NoDirection);
-    settings.orientation.heading.mode = HeadingMode::Direction;
-    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::AlreadyThisHeading);
+    settings.as<OrientationSettings>().heading.mode = HeadingMode::Direction;
+    QCOMPARE(scene.paint(view, settings, {on}).reason, StrokeReason::Unchanged);
     QCOMPARE(scene.document.undoStack().count(), steps + 1);
 }
 

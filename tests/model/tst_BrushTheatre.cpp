@@ -87,7 +87,7 @@ void tst_BrushTheatre::firstStrokeFillsFreeSeats()
     BrushSettings settings;
     settings.selection = BrushSelection::Rectangle;
     for (const TemplateEntry& entry : m_document.scene().templates) {
-        settings.create.mix.push_back({entry.id, 1.0F});
+        settings.as<CreateSettings>().mix.push_back({entry.id, 1.0F});
     }
     const std::size_t before = m_document.scene().population.size();
     const StrokeOutcome outcome = paint(settings);
@@ -110,7 +110,7 @@ void tst_BrushTheatre::recolouringAndUndoKeepEveryByte()
 {
     const Population before = m_document.scene().population;
     BrushSettings settings;
-    settings.kind = BrushKind::Colour;
+    settings.setKind(BrushKind::Colour);
     settings.selection = BrushSelection::Rectangle;
     settings.op = BrushOperator::Gradient;
     QVERIFY(paint(settings).affected > 100);

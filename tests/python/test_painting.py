@@ -123,7 +123,7 @@ class Strokes(unittest.TestCase):
             bad(lambda b: setattr(b, "rate", float("inf"))),
             bad(lambda b: setattr(b.create, "mix", {99: 1.0})),
             bad(lambda b: setattr(b.create, "height", (2.0, 1.0))),
-            bad(lambda b: setattr(b.colour, "colors", [])),
+            bad(lambda b: (setattr(b, "kind", BrushKind.COLOUR), setattr(b.colour, "colors", []))),
         ]
         for brush in brushes:
             with self.assertRaises(crowdbrush.Error):

@@ -145,7 +145,8 @@ void TestBehaviourDocks::readyMadeRulesBecomeSentences()
     QVERIFY(list->count() >= 3);
     QVERIFY2(list->item(0)->text().contains(QStringLiteral("run")),
              qPrintable(list->item(0)->text()));
-    QCOMPARE(desk.state.brush(model::BrushKind::Event).event.name, std::string("run"));
+    QCOMPARE(desk.state.brush(model::BrushKind::Event).as<crowd::model::EventSettings>().name,
+             std::string("run"));
     QCOMPARE(desk.document.undoStack().count(), 1);
     list->item(1)->setCheckState(Qt::Unchecked);
     QVERIFY(!desk.document.scene().rules[1].isEnabled);

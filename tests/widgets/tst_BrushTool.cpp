@@ -181,9 +181,10 @@ void TestBrushTool::whoWouldBeHitIsMarkedBeforeThePress()
 void TestBrushTool::newBrushesSpareSkinAndVaryFaces()
 {
     Hand hand;
-    QVERIFY(hand.state.brush(model::BrushKind::Colour).colour.sparesBody);
+    QVERIFY(
+        hand.state.brush(model::BrushKind::Colour).as<crowd::model::ColourSettings>().sparesBody);
     model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
-    QCOMPARE(brush.create.variesFaces, std::optional<bool>(true));
+    QCOMPARE(brush.as<crowd::model::CreateSettings>().variesFaces, std::optional<bool>(true));
 }
 
 void TestBrushTool::paperMappingGivesEachButtonItsSelection_data()

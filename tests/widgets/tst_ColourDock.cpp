@@ -29,7 +29,7 @@ void clickCell(SwatchGrid* cells, int index, Qt::MouseButton button = Qt::LeftBu
 
 const std::vector<model::PaintColor>& brushColors(const Desk& desk)
 {
-    return desk.state.brush(model::BrushKind::Colour).colour.colors;
+    return desk.state.brush(model::BrushKind::Colour).as<crowd::model::ColourSettings>().colors;
 }
 
 void setOperator(Desk& desk, model::BrushOperator op)
@@ -71,13 +71,16 @@ void ColourDockTest::colourEditsTheEndThatIsChosen()
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::BrushColour);
     desk.dock->setColor(QColor(10, 20, 30));
-    const auto& colors = desk.state.brush(model::BrushKind::Colour).colour.colors;
+    const auto& colors =
+        desk.state.brush(model::BrushKind::Colour).as<crowd::model::ColourSettings>().colors;
     QCOMPARE(colors.front(), (model::PaintColor{10, 20, 30}));
     const model::PaintColor last = colors.back();
     QVERIFY(last != colors.front());
     type(*desk.dock->findChild<QLineEdit*>(), QStringLiteral("#ff8000"));
     QCOMPARE(desk.dock->color(), QColor(255, 128, 0));
-    QCOMPARE(desk.state.brush(model::BrushKind::Colour).colour.colors.back(), last);
+    QCOMPARE(
+        desk.state.brush(model::BrushKind::Colour).as<crowd::model::ColourSettings>().colors.back(),
+        last);
 }
 
 void ColourDockTest::greyKeepsTheHueOfTheSquare()
@@ -169,7 +172,11 @@ void ColourDockTest::newPeopleHaveColoursOfTheirOwn()
     const auto painted = brushColors(desk);
     desk.state.setTool(ToolId::BrushCreate);
     SwatchGrid* chips = grid(desk, "brushColours");
-    const auto palette = [&] { return desk.state.brush(model::BrushKind::Create).create.palette; };
+    const auto palette = [&] {
+        return desk.state.brush(model::BrushKind::Create)
+            .as<crowd::model::CreateSettings>()
+            .palette;
+    };
     QCOMPARE(chips->colors().size(), palette().size());
     for (std::size_t i = palette().size(); i > 0; --i) {
         clickCell(chips, 0, Qt::RightButton);

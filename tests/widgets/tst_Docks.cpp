@@ -121,7 +121,9 @@ void DocksTest::tickedTemplatesAreTheMix()
     edit->commit(QStringLiteral("Import"));
     auto* list = desk.dock->findChild<QListWidget*>();
     QTRY_COMPARE(list->count(), 2);
-    const auto mix = [&] { return desk.state.brush(model::BrushKind::Create).create.mix; };
+    const auto mix = [&] {
+        return desk.state.brush(model::BrushKind::Create).as<crowd::model::CreateSettings>().mix;
+    };
     list->item(1)->setCheckState(Qt::Unchecked);
     for (const model::TemplateWeight& entry : mix()) {
         QVERIFY(entry.id != id);
@@ -229,7 +231,7 @@ void DocksTest::templatesShowTheirShareOfTheMix()
     auto* list = desk.dock->findChild<QListWidget*>();
     QTRY_COMPARE(list->count(), 2);
     model::BrushSettings brush = desk.state.brush(model::BrushKind::Create);
-    brush.create.mix = {{1, 1.0F}, {id, 0.25F}};
+    brush.as<crowd::model::CreateSettings>().mix = {{1, 1.0F}, {id, 0.25F}};
     desk.state.setBrush(brush);
     const auto share = [&](int row) {
         return list->item(row)->data(TemplateDelegate::kShareRole).toFloat();
@@ -242,7 +244,7 @@ void DocksTest::templatesShowTheirShareOfTheMix()
     QVERIFY2(share(1) < 0.0F, "a click on the tick takes it out");
     QCOMPARE(share(0), 1.0F);
     Q_EMIT list->itemDoubleClicked(list->item(1));
-    QCOMPARE(desk.state.brush(model::BrushKind::Create).create.mix,
+    QCOMPARE(desk.state.brush(model::BrushKind::Create).as<crowd::model::CreateSettings>().mix,
              (std::vector<model::TemplateWeight>{{id, 1.0F}}));
 }
 
@@ -288,7 +290,7 @@ void DocksTest::theTagBrushShowsNameAndColour()
     edit->commit(QStringLiteral("Name a tag"));
     desk.state.setTool(ToolId::BrushTag);
     model::BrushSettings brush = desk.state.brush(model::BrushKind::Tag);
-    brush.tag.tag = 2;
+    brush.as<crowd::model::TagSettings>().tag = 2;
     desk.state.setBrush(brush);
     const auto shown = [&](const char* name) {
         return desk.dock->findChild<QLabel*>(QLatin1String(name));
@@ -296,7 +298,7 @@ void DocksTest::theTagBrushShowsNameAndColour()
     QTRY_VERIFY(shown("swatchText") != nullptr);
     QCOMPARE(shown("swatchText")->text(), QStringLiteral("guests"));
     QCOMPARE(shown("swatch")->pixmap().toImage().pixelColor(5, 5), QColor(10, 200, 30));
-    brush.tag.tag = 3;
+    brush.as<crowd::model::TagSettings>().tag = 3;
     desk.state.setBrush(brush);
     QVERIFY(shown("swatchText")->text() != QStringLiteral("guests"));
     QVERIFY(shown("swatch")->pixmap().toImage().pixelColor(5, 5) != QColor(10, 200, 30));

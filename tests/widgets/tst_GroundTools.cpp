@@ -27,7 +27,8 @@ struct Plaza : Hand
         state.setCamera(model::Camera::lookingAt({0.0F, 30.0F, 0.1F}, {0.0F, 0.0F, 0.0F}));
         model::BrushSettings create = state.brush(model::BrushKind::Create);
         create.selection = model::BrushSelection::Point;
-        create.create.mix = {{document.scene().templates.front().id, 1.0F}};
+        create.as<crowd::model::CreateSettings>().mix = {
+            {document.scene().templates.front().id, 1.0F}};
         state.setBrush(create);
         statuses = std::make_unique<QSignalSpy>(&state, &EditorState::statusMessage);
     }
@@ -36,8 +37,11 @@ struct Plaza : Hand
         for (const model::BrushKind kind :
              {model::BrushKind::Create, model::BrushKind::Path, model::BrushKind::Environment}) {
             model::BrushSettings settings = state.brush(kind);
-            settings.create.anywhere = isAnywhere;
-            settings.place.anywhere = isAnywhere;
+            if (auto* place = settings.place()) {
+                place->anywhere = isAnywhere;
+            } else {
+                settings.as<crowd::model::CreateSettings>().anywhere = isAnywhere;
+            }
             state.setBrush(settings);
         }
     }

@@ -79,7 +79,7 @@ void PickDragTest::theSlotOfTheBrushIsMeant()
     const auto ids = testing::addPeople(hand.document, 1);
     wear(hand, ids, {10, 20, 30, 255});
     model::BrushSettings brush = hand.state.brush(model::BrushKind::Colour);
-    brush.colour.slot = "bottom";
+    brush.as<crowd::model::ColourSettings>().slot = "bottom";
     hand.state.setBrush(brush);
     hand.state.setTool(ToolId::BrushColour);
     QSignalSpy picked(&hand.state, &EditorState::colorPicked);
@@ -151,7 +151,8 @@ void PickDragTest::aKindIsTakenForTheMix()
     hand.state.setTool(ToolId::BrushCreate);
     hand.modifiers = Qt::ControlModifier;
     click(hand, hand.pixelOf(ids[0]));
-    const auto& mix = hand.state.brush(model::BrushKind::Create).create.mix;
+    const auto& mix =
+        hand.state.brush(model::BrushKind::Create).as<crowd::model::CreateSettings>().mix;
     QCOMPARE(mix, (std::vector<model::TemplateWeight>{{other.id, 1.0F}}));
     QCOMPARE(hand.document.scene().population.size(), std::size_t{1});
 }
@@ -169,8 +170,9 @@ void PickDragTest::aClipIsTaken()
     hand.state.setTool(ToolId::BrushAnimation);
     hand.modifiers = Qt::ControlModifier;
     click(hand, hand.pixelOf(ids[0]));
-    QCOMPARE(hand.state.brush(model::BrushKind::Animation).animation.clips,
-             (std::vector<model::ClipWeight>{{"rise", 1.0F}}));
+    QCOMPARE(
+        hand.state.brush(model::BrushKind::Animation).as<crowd::model::AnimationSettings>().clips,
+        (std::vector<model::ClipWeight>{{"rise", 1.0F}}));
 }
 
 void PickDragTest::aPointToFaceIsTakenFromTheGround()
@@ -180,7 +182,9 @@ void PickDragTest::aPointToFaceIsTakenFromTheGround()
     hand.state.setPicking(Picking::Point);
     const glm::vec3 place(2.0F, 0.05F, 3.0F);
     click(hand, hand.pixelOf(place));
-    const auto& heading = hand.state.brush(model::BrushKind::Orientation).orientation.heading;
+    const auto& heading = hand.state.brush(model::BrushKind::Orientation)
+                              .as<crowd::model::OrientationSettings>()
+                              .heading;
     QVERIFY(heading.mode == model::HeadingMode::TowardsPoint);
     QVERIFY(glm::length(heading.towardsPoint - place) < 0.05F);
     hand.hover({320.0, 240.0});
@@ -208,7 +212,7 @@ void PickDragTest::noGhostStandsWherePeopleArePicked()
 {
     Hand hand;
     model::BrushSettings brush = hand.state.brush(model::BrushKind::Create);
-    brush.create.seats.isOn = false;
+    brush.as<crowd::model::CreateSettings>().seats.isOn = false;
     hand.state.setBrush(brush);
     hand.state.setTool(ToolId::BrushCreate);
     hand.hover({320.0, 240.0});

@@ -85,7 +85,7 @@ void TestToolController::theEnvironmentBrushSaysWhatItPaintsAndChoosesIt()
     Hand hand;
     hand.state.setTool(ToolId::BrushEnvironment);
     model::BrushSettings brush = hand.state.brush(model::BrushKind::Environment);
-    brush.place.role = model::PlaceRole::Forbidden;
+    brush.as<crowd::model::EnvironmentSettings>().role = model::PlaceRole::Forbidden;
     hand.state.setBrush(brush);
     hand.press(kCenter);
     hand.release(kCenter);
@@ -140,10 +140,12 @@ void TestToolController::theWalkBrushComesBackToItsPath()
         edit->commit(QStringLiteral("A path"));
         return made;
     };
-    const auto offered = [&hand] { return hand.state.brush(model::BrushKind::Walk).walk.path; };
+    const auto offered = [&hand] {
+        return hand.state.brush(model::BrushKind::Walk).as<crowd::model::WalkSettings>().path;
+    };
     const auto choose = [&hand](model::PathId path) {
         model::BrushSettings walk = hand.state.brush(model::BrushKind::Walk);
-        walk.walk.path = path;
+        walk.as<crowd::model::WalkSettings>().path = path;
         hand.state.setBrush(walk);
     };
     const model::PathId first = makePath(0.0F);

@@ -22,7 +22,7 @@ constexpr int kMargin = 5;
 
 QString tipOf(const ScriptBrush& brush)
 {
-    const QString name = QString::fromStdString(brush.settings.script.brush);
+    const QString name = QString::fromStdString(brush.settings.as<model::ScriptSettings>().brush);
     return brush.tip.isEmpty() ? name : QStringLiteral("%1\n%2").arg(name, brush.tip);
 }
 
@@ -103,7 +103,7 @@ void BrushPaletteDock::rebuildScriptBrushes()
     }
     qDeleteAll(std::exchange(m_scriptButtons, {}));
     for (const ScriptBrush& brush : brushes) {
-        const std::string name = brush.settings.script.brush;
+        const std::string name = brush.settings.as<model::ScriptSettings>().brush;
         QToolButton* button = addButton(QString::fromStdString(name), tipOf(brush));
         button->setObjectName(QStringLiteral("script-brush/%1").arg(QString::fromStdString(name)));
         connect(button, &QToolButton::clicked, this, [this, name] {
@@ -161,10 +161,12 @@ void BrushPaletteDock::refresh()
     for (const ToolInfo& info : toolTable()) {
         m_buttons[static_cast<std::size_t>(info.id)]->setChecked(info.id == m_state.tool());
     }
-    const std::string& chosen = m_state.brush(model::BrushKind::Script).script.brush;
+    const std::string& chosen =
+        m_state.brush(model::BrushKind::Script).as<model::ScriptSettings>().brush;
     for (std::size_t i = 0; i < m_scriptButtons.size(); ++i) {
-        m_scriptButtons[i]->setChecked(m_state.tool() == ToolId::BrushScript &&
-                                       m_state.scriptBrushes()[i].settings.script.brush == chosen);
+        m_scriptButtons[i]->setChecked(
+            m_state.tool() == ToolId::BrushScript &&
+            m_state.scriptBrushes()[i].settings.as<model::ScriptSettings>().brush == chosen);
     }
 }
 
@@ -175,7 +177,7 @@ void BrushPaletteDock::refreshIcons()
     }
     for (std::size_t i = 0; i < m_scriptButtons.size(); ++i) {
         m_scriptButtons[i]->setIcon(
-            scriptBrushIcon(m_state.scriptBrushes()[i].settings.script.brush));
+            scriptBrushIcon(m_state.scriptBrushes()[i].settings.as<model::ScriptSettings>().brush));
     }
 }
 

@@ -44,7 +44,8 @@ void BrushSettingsDock::rebuild()
     delete widget();
     m_form = nullptr;
     const ToolInfo& tool = toolInfo(m_state.tool());
-    const std::string& script = m_state.brush(model::BrushKind::Script).script.brush;
+    const std::string& script =
+        m_state.brush(model::BrushKind::Script).as<model::ScriptSettings>().brush;
     setWindowTitle(tool.id == ToolId::BrushScript && !script.empty()
                        ? tr("Script Brush: %1").arg(QString::fromStdString(script))
                        : QCoreApplication::translate("Tools", tool.name));
@@ -57,8 +58,7 @@ void BrushSettingsDock::rebuild()
         setWidget(note);
         return;
     }
-    m_form = new BrushForm(m_state, *tool.brush, this);
-    fillBrushForm(*m_form, *tool.brush, m_state);
+    m_form = makeBrushForm(m_state, *tool.brush, this);
     setScrolledContent(m_form);
 }
 

@@ -23,7 +23,7 @@ private:
     void rebuild();
 
     EditorState& m_state;
-    BrushForm* m_form = nullptr; ///< null while no brush is active
+    FieldForm* m_form = nullptr; ///< null while no brush is active
     QTimer m_rebuild;
 };
 

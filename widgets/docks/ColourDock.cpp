@@ -158,7 +158,8 @@ model::BrushKind ColourDock::kind() const
 
 std::vector<model::PaintColor>& ColourDock::colorsOf(model::BrushSettings& brush) const
 {
-    return brush.kind == model::BrushKind::Create ? brush.create.palette : brush.colour.colors;
+    return brush.kind() == model::BrushKind::Create ? brush.as<model::CreateSettings>().palette
+                                                    : brush.as<model::ColourSettings>().colors;
 }
 
 std::vector<QColor> ColourDock::colors() const
@@ -229,7 +230,7 @@ void ColourDock::removeColor(int index)
     model::BrushSettings brush = m_state.brush(kind());
     std::vector<model::PaintColor>& all = colorsOf(brush);
     // The colour brush always has something to paint with; new people may go untinted.
-    if (all.size() > 1 || brush.kind == model::BrushKind::Create) {
+    if (all.size() > 1 || brush.kind() == model::BrushKind::Create) {
         all.erase(all.begin() + index);
         m_chosen = std::min(m_chosen, all.empty() ? 0 : all.size() - 1);
         m_state.setBrush(brush);
@@ -254,8 +255,8 @@ void ColourDock::noteUsed(model::BrushKind kind)
     const model::BrushSettings& brush = m_state.brush(kind);
     const bool usesAll = brush.op != model::BrushOperator::Uniform;
     std::vector<QColor> recent = m_recent->colors();
-    for (std::size_t i = usesAll ? brush.colour.colors.size() : 1; i-- > 0;) {
-        const QColor used = toColor(brush.colour.colors[i]);
+    for (std::size_t i = usesAll ? brush.as<model::ColourSettings>().colors.size() : 1; i-- > 0;) {
+        const QColor used = toColor(brush.as<model::ColourSettings>().colors[i]);
         std::erase(recent, used);
         recent.insert(recent.begin(), used);
     }

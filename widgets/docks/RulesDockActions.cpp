@@ -141,7 +141,7 @@ void RulesDock::addSet(model::RuleSet set)
     // The event brush is ready for it.
     if (made.front().trigger.kind == TriggerKind::Event) {
         model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
-        brush.event.name = made.front().trigger.event;
+        brush.as<model::EventSettings>().name = made.front().trigger.event;
         m_state.setBrush(brush);
     }
     std::vector<Rule> rules = m_state.scene().rules;
@@ -215,7 +215,7 @@ void RulesDock::tryRule()
     }
     const auto all = m_state.scene().population.ids();
     const auto ids = m_state.selection().isEmpty() ? all : m_state.selection().ids();
-    model::EventSettings event = m_state.brush(model::BrushKind::Event).event;
+    model::EventSettings event = m_state.brush(model::BrushKind::Event).as<model::EventSettings>();
     event.name = rule->trigger.event;
     m_state.session().send(event, ids);
 }

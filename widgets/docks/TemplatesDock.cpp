@@ -94,7 +94,8 @@ void TemplatesDock::connectParts()
     connect(m_list, &QListWidget::customContextMenuRequested, this, &TemplatesDock::showMenu);
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) {
         model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
-        brush.create.mix = {{static_cast<model::TemplateId>(item->data(kIdRole).toUInt()), 1.0F}};
+        brush.as<model::CreateSettings>().mix = {
+            {static_cast<model::TemplateId>(item->data(kIdRole).toUInt()), 1.0F}};
         m_state.setBrush(brush);
     });
     connect(m_weight, &ValueSlider::valueEdited, this, &TemplatesDock::setWeight);
@@ -158,7 +159,8 @@ void TemplatesDock::rebuild()
 void TemplatesDock::refreshMix()
 {
     m_isFilling = true;
-    std::vector<model::TemplateWeight> mix = m_state.brush(model::BrushKind::Create).create.mix;
+    std::vector<model::TemplateWeight> mix =
+        m_state.brush(model::BrushKind::Create).as<model::CreateSettings>().mix;
     if (mix.empty()) {
         for (const model::TemplateEntry& entry : m_state.scene().templates) {
             mix.push_back({entry.id, 1.0F});
@@ -187,7 +189,7 @@ void TemplatesDock::refreshMix()
 void TemplatesDock::setInMix(model::TemplateId id, bool isIn)
 {
     model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
-    auto& mix = brush.create.mix;
+    auto& mix = brush.as<model::CreateSettings>().mix;
     if (mix.empty()) {
         for (const model::TemplateEntry& entry : m_state.scene().templates) {
             mix.push_back({entry.id, 1.0F});
@@ -206,8 +208,8 @@ void TemplatesDock::setInMix(model::TemplateId id, bool isIn)
 void TemplatesDock::setWeight(double percent)
 {
     model::BrushSettings brush = m_state.brush(model::BrushKind::Create);
-    const auto known = weightOf(brush.create.mix, currentId());
-    if (known != brush.create.mix.end()) {
+    const auto known = weightOf(brush.as<model::CreateSettings>().mix, currentId());
+    if (known != brush.as<model::CreateSettings>().mix.end()) {
         known->weight = static_cast<float>(percent / 100.0);
         m_state.setBrush(brush);
     }

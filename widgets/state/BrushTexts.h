@@ -12,7 +12,9 @@ namespace crowd::widgets {
 
 [[nodiscard]] QString toolName(ToolId id);
 [[nodiscard]] QString selectionName(model::BrushSelection selection);
-[[nodiscard]] QString mainQuantityName(model::MainQuantity quantity);
+[[nodiscard]] QString mainNumberName(const model::MainNumber& number);
+/// A text of a description: label, tip, unit, section.
+[[nodiscard]] QString fieldText(const char* text);
 /// "Brush size: 40 px", or the radius of the places that it paints.
 [[nodiscard]] QString brushSizeText(const model::BrushSettings& settings);
 /// The main number with its unit: "Density: 1.5 people per m²".

@@ -22,15 +22,16 @@ void refreshEvent(EditorState& state)
 {
     BrushSettings settings = state.brush(BrushKind::Event);
     const std::vector<std::string> known = model::eventsOf(state.scene());
-    if (!known.empty() && std::ranges::find(known, settings.event.name) == known.end()) {
-        settings.event.name = known.front();
+    if (!known.empty() &&
+        std::ranges::find(known, settings.as<model::EventSettings>().name) == known.end()) {
+        settings.as<model::EventSettings>().name = known.front();
         state.setBrush(settings);
     }
 }
 
 const std::string& nameOf(const ScriptBrush& brush)
 {
-    return brush.settings.script.brush;
+    return brush.settings.as<model::ScriptSettings>().brush;
 }
 
 /// What is set already goes on where name and kind are the same.
@@ -52,7 +53,7 @@ EditorState::EditorState(model::SceneDocument& document, QObject* parent)
       m_session(document, m_transport), m_ground(document)
 {
     for (std::size_t kind = 0; kind < m_brushes.size(); ++kind) {
-        m_brushes[kind] = initialBrush(static_cast<BrushKind>(kind));
+        m_brushes[kind] = model::initialBrush(static_cast<BrushKind>(kind));
     }
     m_keyframes.setFinishedCallback([this] {
         QMetaObject::invokeMethod(
@@ -99,35 +100,39 @@ const BrushSettings& EditorState::brush(BrushKind kind) const
 
 void EditorState::setBrush(const BrushSettings& settings)
 {
-    BrushSettings& kept = m_brushes[static_cast<std::size_t>(settings.kind)];
+    BrushSettings& kept = m_brushes[static_cast<std::size_t>(settings.kind())];
     if (kept == settings) {
         return;
     }
-    if (kept.walk.path != settings.walk.path) {
-        m_wantedPath = settings.walk.path;
+    const auto* walk = settings.find<model::WalkSettings>();
+    if (walk != nullptr && walk->path != kept.as<model::WalkSettings>().path) {
+        m_wantedPath = walk->path;
     }
     kept = settings;
-    if (settings.kind == BrushKind::Script) {
-        const auto own = std::ranges::find(m_scriptBrushes, settings.script.brush, &nameOf);
+    if (settings.kind() == BrushKind::Script) {
+        const auto own =
+            std::ranges::find(m_scriptBrushes, settings.as<model::ScriptSettings>().brush, &nameOf);
         if (own != m_scriptBrushes.end()) {
             own->settings = settings;
         }
     }
-    Q_EMIT brushChanged(settings.kind);
+    Q_EMIT brushChanged(settings.kind());
 }
 
 void EditorState::putScriptBrush(ScriptBrush brush)
 {
-    brush.settings.kind = BrushKind::Script;
+    brush.settings.setKind(BrushKind::Script);
     const std::string name = nameOf(brush);
     const auto known = std::ranges::find(m_scriptBrushes, name, &nameOf);
     if (known == m_scriptBrushes.end()) {
         m_scriptBrushes.push_back(std::move(brush));
     } else {
-        keepValues(known->settings.script.values, brush.settings.script.values);
+        keepValues(known->settings.as<model::ScriptSettings>().values,
+                   brush.settings.as<model::ScriptSettings>().values);
         *known = std::move(brush);
     }
-    if (m_scriptBrushes.size() == 1 || this->brush(BrushKind::Script).script.brush == name) {
+    if (m_scriptBrushes.size() == 1 ||
+        this->brush(BrushKind::Script).as<model::ScriptSettings>().brush == name) {
         chooseScriptBrush(name);
     }
     Q_EMIT scriptBrushesChanged();
@@ -139,7 +144,7 @@ void EditorState::chooseScriptBrush(const std::string& name)
     if (chosen == m_scriptBrushes.end()) {
         return;
     }
-    const bool isOther = brush(BrushKind::Script).script.brush != name;
+    const bool isOther = brush(BrushKind::Script).as<model::ScriptSettings>().brush != name;
     setBrush(BrushSettings(chosen->settings));
     if (isOther) {
         Q_EMIT scriptBrushesChanged();
@@ -154,13 +159,13 @@ const BrushSettings* EditorState::activeBrush() const
 
 bool EditorState::isSeatGridOn() const
 {
-    return brush(BrushKind::Create).create.seats.isOn;
+    return brush(BrushKind::Create).as<model::CreateSettings>().seats.isOn;
 }
 
 void EditorState::setSeatGridOn(bool isOn)
 {
     BrushSettings settings = brush(BrushKind::Create);
-    settings.create.seats.isOn = isOn;
+    settings.as<model::CreateSettings>().seats.isOn = isOn;
     setBrush(settings);
 }
 
@@ -285,9 +290,10 @@ void EditorState::refreshWalk(bool isNewScene)
     const std::optional<model::PathId> wanted = isNewScene ? std::nullopt : m_wantedPath;
     BrushSettings settings = brush(BrushKind::Walk);
     if (wanted && (*wanted == 0 || isThere(*wanted))) {
-        settings.walk.path = *wanted;
-    } else if (!isThere(settings.walk.path)) {
-        settings.walk.path = scene().paths.empty() ? 0 : scene().paths.front().id;
+        settings.as<model::WalkSettings>().path = *wanted;
+    } else if (!isThere(settings.as<model::WalkSettings>().path)) {
+        settings.as<model::WalkSettings>().path =
+            scene().paths.empty() ? 0 : scene().paths.front().id;
     }
     setBrush(settings);
     m_wantedPath = wanted;
@@ -296,7 +302,7 @@ void EditorState::refreshWalk(bool isNewScene)
 void EditorState::refreshMix(bool isNewScene)
 {
     BrushSettings settings = brush(BrushKind::Create);
-    std::vector<model::TemplateWeight>& mix = settings.create.mix;
+    std::vector<model::TemplateWeight>& mix = settings.as<model::CreateSettings>().mix;
     std::erase_if(mix, [&](const model::TemplateWeight& item) {
         return isNewScene || scene().findTemplate(item.id) == nullptr;
     });

@@ -187,7 +187,7 @@ private:
     PathFocus m_paths;
     SessionControl m_session;
     GroundFinder m_ground;
-    std::array<model::BrushSettings, kBrushCount> m_brushes;
+    std::array<model::BrushSettings, model::kBrushCount> m_brushes;
     std::vector<ScriptBrush> m_scriptBrushes;
     ScriptPainter* m_scriptPainter = nullptr; ///< somebody else's
     ToolId m_tool = ToolId::BrushCreate;

@@ -1,50 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/ToolId.h"
 
-#include <QtCore/QCoreApplication>
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include <QtCore/QtGlobal>
 
 namespace crowd::widgets {
 
 using model::BrushKind;
 
-const std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)>& toolTable()
+std::span<const ToolInfo> toolTable()
 {
-    static constexpr std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)> kTools{{
-        {ToolId::Select, "select", QT_TRANSLATE_NOOP("Tools", "Select"), "V", std::nullopt},
-        {ToolId::Navigate, "navigate", QT_TRANSLATE_NOOP("Tools", "Navigate"), "N", std::nullopt},
-        {ToolId::BrushCreate, "brush-create", QT_TRANSLATE_NOOP("Tools", "Create Brush"), "C",
-         BrushKind::Create},
-        {ToolId::BrushDelete, "brush-delete", QT_TRANSLATE_NOOP("Tools", "Delete Brush"), "X",
-         BrushKind::Delete},
-        {ToolId::BrushColour, "brush-colour", QT_TRANSLATE_NOOP("Tools", "Colour Brush"), "B",
-         BrushKind::Colour},
-        {ToolId::BrushOrientation, "brush-orientation",
-         QT_TRANSLATE_NOOP("Tools", "Orientation Brush"), "O", BrushKind::Orientation},
-        {ToolId::BrushAnimation, "brush-animation", QT_TRANSLATE_NOOP("Tools", "Animation Brush"),
-         "A", BrushKind::Animation},
-        {ToolId::BrushPath, "brush-path", QT_TRANSLATE_NOOP("Tools", "Path Brush"), "P",
-         BrushKind::Path},
-        {ToolId::BrushWalk, "brush-walk", QT_TRANSLATE_NOOP("Tools", "Walk Brush"), "W",
-         BrushKind::Walk},
-        {ToolId::BrushStyle, "brush-style", QT_TRANSLATE_NOOP("Tools", "Walking Style Brush"), "R",
-         BrushKind::Style},
-        {ToolId::BrushEnvironment, "brush-environment",
-         QT_TRANSLATE_NOOP("Tools", "Environment Brush"), "I", BrushKind::Environment},
-        {ToolId::BrushEvent, "brush-event", QT_TRANSLATE_NOOP("Tools", "Event Brush"), "E",
-         BrushKind::Event},
-        {ToolId::BrushTag, "brush-tag", QT_TRANSLATE_NOOP("Tools", "Tag Brush"), "T",
-         BrushKind::Tag},
-        {ToolId::BrushUntag, "brush-untag", QT_TRANSLATE_NOOP("Tools", "Untag Brush"), "U",
-         BrushKind::Untag},
-        {ToolId::BrushScript, "brush-script", QT_TRANSLATE_NOOP("Tools", "Script Brush"), "S",
-         BrushKind::Script},
-    }};
+    static std::deque<std::string> ids; // of the tools below
+    static const std::vector<ToolInfo> kTools = [] {
+        std::vector<ToolInfo> tools{
+            {ToolId::Select, "select", QT_TRANSLATE_NOOP("Tools", "Select"), "V", std::nullopt},
+            {ToolId::Navigate, "navigate", QT_TRANSLATE_NOOP("Tools", "Navigate"), "N",
+             std::nullopt}};
+        for (const BrushKind kind : model::shownBrushes()) {
+            const model::BrushInfo& info = model::brushType(kind).info;
+            const std::string& id = ids.emplace_back(std::string("brush-") + info.id);
+            tools.push_back({toolOf(kind), id.c_str(), info.name, info.shortcut, kind});
+        }
+        return tools;
+    }();
     return kTools;
 }
 
 const ToolInfo& toolInfo(ToolId id)
 {
-    return toolTable()[static_cast<std::size_t>(id)];
+    return *std::ranges::find(toolTable(), id, &ToolInfo::id);
 }
 
 std::optional<BrushKind> brushKindOf(ToolId id)
@@ -54,57 +42,8 @@ std::optional<BrushKind> brushKindOf(ToolId id)
 
 ToolId toolOf(BrushKind kind)
 {
-    for (const ToolInfo& info : toolTable()) {
-        if (info.brush == kind) {
-            return info.id;
-        }
-    }
-    return ToolId::Select;
-}
-
-model::BrushSettings initialBrush(BrushKind kind)
-{
-    model::BrushSettings settings;
-    settings.kind = kind;
-    switch (kind) {
-    case BrushKind::Create:
-        settings.create.variesFaces = true;
-        settings.create.anywhere = false;
-        // Clothes of an ordinary evening: nobody like his neighbour, nobody glaring.
-        settings.create.palette = {{42, 52, 86},   {112, 40, 48},   {58, 84, 66},   {196, 186, 168},
-                                   {70, 70, 76},   {150, 112, 70},  {92, 120, 156}, {206, 160, 72},
-                                   {120, 84, 122}, {226, 222, 214}, {36, 38, 42},   {168, 92, 66}};
-        break;
-    case BrushKind::Delete:
-        settings.selection = model::BrushSelection::AllInCircle;
-        settings.radiusPixels = 24.0F;
-        break;
-    case BrushKind::Colour:
-        settings.selection = model::BrushSelection::AllInCircle;
-        settings.colour.sparesBody = true;
-        break;
-    case BrushKind::Orientation:
-    case BrushKind::Script:
-        settings.selection = model::BrushSelection::AllInCircle;
-        break;
-    case BrushKind::Animation:
-        settings.selection = model::BrushSelection::AllInCircle;
-        settings.op = model::BrushOperator::Random;
-        break;
-    case BrushKind::Walk:
-    case BrushKind::Style:
-    case BrushKind::Tag:
-    case BrushKind::Untag:
-    case BrushKind::Event:
-        settings.selection = model::BrushSelection::AllInCircle;
-        break;
-    case BrushKind::Path:
-    case BrushKind::Environment:
-        settings.place.anywhere = false;
-        settings.selection = model::BrushSelection::Point;
-        break;
-    }
-    return settings;
+    constexpr int kFirst = static_cast<int>(ToolId::Navigate) + 1;
+    return static_cast<ToolId>(kFirst + static_cast<int>(kind));
 }
 
 } // namespace crowd::widgets

@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "model/brush/BrushSettings.h"
 
 namespace crowd::widgets {
 
-/// What the left button does in the picture.
-enum class ToolId : std::uint8_t {
-    Select,
-    Navigate,
-    BrushCreate,
-    BrushDelete,
-    BrushColour,
-    BrushOrientation,
-    BrushAnimation,
-    BrushPath,
-    BrushWalk,
-    BrushStyle,
-    BrushEnvironment,
-    BrushEvent,
-    BrushTag,
-    BrushUntag,
-    BrushScript, ///< the one of EditorState::scriptBrushes() that was chosen last
-    Count
-};
+/// What the left button does in the picture: one for each brush, and those without.
+#define CROWD_BRUSH_TOOL(name, settings) Brush##name,
+enum class ToolId : std::uint8_t { Select, Navigate, CROWD_BRUSHES(CROWD_BRUSH_TOOL) Count };
+#undef CROWD_BRUSH_TOOL
 
-/// What menus, palettes and tool bars need to know of a tool, in the order in which it is shown.
+/// What menus, palettes and tool bars need to know of a tool.
 struct ToolInfo
 {
     ToolId id;
@@ -39,14 +24,11 @@ struct ToolInfo
     std::optional<model::BrushKind> brush;
 };
 
-[[nodiscard]] const std::array<ToolInfo, static_cast<std::size_t>(ToolId::Count)>& toolTable();
+/// In the order in which they are shown.
+[[nodiscard]] std::span<const ToolInfo> toolTable();
 [[nodiscard]] const ToolInfo& toolInfo(ToolId id);
 /// The brush that a tool paints with, if it is one.
 [[nodiscard]] std::optional<model::BrushKind> brushKindOf(ToolId id);
 [[nodiscard]] ToolId toolOf(model::BrushKind kind);
-
-inline constexpr std::size_t kBrushCount = 13;
-/// How a brush is set when the editor starts.
-[[nodiscard]] model::BrushSettings initialBrush(model::BrushKind kind);
 
 } // namespace crowd::widgets

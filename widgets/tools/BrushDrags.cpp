@@ -22,34 +22,8 @@ struct BrushDragsText
 
 QString affectedText(BrushKind kind, int count)
 {
-    switch (kind) {
-    case BrushKind::Create:
-        return BrushDragsText::tr("%n characters created", nullptr, count);
-    case BrushKind::Delete:
-        return BrushDragsText::tr("%n characters deleted", nullptr, count);
-    case BrushKind::Colour:
-        return BrushDragsText::tr("%n characters coloured", nullptr, count);
-    case BrushKind::Orientation:
-        return BrushDragsText::tr("%n characters turned", nullptr, count);
-    case BrushKind::Animation:
-        return BrushDragsText::tr("%n characters do something else", nullptr, count);
-    case BrushKind::Walk:
-        return BrushDragsText::tr("%n characters walk differently", nullptr, count);
-    case BrushKind::Style:
-        return BrushDragsText::tr("%n characters walk in another way", nullptr, count);
-    case BrushKind::Tag:
-        return BrushDragsText::tr("%n characters tagged", nullptr, count);
-    case BrushKind::Untag:
-        return BrushDragsText::tr("%n characters without the tag", nullptr, count);
-    case BrushKind::Event:
-        return BrushDragsText::tr("%n characters heard it", nullptr, count);
-    case BrushKind::Path:
-    case BrushKind::Environment:
-        break;
-    case BrushKind::Script:
-        return BrushDragsText::tr("%n characters changed", nullptr, count);
-    }
-    return {};
+    return QCoreApplication::translate("BrushTool", model::brushType(kind).info.done, nullptr,
+                                       count);
 }
 
 StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings,
@@ -93,7 +67,7 @@ void StrokeDrag::release(const ToolInput& input)
     if (!m_stroke) {
         return;
     }
-    const BrushKind kind = m_stroke->settings().kind;
+    const BrushKind kind = m_stroke->settings().kind();
     const model::StrokeOutcome outcome = m_stroke->finish();
     m_stroke.reset();
     if (outcome.isCommitted) {
@@ -123,10 +97,10 @@ void StrokeDrag::show(ToolPicture& picture) const
     if (settings.selection == BrushSelection::Rectangle) {
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
     }
-    if (settings.isReevaluated() && settings.op == model::BrushOperator::Gradient) {
+    if (settings.isReevaluated() && settings.followsLine()) {
         picture.gradient = QLineF(m_press.position(), m_current.position());
     }
-    if (settings.isReevaluated() || settings.kind == BrushKind::Create) {
+    if (settings.isReevaluated() || settings.kind() == BrushKind::Create) {
         picture.label = BrushDragsText::tr("%n characters", nullptr, m_stroke->affected());
     }
 }
@@ -205,7 +179,7 @@ void ResizeDrag::cancel()
 
 void ResizeDrag::show(ToolPicture& picture) const
 {
-    const BrushSettings& settings = m_context.state.brush(m_before.kind);
+    const BrushSettings& settings = m_context.state.brush(m_before.kind());
     showBrush(settings, m_press, 1.0, picture);
     picture.cursor = Qt::SizeHorCursor;
     picture.label = BrushDragsText::tr("%1 px").arg(qRound(settings.radiusPixels));
@@ -215,7 +189,7 @@ void showBrush(const BrushSettings& settings, const QPointF& at, double pressure
                ToolPicture& picture)
 {
     picture.cursor = Qt::CrossCursor;
-    picture.symbol = toolOf(settings.kind);
+    picture.symbol = toolOf(settings.kind());
     picture.symbolAt = at;
     if (settings.hasCircle()) {
         const double share = settings.pressureSize ? pressure : 1.0;

@@ -26,38 +26,7 @@ struct BrushToolText
 
 QString whatItDoes(BrushKind kind)
 {
-    switch (kind) {
-    case BrushKind::Create:
-        return BrushToolText::tr(
-            "Drag: create characters · + −: how many · Ctrl+click: more of the kind");
-    case BrushKind::Delete:
-        return BrushToolText::tr("Drag: delete characters · + −: how fast");
-    case BrushKind::Colour:
-        return BrushToolText::tr(
-            "Drag: colour characters · + −: strength · Ctrl+click: take the colour");
-    case BrushKind::Orientation:
-        return BrushToolText::tr(
-            "Drag: turn characters · + −: direction · Ctrl+click: the point to face");
-    case BrushKind::Animation:
-        return BrushToolText::tr(
-            "Drag: change what characters do · + −: speed · Ctrl+click: take the clip");
-    case BrushKind::Walk:
-        return BrushToolText::tr("Drag: let characters walk along the path · + −: walking speed");
-    case BrushKind::Style:
-        return BrushToolText::tr("Drag: set how characters walk and how fast · + −: speed");
-    case BrushKind::Tag:
-        return BrushToolText::tr("Drag: tag characters · + −: which tag");
-    case BrushKind::Untag:
-        return BrushToolText::tr("Drag: take the tag off characters · + −: which tag");
-    case BrushKind::Event:
-        return BrushToolText::tr("Drag: let an event happen to characters · + −: its number");
-    case BrushKind::Path:
-    case BrushKind::Environment:
-        break;
-    case BrushKind::Script:
-        return BrushToolText::tr("Drag: let the script change characters · Escape: take it back");
-    }
-    return {};
+    return QCoreApplication::translate("BrushTool", model::brushType(kind).info.hint);
 }
 
 } // namespace
@@ -106,12 +75,11 @@ std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) cons
 
 void BrushTool::showTarget(ToolPicture& picture) const
 {
-    const model::HeadingSettings& heading =
-        m_kind == BrushKind::Create ? settings().create.heading : settings().orientation.heading;
-    const bool isUsed = m_kind == BrushKind::Orientation ||
-                        (m_kind == BrushKind::Create && !settings().create.seats.isOn);
-    if (isUsed && heading.mode == model::HeadingMode::TowardsPoint) {
-        if (const auto pixel = m_context.queries.view().project(heading.towardsPoint)) {
+    const model::HeadingSettings* heading = settings().heading();
+    const auto* create = settings().find<model::CreateSettings>();
+    const bool isUsed = heading != nullptr && (create == nullptr || !create->seats.isOn);
+    if (isUsed && heading->mode == model::HeadingMode::TowardsPoint) {
+        if (const auto pixel = m_context.queries.view().project(heading->towardsPoint)) {
             picture.target = QPointF(pixel->x, pixel->y);
         }
     }
@@ -207,7 +175,7 @@ BrushSettings resizedBySteps(const BrushSettings& settings, double steps, bool i
 {
     const double share = isFine ? 0.03 : 0.12;
     if (settings.addsPlaces()) {
-        return settings.withMainNumber(settings.place.radiusMetres * (1.0 + share * steps));
+        return settings.withMainNumber(settings.place()->radiusMetres * (1.0 + share * steps));
     }
     const double pixels = std::max(1.0, std::round(settings.radiusPixels * share));
     return settings.resized(static_cast<float>(pixels * steps));

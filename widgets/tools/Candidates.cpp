@@ -39,7 +39,7 @@ std::vector<IndividualId> reached(const ScenePicker& picker, const BrushSettings
 
 bool worksOnPeople(BrushKind kind)
 {
-    return kind != BrushKind::Create && kind != BrushKind::Path && kind != BrushKind::Environment;
+    return brushType(kind).info.family == StrokeFamily::People;
 }
 
 std::vector<QPointF> candidatesAt(const ToolContext& context, const BrushSettings& settings,

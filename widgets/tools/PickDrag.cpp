@@ -49,9 +49,9 @@ PaintColor colorOf(const model::Population& people, std::size_t row, const model
 /// The slot that the colour brush is set to when the person has it, else the one that was hit.
 int slotMeant(const BrushSettings& brush, const model::Template& asset, int hitSlot)
 {
-    const int named = brush.kind == BrushKind::Colour && !brush.colour.slot.empty()
-                          ? asset.slotIndex(brush.colour.slot)
-                          : -1;
+    const auto* colour = brush.find<model::ColourSettings>();
+    const int named =
+        colour != nullptr && !colour->slot.empty() ? asset.slotIndex(colour->slot) : -1;
     const int slot = named >= 0 ? named : std::max(hitSlot, 0);
     return std::min(slot, static_cast<int>(asset.slots.size()) - 1);
 }
@@ -60,24 +60,16 @@ int slotMeant(const BrushSettings& brush, const model::Template& asset, int hitS
 
 std::optional<PickKind> pickOfBrush(BrushKind kind)
 {
-    switch (kind) {
-    case BrushKind::Create:
+    switch (model::brushType(kind).info.dropper) {
+    case model::Dropper::Template:
         return PickKind::Template;
-    case BrushKind::Colour:
+    case model::Dropper::Colour:
         return PickKind::Colour;
-    case BrushKind::Orientation:
+    case model::Dropper::Point:
         return PickKind::Point;
-    case BrushKind::Animation:
+    case model::Dropper::Clip:
         return PickKind::Clip;
-    case BrushKind::Delete:
-    case BrushKind::Walk:
-    case BrushKind::Style:
-    case BrushKind::Tag:
-    case BrushKind::Untag:
-    case BrushKind::Event:
-    case BrushKind::Path:
-    case BrushKind::Environment:
-    case BrushKind::Script:
+    case model::Dropper::None:
         break;
     }
     return std::nullopt;
@@ -121,11 +113,13 @@ void PickDrag::pickPoint()
     if (!surface) {
         return;
     }
-    BrushSettings brush = m_context.state.brush(m_before.kind);
-    model::HeadingSettings& heading =
-        brush.kind == BrushKind::Create ? brush.create.heading : brush.orientation.heading;
-    heading.mode = model::HeadingMode::TowardsPoint;
-    heading.towardsPoint = surface->point;
+    BrushSettings brush = m_context.state.brush(m_before.kind());
+    model::HeadingSettings* heading = brush.heading();
+    if (heading == nullptr) {
+        return;
+    }
+    heading->mode = model::HeadingMode::TowardsPoint;
+    heading->towardsPoint = surface->point;
     m_context.state.setBrush(brush);
 }
 
@@ -142,15 +136,15 @@ void PickDrag::pickFromPerson()
         m_label.clear();
         return;
     }
-    BrushSettings brush = m_context.state.brush(m_before.kind);
+    BrushSettings brush = m_context.state.brush(m_before.kind());
     if (m_kind == PickKind::Template) {
-        brush.create.mix = {{entry->id, 1.0F}};
+        brush.as<model::CreateSettings>().mix = {{entry->id, 1.0F}};
         m_label = QString::fromStdString(entry->name);
         m_context.state.setBrush(brush);
     } else if (m_kind == PickKind::Clip) {
         const std::uint16_t clip = scene.population.column(model::columns::clip)[row];
         if (clip < entry->clipNames.size()) {
-            brush.animation.clips = {{entry->clipNames[clip], 1.0F}};
+            brush.as<model::AnimationSettings>().clips = {{entry->clipNames[clip], 1.0F}};
             m_label = QString::fromStdString(entry->clipNames[clip]);
             m_context.state.setBrush(brush);
         }

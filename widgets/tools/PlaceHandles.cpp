@@ -149,7 +149,7 @@ private:
         const model::Place* held = m_context.state.scene().findPlace(m_hit.place);
         const auto brush = held->role == model::PlaceRole::Spot ? model::BrushKind::Path
                                                                 : model::BrushKind::Environment;
-        if (!m_hit.isBorder && !m_context.state.brush(brush).place.anywhere) {
+        if (!m_hit.isBorder && !m_context.state.brush(brush).place()->anywhere) {
             m_walkable = m_context.state.ground().wait();
         }
         m_edit = m_context.state.document().beginEdit();
@@ -301,9 +301,9 @@ void resizePlaces(EditorState& state, int steps)
     auto edit = state.document().beginEdit();
     for (const model::PlaceId id : places) {
         model::Place place = *state.scene().findPlace(id);
-        size.place.radiusMetres = place.radius;
+        size.place()->radiusMetres = place.radius;
         size = steppedMainNumber(size, steps);
-        place.radius = size.place.radiusMetres;
+        place.radius = size.place()->radiusMetres;
         edit->changePlace(place);
     }
     edit->commit(places.size() == 1 ? PlaceHandlesText::tr("Resize a place")

@@ -95,9 +95,14 @@ public:
     }
 
 private:
-    [[nodiscard]] const model::PlaceSettings& settings() const
+    [[nodiscard]] const model::BrushSettings& brush() const
     {
-        return m_context.state.brush(m_kind).place;
+        return m_context.state.brush(m_kind);
+    }
+    [[nodiscard]] const model::PlaceSettings& settings() const { return *brush().place(); }
+    [[nodiscard]] model::PathKind newPathKind() const
+    {
+        return brush().as<model::PathSettings>().kind;
     }
 
     void add(const ToolInput& input)
@@ -139,7 +144,7 @@ private:
             }
             auto edit = state.document().beginEdit();
             const model::PathId extended =
-                appendKnownPlace(*edit, current, hit->place, settings().kind);
+                appendKnownPlace(*edit, current, hit->place, newPathKind());
             edit->commit(PlaceToolText::tr("Lead a path over a place"));
             choose(extended);
             return;
@@ -148,7 +153,7 @@ private:
         place.position = ground;
         place.radius = settings().radiusMetres;
         auto edit = state.document().beginEdit();
-        const model::PathId extended = appendPlace(*edit, current, place, settings().kind);
+        const model::PathId extended = appendPlace(*edit, current, place, newPathKind());
         edit->commit(current == 0 ? PlaceToolText::tr("Begin a path")
                                   : PlaceToolText::tr("Add a place to a path"));
         choose(extended);
@@ -178,8 +183,8 @@ private:
     void followFromNowOn(model::PathId path)
     {
         model::BrushSettings walk = m_context.state.brush(BrushKind::Walk);
-        if (walk.walk.path != model::kNearestPath) {
-            walk.walk.path = path;
+        if (walk.as<model::WalkSettings>().path != model::kNearestPath) {
+            walk.as<model::WalkSettings>().path = path;
             m_context.state.setBrush(walk);
         }
     }
@@ -189,7 +194,7 @@ private:
         model::Place place;
         place.position = ground;
         place.radius = settings().radiusMetres;
-        place.role = settings().role;
+        place.role = brush().as<model::EnvironmentSettings>().role;
         place.color = roleColor(place.role);
         auto edit = m_context.state.document().beginEdit();
         place.id = edit->addPlace(place);
@@ -236,7 +241,7 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
     picture.symbol = toolOf(m_kind);
     picture.symbolAt = input.position();
     const auto ground = groundUnder(m_context, input);
-    const model::PlaceSettings& settings = m_context.state.brush(m_kind).place;
+    const model::PlaceSettings& settings = *m_context.state.brush(m_kind).place();
     if (!ground || !isAllowed(settings, m_context.state.ground().soon(), *ground)) {
         return;
     }

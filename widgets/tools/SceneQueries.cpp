@@ -98,7 +98,8 @@ std::span<const model::WorldSeat> SceneQueries::seats()
 
 std::span<const render::Marker> SceneQueries::freeSeats()
 {
-    return m_seats.freeSeats(m_state.scene(), m_state.brush(model::BrushKind::Create).create.seats);
+    return m_seats.freeSeats(
+        m_state.scene(), m_state.brush(model::BrushKind::Create).as<model::CreateSettings>().seats);
 }
 
 } // namespace crowd::widgets

@@ -26,7 +26,7 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
     const ToolContext context{m_state, m_queries};
     for (const ToolInfo& info : toolTable()) {
         std::unique_ptr<Tool>& tool = m_tools[static_cast<std::size_t>(info.id)];
-        if (info.brush == model::BrushKind::Path || info.brush == model::BrushKind::Environment) {
+        if (info.brush && model::BrushSettings(*info.brush).addsPlaces()) {
             tool = std::make_unique<PlaceTool>(context, *info.brush);
         } else if (info.brush) {
             tool = std::make_unique<BrushTool>(context, *info.brush);

@@ -152,7 +152,7 @@ void BrushPopup::refresh()
         m_size->setEnabled(brush->hasCircle());
         m_sizeText->setText(tr("%1 px").arg(qRound(brush->radiusPixels)));
         const model::MainNumber number = brush->mainNumber();
-        m_numberText->setText(mainQuantityName(number.quantity));
+        m_numberText->setText(mainNumberName(number));
         m_number->setDecimals(number.decimals);
         m_number->setRange(number.low, number.high);
         m_number->setSingleStep(number.step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/brush/StrokeWork.h"
+#include "model/brush/StrokeEffect.h"
 
 namespace crowd::model {
 
@@ -30,12 +30,12 @@ std::vector<Spot> spotsOfDab(CreationSite& site, const BrushSettings& settings, 
     return spots;
 }
 
-CreationWork::CreationWork(StrokeGround& ground)
+CreationEffect::CreationEffect(StrokeContext& ground)
     : m_ground(ground), m_site(ground.edit->scene(), ground.context, ground.settings, ground.seed)
 {
 }
 
-void CreationWork::create(std::span<const Spot> spots, std::optional<float> strokeHeading)
+void CreationEffect::create(std::span<const Spot> spots, std::optional<float> strokeHeading)
 {
     NewPeople people = peopleFor(m_ground.edit->scene(), m_ground.context.view, m_ground.settings,
                                  spots, strokeHeading);
@@ -46,14 +46,14 @@ void CreationWork::create(std::span<const Spot> spots, std::optional<float> stro
     }
 }
 
-void CreationWork::apply(std::span<const StrokeDab> dabs)
+void CreationEffect::apply(std::span<const StrokeDab> dabs)
 {
     for (const StrokeDab& dab : dabs) {
         create(spotsOfDab(m_site, m_ground.settings, m_ground.seed, dab.dab), dab.heading);
     }
 }
 
-void CreationWork::reevaluate(const StrokeLine& line, double /*shownSeconds*/)
+void CreationEffect::reevaluate(const StrokeLine& line, double /*shownSeconds*/)
 {
     m_ground.edit->rollback();
     m_site.reset();

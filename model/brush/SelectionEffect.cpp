@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/brush/StrokeWork.h"
+#include "model/brush/StrokeEffect.h"
 
 #include <algorithm>
 
@@ -8,14 +8,14 @@
 
 namespace crowd::model {
 
-SelectionWork::SelectionWork(StrokeGround& ground)
+SelectionEffect::SelectionEffect(StrokeContext& ground)
     : m_ground(ground), m_picker(ground.context.keyframes, ground.context.stage),
       m_frame(ground.document.frame(0.0)), m_isTouched(m_frame->population.size(), 0),
       m_isChanged(m_frame->population.size(), 0)
 {
 }
 
-void SelectionWork::showTime(double seconds)
+void SelectionEffect::showTime(double seconds)
 {
     if (m_frame->seconds != seconds || (m_ground.context.pose && !m_shown)) {
         CrowdFrame at = *m_frame;
@@ -29,7 +29,7 @@ void SelectionWork::showTime(double seconds)
     m_picker.update(m_shown ? m_shown : m_frame, m_ground.seats, m_ground.context.view);
 }
 
-std::vector<IndividualId> SelectionWork::selected(const Dab& dab) const
+std::vector<IndividualId> SelectionEffect::selected(const Dab& dab) const
 {
     const BrushSettings& settings = m_ground.settings;
     const AreaMode mode = settings.through ? AreaMode::Through : AreaMode::Visible;
@@ -55,7 +55,7 @@ std::vector<IndividualId> SelectionWork::selected(const Dab& dab) const
     return ids;
 }
 
-std::vector<IndividualId> SelectionWork::untouched(std::vector<IndividualId> ids)
+std::vector<IndividualId> SelectionEffect::untouched(std::vector<IndividualId> ids)
 {
     const Population& people = m_frame->population;
     std::erase_if(ids, [&](IndividualId id) {
@@ -67,7 +67,7 @@ std::vector<IndividualId> SelectionWork::untouched(std::vector<IndividualId> ids
     return ids;
 }
 
-void SelectionWork::count(std::span<const IndividualId> changed)
+void SelectionEffect::count(std::span<const IndividualId> changed)
 {
     for (const IndividualId id : changed) {
         char& isChanged = m_isChanged[m_frame->population.rowOf(id)];
@@ -76,10 +76,10 @@ void SelectionWork::count(std::span<const IndividualId> changed)
     }
 }
 
-void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& line,
-                           std::uint64_t seed, std::optional<float> heading)
+void SelectionEffect::change(std::span<const IndividualId> ids, const StrokeLine& line,
+                             std::uint64_t seed, std::optional<float> heading)
 {
-    if (m_ground.settings.kind == BrushKind::Event) {
+    if (m_ground.settings.kind() == BrushKind::Event) {
         send(ids);
         return;
     }
@@ -92,7 +92,7 @@ void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& 
                                 ids,
                                 m_shown ? &m_shown->population : nullptr};
     ScriptChange* script = m_ground.context.script;
-    const ChangeResult result = m_ground.settings.kind != BrushKind::Script
+    const ChangeResult result = m_ground.settings.kind() != BrushKind::Script
                                     ? changeProperties(request)
                                 : script != nullptr ? script->change(request)
                                                     : ChangeResult{{}, StrokeReason::NothingChosen};
@@ -100,21 +100,21 @@ void SelectionWork::change(std::span<const IndividualId> ids, const StrokeLine& 
     m_reason = result.reason;
 }
 
-void SelectionWork::send(std::span<const IndividualId> ids)
+void SelectionEffect::send(std::span<const IndividualId> ids)
 {
     if (!m_ground.context.sendEvent) {
         m_reason = StrokeReason::NoSession;
         return;
     }
-    m_ground.context.sendEvent(m_ground.settings.event, ids);
+    m_ground.context.sendEvent(m_ground.settings.as<EventSettings>(), ids);
     count(ids);
 }
 
-std::vector<IndividualId> SelectionWork::thinned(std::vector<IndividualId> ids)
+std::vector<IndividualId> SelectionEffect::thinned(std::vector<IndividualId> ids)
 {
     const BrushSettings& settings = m_ground.settings;
     if (settings.takesShare()) {
-        const double share = settings.removal.percent / 100.0;
+        const double share = settings.as<DeleteSettings>().percent / 100.0;
         std::erase_if(ids, [&](IndividualId id) {
             return randomUnit(hashKeys(m_ground.seed, id), DrawPurpose::DeleteShare) >= share;
         });
@@ -125,14 +125,14 @@ std::vector<IndividualId> SelectionWork::thinned(std::vector<IndividualId> ids)
     return ids;
 }
 
-void SelectionWork::remove(std::vector<IndividualId> ids)
+void SelectionEffect::remove(std::vector<IndividualId> ids)
 {
     std::ranges::sort(ids);
     m_ground.edit->removeIndividuals(ids);
     count(ids);
 }
 
-void SelectionWork::apply(std::span<const StrokeDab> dabs)
+void SelectionEffect::apply(std::span<const StrokeDab> dabs)
 {
     const BrushSettings& settings = m_ground.settings;
     std::vector<IndividualId> gone;
@@ -142,7 +142,7 @@ void SelectionWork::apply(std::span<const StrokeDab> dabs)
         if (ids.empty()) {
             continue;
         }
-        if (settings.kind == BrushKind::Delete) {
+        if (settings.kind() == BrushKind::Delete) {
             ids = thinned(std::move(ids));
             m_picker.exclude(ids);
             gone.insert(gone.end(), ids.begin(), ids.end());
@@ -160,22 +160,22 @@ void SelectionWork::apply(std::span<const StrokeDab> dabs)
 }
 
 /// Events and scripts are not run again and again: they reach whom the area holds in the end.
-void SelectionWork::end(const StrokeLine& line)
+void SelectionEffect::end(const StrokeLine& line)
 {
     if (!m_ground.settings.isReevaluated() || m_touched.empty()) {
         return;
     }
-    if (m_ground.settings.kind == BrushKind::Event) {
+    if (m_ground.settings.kind() == BrushKind::Event) {
         send(m_touched);
     }
-    if (m_ground.settings.kind == BrushKind::Script) {
+    if (m_ground.settings.kind() == BrushKind::Script) {
         m_affected = 0;
         change(m_touched, line, m_ground.seed,
                headingOfLine(m_ground.context.view, m_ground.context.stage, line));
     }
 }
 
-void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
+void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
 {
     const BrushSettings& settings = m_ground.settings;
     m_ground.edit->rollback();
@@ -191,12 +191,12 @@ void SelectionWork::reevaluate(const StrokeLine& line, double shownSeconds)
     if (m_touched.empty()) {
         return;
     }
-    if (settings.kind == BrushKind::Event) {
+    if (settings.kind() == BrushKind::Event) {
         return; // sent once, at the end
     }
-    if (settings.kind == BrushKind::Delete) {
+    if (settings.kind() == BrushKind::Delete) {
         remove(thinned(m_touched));
-    } else if (settings.kind == BrushKind::Script) {
+    } else if (settings.kind() == BrushKind::Script) {
         m_affected = static_cast<int>(m_touched.size());
     } else {
         change(m_touched, line, m_ground.seed,

@@ -17,7 +17,7 @@
 namespace crowd::model {
 
 /// What a stroke works on, shared by its parts.
-struct StrokeGround
+struct StrokeContext
 {
     SceneDocument& document;
     BrushContext context;
@@ -45,10 +45,10 @@ struct StrokeDab
                                            std::uint64_t seed, const Dab& dab);
 
 /// The doing of a stroke, apart from its sampling and its end.
-class StrokeWork
+class StrokeEffect
 {
 public:
-    virtual ~StrokeWork() = default;
+    virtual ~StrokeEffect() = default;
     /// The next dabs, in order.
     virtual void apply(std::span<const StrokeDab> dabs) = 0;
     /// Everything once more, for strokes that are evaluated from press to current.
@@ -61,10 +61,10 @@ public:
 };
 
 /// Creates people.
-class CreationWork : public StrokeWork
+class CreationEffect : public StrokeEffect
 {
 public:
-    explicit CreationWork(StrokeGround& ground);
+    explicit CreationEffect(StrokeContext& ground);
     void apply(std::span<const StrokeDab> dabs) override;
     void reevaluate(const StrokeLine& line, double shownSeconds) override;
     [[nodiscard]] int affected() const override { return m_created; }
@@ -73,7 +73,7 @@ public:
 private:
     void create(std::span<const Spot> spots, std::optional<float> strokeHeading);
 
-    StrokeGround& m_ground;
+    StrokeContext& m_ground;
     CreationSite m_site;
     int m_created = 0;
     StrokeReason m_reason = StrokeReason::None;
@@ -81,10 +81,10 @@ private:
 
 /// Removes or changes people. They are selected as they stood at the press, at the time shown at
 /// each dab; those that the stroke has removed are gone.
-class SelectionWork : public StrokeWork
+class SelectionEffect : public StrokeEffect
 {
 public:
-    explicit SelectionWork(StrokeGround& ground);
+    explicit SelectionEffect(StrokeContext& ground);
     void apply(std::span<const StrokeDab> dabs) override;
     void reevaluate(const StrokeLine& line, double shownSeconds) override;
     void end(const StrokeLine& line) override;
@@ -104,7 +104,7 @@ private:
                 std::optional<float> heading);
     void count(std::span<const IndividualId> changed);
 
-    StrokeGround& m_ground;
+    StrokeContext& m_ground;
     ScenePicker m_picker;
     CrowdFramePtr m_frame;               ///< at the press, with the time of the last dab
     CrowdFramePtr m_shown;               ///< the same, where a session has them; null: none runs

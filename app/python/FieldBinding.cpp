@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/FieldBinding.h"
+
+#include <cmath>
+
+#include "app/python/PythonBrush.h"
+#include "model/describe/FieldChecks.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+using Range = std::pair<float, float>;
+
+void define(py::object& type, const FieldInfo& field, const py::object& get, const py::object& set)
+{
+    const py::handle property(reinterpret_cast<PyObject*>(&PyProperty_Type));
+    type.attr(field.meta.key) = property(
+        get, set, py::none(),
+        *field.meta.doc != '\0' ? py::object(py::str(field.meta.doc)) : py::object(py::none()));
+}
+
+/// T: the type that scripts see; `toPython` and `fromPython` lead from and to the field's own.
+template<class T, class ToPython, class FromPython>
+void attribute(py::object& type, const FieldInfo& field, const StructOf& structOf,
+               const ToPython& toPython, const FromPython& fromPython)
+{
+    const FieldInfo* kept = &field;
+    define(type, field,
+           py::cpp_function([kept, structOf, toPython](const py::object& self)
+                                -> T { return toPython(kept->get(structOf(self))); },
+                            py::is_method(type)),
+           py::cpp_function(
+               [kept, structOf, fromPython](const py::object& self, const T& value) {
+                   kept->set(structOf(self), fromPython(value));
+               },
+               py::is_method(type)));
+}
+
+/// A value that scripts see as it is.
+template<class T>
+void plainAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    attribute<T>(
+        type, field, structOf, [](const FieldValue& value) { return std::get<T>(value); },
+        [](const T& value) { return FieldValue(value); });
+}
+
+template<class Enum>
+void choiceAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    attribute<Enum>(
+        type, field, structOf,
+        [](const FieldValue& value) { return static_cast<Enum>(std::get<std::int64_t>(value)); },
+        [](Enum value) { return FieldValue(static_cast<std::int64_t>(value)); });
+}
+
+/// Whole numbers are refused at once where they do not fit: the member may be narrower.
+void numberAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    const FieldInfo* kept = &field;
+    const auto owner = py::str(type.attr("__name__")).cast<std::string>();
+    attribute<std::int64_t>(
+        type, field, structOf,
+        [](const FieldValue& value) { return std::get<std::int64_t>(value); },
+        [kept, owner](std::int64_t value) {
+            valueOrRaise(checkField(*kept, value, owner + "." + kept->meta.key));
+            return FieldValue(value);
+        });
+}
+
+void integerAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    const FieldChoice* choices = field.meta.choices.data();
+    if (choices == kHeadingModes) {
+        choiceAttribute<HeadingMode>(type, field, structOf);
+    } else if (choices == kSelections) {
+        choiceAttribute<BrushSelection>(type, field, structOf);
+    } else if (choices == kOperatorChoices) {
+        choiceAttribute<BrushOperator>(type, field, structOf);
+    } else {
+        numberAttribute(type, field, structOf);
+    }
+}
+
+void listAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    if (field.is<std::vector<int>>()) {
+        plainAttribute<std::vector<int>>(type, field, structOf);
+    } else if (field.is<std::vector<PaintColor>>()) {
+        plainAttribute<std::vector<PaintColor>>(type, field, structOf);
+    } else if (field.is<std::vector<ClipWeight>>()) {
+        attribute<py::dict>(
+            type, field, structOf,
+            [](const FieldValue& value) {
+                return clipsAsDict(std::get<std::vector<ClipWeight>>(value));
+            },
+            [](const py::dict& clips) { return FieldValue(clipsFromDict(clips)); });
+    } else if (field.is<DistributionCurve>()) {
+        using Weights = decltype(DistributionCurve::weights);
+        attribute<Weights>(
+            type, field, structOf,
+            [](const FieldValue& value) { return std::get<DistributionCurve>(value).weights; },
+            [](const Weights& weights) { return FieldValue(DistributionCurve{weights}); });
+    }
+}
+
+py::dict mixOf(const py::object& self)
+{
+    py::dict mix;
+    for (const TemplateWeight& each : self.cast<const PythonCreateSettings&>().mix) {
+        mix[py::int_(each.id)] = each.weight;
+    }
+    return mix;
+}
+
+void setMix(const py::object& self, const py::dict& mix)
+{
+    auto& create = self.cast<PythonCreateSettings&>();
+    std::vector<TemplateWeight> weights;
+    std::vector<std::weak_ptr<ScriptScene>> owners;
+    for (const auto& [key, weight] : mix) {
+        ScenePtr owner;
+        if (py::isinstance<TemplateHandle>(key)) {
+            owner = key.cast<const TemplateHandle&>().owner;
+            owners.push_back(owner);
+        }
+        weights.push_back({templateIdOf(owner, key), weightFrom(weight)});
+    }
+    create.mix = std::move(weights);
+    create.owners = std::move(owners);
+}
+
+} // namespace
+
+py::dict clipsAsDict(const std::vector<ClipWeight>& weights)
+{
+    py::dict clips;
+    for (const ClipWeight& each : weights) {
+        clips[py::str(each.clip)] = each.weight;
+    }
+    return clips;
+}
+
+float weightFrom(const py::handle& given)
+{
+    const double weight = PyFloat_AsDouble(given.ptr());
+    if (PyErr_Occurred() != nullptr || !std::isfinite(weight) || weight < 0.0) {
+        PyErr_Clear();
+        throw ScriptError("A weight is a number from 0 on, not " + shortly(given) + ".");
+    }
+    return static_cast<float>(weight);
+}
+
+std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
+{
+    std::vector<ClipWeight> weights;
+    for (const auto& [name, weight] : clips) {
+        if (!py::isinstance<py::str>(name)) {
+            throw ScriptError("Clips are given by name, not by " + shortly(name) + ".");
+        }
+        weights.push_back({name.cast<std::string>(), weightFrom(weight)});
+    }
+    return weights;
+}
+
+void bindField(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    if (field.is<bool>()) {
+        plainAttribute<bool>(type, field, structOf);
+    } else if (field.is<float>()) {
+        plainAttribute<float>(type, field, structOf);
+    } else if (field.is<std::int64_t>()) {
+        integerAttribute(type, field, structOf);
+    } else if (field.is<std::string>()) {
+        plainAttribute<std::string>(type, field, structOf);
+    } else if (field.is<PaintColor>()) {
+        plainAttribute<PaintColor>(type, field, structOf);
+    } else if (field.is<std::optional<bool>>()) {
+        plainAttribute<std::optional<bool>>(type, field, structOf);
+    } else if (field.is<ValueRange>()) {
+        attribute<Range>(
+            type, field, structOf,
+            [](const FieldValue& value) {
+                const auto range = std::get<ValueRange>(value);
+                return Range(range.low, range.high);
+            },
+            [](const Range& range) {
+                return FieldValue(ValueRange{range.first, range.second});
+            });
+    } else if (field.is<glm::vec3>()) {
+        attribute<Point3>(
+            type, field, structOf,
+            [](const FieldValue& value) {
+                const auto point = std::get<glm::vec3>(value);
+                return Point3{point.x, point.y, point.z};
+            },
+            [](const Point3& point) {
+                return FieldValue(glm::vec3(point[0], point[1], point[2]));
+            });
+    } else if (field.is<std::vector<TemplateWeight>>()) {
+        define(type, field, py::cpp_function(&mixOf, py::is_method(type)),
+               py::cpp_function(&setMix, py::is_method(type)));
+    } else {
+        listAttribute(type, field, structOf);
+    }
+}
+
+} // namespace crowd::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+
+#include "model/brush/ColumnWriting.h"
+#include "model/brush/SlotChoice.h"
+
+namespace crowd::model {
+
+namespace {
+
+std::uint8_t mixedByte(double a, double b, double share)
+{
+    return static_cast<std::uint8_t>(std::floor(a + (b - a) * share + 0.5));
+}
+
+PaintColor colorAlong(const std::vector<PaintColor>& colors, double share)
+{
+    const double place = share * static_cast<double>(colors.size() - 1);
+    const std::size_t first = std::min(static_cast<std::size_t>(place), colors.size() - 1);
+    const std::size_t second = std::min(first + 1, colors.size() - 1);
+    PaintColor mixed{};
+    for (std::size_t c = 0; c < mixed.size(); ++c) {
+        mixed[c] =
+            mixedByte(colors[first][c], colors[second][c], place - static_cast<double>(first));
+    }
+    return mixed;
+}
+
+Tint targetTint(const ColourSettings& settings, const OperatorResult& values, std::size_t i)
+{
+    const std::vector<PaintColor>& colors = settings.colors;
+    const bool picksOne = values.isDraw && !settings.blends;
+    const double share = values.shares[i];
+    PaintColor color{255, 255, 255};
+    if (!values.colors.empty()) {
+        color = values.colors[i];
+    } else if (!colors.empty()) {
+        const auto picked = static_cast<std::size_t>(share * static_cast<double>(colors.size()));
+        color = picksOne ? colors[std::min(picked, colors.size() - 1)] : colorAlong(colors, share);
+    }
+    return {color[0], color[1], color[2], mixedByte(0.0, 255.0, settings.strength)};
+}
+
+/// A step of the given share towards the target that always gets there in the end.
+std::uint8_t stepped(std::uint8_t from, std::uint8_t to, float share)
+{
+    const float way = static_cast<float>(to - from) * share;
+    return static_cast<std::uint8_t>(static_cast<float>(from) +
+                                     (way > 0.0F ? std::ceil(way) : std::floor(way)));
+}
+
+Tint steppedTint(const Tint& from, const Tint& to, float share)
+{
+    return {stepped(from.red, to.red, share), stepped(from.green, to.green, share),
+            stepped(from.blue, to.blue, share), stepped(from.strength, to.strength, share)};
+}
+
+} // namespace
+
+ChangeResult ColourSettings::change(const ChangeRequest& request)
+{
+    const Scene& scene = request.edit.scene();
+    const BrushSettings& brush = request.settings;
+    const auto& settings = brush.as<ColourSettings>();
+    const auto templates = scene.population.column(columns::templateId);
+    const OperatorShares shares(request);
+    std::array<std::optional<OperatorResult>, kMaxTintSlots> values;
+    const auto valuesOf = [&](std::size_t slot) -> const OperatorResult& {
+        const std::size_t apart = settings.eachSlotApart ? slot + 1 : 0;
+        auto& asked = values[settings.eachSlotApart ? slot : 0];
+        if (!asked) {
+            asked = shares.of(DrawPurpose::Colour, apart);
+        }
+        return *asked;
+    };
+    const auto replaced = scene.population.column(columns::tintReplaces);
+    std::array<ColumnChange<Tint>, kMaxTintSlots> changes;
+    ColumnChange<std::uint16_t> modeChange;
+    bool hasSlot = false;
+    forEachRow(request, [&](std::size_t i, std::size_t row, IndividualId id) {
+        const TemplateEntry* entry = scene.findTemplate(templates[row]);
+        if (entry == nullptr || !entry->asset) {
+            return;
+        }
+        const std::size_t slots = std::min<std::size_t>(entry->asset->slots.size(), kMaxTintSlots);
+        const ColourSlots meant(*entry->asset, settings);
+        std::uint16_t modes = replaced[row];
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            if (!meant.contains(entry->asset->slots[slot])) {
+                continue;
+            }
+            hasSlot = true;
+            const auto bit = static_cast<std::uint16_t>(1U << slot);
+            modes = static_cast<std::uint16_t>(settings.replaces ? modes | bit : modes & ~bit);
+            const Tint before = scene.population.column(columns::tint(static_cast<int>(slot)))[row];
+            const Tint target = targetTint(settings, valuesOf(slot), i);
+            changes[slot].set(id, before,
+                              brush.buildUp ? steppedTint(before, target, brush.flow) : target);
+        }
+        modeChange.set(id, replaced[row], modes);
+    });
+    ChangeResult result;
+    for (std::size_t slot = 0; slot < changes.size(); ++slot) {
+        changes[slot].apply(request.edit, columns::tint(static_cast<int>(slot)), result.changed);
+    }
+    modeChange.apply(request.edit, columns::tintReplaces, result.changed);
+    result.reason = hasSlot ? StrokeReason::Unchanged : StrokeReason::NoSuchSlot;
+    return result;
+}
+
+void ColourSettings::prepare(BrushSettings& brush)
+{
+    brush.selection = BrushSelection::AllInCircle;
+    brush.as<ColourSettings>().sparesBody = true;
+}
+
+MainNumber ColourSettings::mainNumber(const BrushSettings& brush)
+{
+    return {QT_TRANSLATE_NOOP("BrushTexts", "Strength, %"),
+            QT_TRANSLATE_NOOP("BrushTexts", "Strength: %1 %"),
+            brush.as<ColourSettings>().strength * 100.0,
+            0.0,
+            100.0,
+            5.0,
+            0};
+}
+
+void ColourSettings::setMainNumber(BrushSettings& brush, float value)
+{
+    brush.as<ColourSettings>().strength = value / 100.0F;
+}
+
+} // namespace crowd::model

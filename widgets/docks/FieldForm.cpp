@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/docks/FieldForm.h"
+
+#include <algorithm>
+
+#include <QtCore/QSettings>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QToolButton>
+
+#include "widgets/state/BrushTexts.h"
+
+namespace crowd::widgets {
+
+FieldForm::FieldForm(FormTarget target, QString key, EditorState* state, QWidget* parent)
+    : QWidget(parent), m_target(std::move(target)), m_key(std::move(key)), m_state(state),
+      m_layout(new QVBoxLayout(this))
+{
+    m_layout->setSpacing(4);
+    m_layout->setContentsMargins(6, 4, 6, 6);
+}
+
+const void* FieldForm::object(const Bound& bound) const
+{
+    void* root = const_cast<void*>(m_target.read()); // paths lead through what is only read
+    return bound.path ? bound.path(root) : root;
+}
+
+model::FieldValue FieldForm::value(const Bound& bound) const
+{
+    return bound.field->get(object(bound));
+}
+
+void FieldForm::change(const Bound& bound, const std::function<void(void*)>& apply)
+{
+    if (m_isRefreshing) {
+        return;
+    }
+    m_target.edit([&](void* root) { apply(bound.path ? bound.path(root) : root); });
+}
+
+void FieldForm::setValue(const Bound& bound, model::FieldValue value)
+{
+    change(bound, [&](void* object) { bound.field->set(object, value); });
+}
+
+void FieldForm::addFields(std::span<const model::FieldInfo> fields, const FieldPath& path,
+                          const Condition& isShown)
+{
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const model::FieldMeta& meta = fields[i].meta;
+        if (*meta.section != '\0') {
+            beginSection(fieldText(meta.section), QString::fromUtf8(meta.section).toLower());
+        }
+        const bool beginsRow =
+            !meta.isBeside && i + 1 < fields.size() && fields[i + 1].meta.isBeside;
+        if (beginsRow) {
+            beginRow();
+        } else if (!meta.isBeside) {
+            endRow();
+        }
+        addField(fields[i], path, isShown);
+    }
+    endRow();
+}
+
+void FieldForm::addField(const model::FieldInfo& field, const FieldPath& path,
+                         const Condition& isShown)
+{
+    Bound bound{&field, path, isShown};
+    if (field.isShown) {
+        bound.isShown = [this, isShown, inner = Bound{&field, path, {}}] {
+            return (!isShown || isShown()) && inner.field->isShown(object(inner), context());
+        };
+    }
+    if (field.isGroup()) {
+        addGroup(bound);
+    } else if (*field.meta.label != '\0') {
+        addControl(bound);
+    }
+}
+
+void FieldForm::addGroup(const Bound& bound)
+{
+    const auto inside = bound.field->childOf;
+    const FieldPath path = bound.path;
+    addFields(
+        bound.field->children,
+        [inside, path](void* root) { return inside(path ? path(root) : root); }, bound.isShown);
+}
+
+void FieldForm::bind(QWidget* row, std::function<void()> refresh, Condition isShown)
+{
+    if (m_row != nullptr) {
+        m_row->addWidget(row, 1);
+    } else {
+        m_layout->addWidget(row);
+    }
+    m_rows.push_back(
+        {row, std::move(refresh), std::move(isShown), static_cast<int>(m_sections.size()) - 1});
+}
+
+void FieldForm::refresh()
+{
+    m_isRefreshing = true;
+    for (const Row& row : m_rows) {
+        row.refresh();
+    }
+    refreshVisibility();
+    m_isRefreshing = false;
+}
+
+void FieldForm::refreshVisibility()
+{
+    std::vector<bool> isUsed(m_sections.size(), false);
+    for (const Row& row : m_rows) {
+        const bool matters = !row.isShown || row.isShown();
+        const auto section = static_cast<std::size_t>(row.section);
+        const bool isFolded = row.section >= 0 && !m_sections[section].isOpen;
+        row.widget->setVisible(matters && !isFolded);
+        if (row.section >= 0 && matters) {
+            isUsed[section] = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+        m_sections[i].header->setVisible(isUsed[i]);
+    }
+    for (QWidget* group : m_groups) {
+        const auto controls = group->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+        group->setVisible(std::ranges::any_of(
+            controls, [](const QWidget* control) { return !control->isHidden(); }));
+    }
+}
+
+void FieldForm::finish()
+{
+    m_layout->addStretch(1);
+    refresh();
+}
+
+void FieldForm::beginSection(const QString& title, const QString& key)
+{
+    auto* header = new QToolButton(this);
+    header->setObjectName(key);
+    header->setText(title);
+    header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    header->setStyleSheet(QStringLiteral("QToolButton { border: none; font-weight: 600; "
+                                         "padding: 3px 0px 1px 0px; background: transparent; }"));
+    endRow();
+    m_layout->addWidget(header);
+    const QString stored = m_key + QLatin1Char('/') + key;
+    const int index = static_cast<int>(m_sections.size());
+    m_sections.push_back({header, stored, true});
+    fold(index, QSettings().value(stored, true).toBool());
+    connect(header, &QToolButton::clicked, this, [this, index] {
+        const Section& section = m_sections[static_cast<std::size_t>(index)];
+        QSettings().setValue(section.key, !section.isOpen);
+        fold(index, !section.isOpen);
+        refreshVisibility();
+    });
+}
+
+void FieldForm::fold(int section, bool isOpen)
+{
+    Section& folded = m_sections[static_cast<std::size_t>(section)];
+    folded.isOpen = isOpen;
+    folded.header->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+}
+
+void FieldForm::beginRow()
+{
+    auto* group = new QWidget(this);
+    m_row = new QHBoxLayout(group);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(8);
+    m_layout->addWidget(group);
+    m_groups.push_back(group);
+}
+
+void FieldForm::addNote(const QString& text, const Condition& isShown)
+{
+    auto* note = new QLabel(text, this);
+    note->setWordWrap(true);
+    note->setEnabled(false);
+    bind(
+        note, [] {}, isShown);
+}
+
+} // namespace crowd::widgets

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QVBoxLayout>
+#include <QtWidgets/QWidget>
+
+#include "model/describe/Field.h"
+#include "widgets/docks/ValueSlider.h"
+
+class QToolButton;
+
+namespace crowd::widgets {
+
+class EditorState;
+
+/// Where a form reads and writes: an object that is described by fields, and all it may depend on.
+struct FormTarget
+{
+    /// The object as it is now; valid until the next change.
+    std::function<const void*()> read;
+    /// Lets a function change a copy of the object, and keeps that.
+    std::function<void(const std::function<void(void*)>&)> edit;
+    /// What decides which fields are shown, and what references can refer to.
+    std::function<model::FieldContext()> context;
+};
+
+/// The way from a form's object to a struct inside it.
+using FieldPath = std::function<void*(void*)>;
+
+/// Controls for described values, one below the other, made from their descriptions. Every control
+/// reads its value when the form is refreshed and writes through the target. A row is shown only
+/// where its field's condition holds; sections fold, and stay folded in later sessions.
+class FieldForm : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using Condition = std::function<bool()>;
+
+    /// `key` names the form in the preferences; `state` is where points of the picture are chosen;
+    /// null: nowhere.
+    FieldForm(FormTarget target, QString key, EditorState* state, QWidget* parent);
+
+    /// Controls of all fields that have a label, with those of structs inside.
+    void addFields(std::span<const model::FieldInfo> fields, const FieldPath& path = {},
+                   const Condition& isShown = {});
+    void addField(const model::FieldInfo& field, const FieldPath& path, const Condition& isShown);
+    /// What is added from here on folds under the title. `key` names it in the preferences.
+    void beginSection(const QString& title, const QString& key);
+    void addNote(const QString& text, const Condition& isShown = {});
+    void finish();
+    void refresh();
+
+    // For the parts of the form that have a file of their own.
+
+    /// A field in a form: where its object is, and when it is shown.
+    struct Bound
+    {
+        const model::FieldInfo* field; ///< lives as long as the form
+        FieldPath path;
+        Condition isShown;
+    };
+    [[nodiscard]] model::FieldValue value(const Bound& bound) const;
+    template<class T>
+    [[nodiscard]] T valueOf(const Bound& bound) const
+    {
+        return std::get<T>(value(bound));
+    }
+    /// Writes what the artist chose; nothing while the form is refreshed.
+    void setValue(const Bound& bound, model::FieldValue value);
+    /// Another change of the struct that the field is in.
+    void change(const Bound& bound, const std::function<void(void*)>& apply);
+    [[nodiscard]] const void* object(const Bound& bound) const;
+    [[nodiscard]] model::FieldContext context() const { return m_target.context(); }
+    [[nodiscard]] EditorState* state() const { return m_state; }
+    /// Adds a control; `refresh` shows the value of that moment.
+    void bind(QWidget* row, std::function<void()> refresh, Condition isShown);
+    void addLabelled(const QString& label, QWidget* control, std::function<void()> refresh,
+                     Condition isShown);
+    void addChoice(const QString& label, const QStringList& names, std::function<int()> get,
+                   std::function<void(int)> set, Condition isShown);
+    void addSlider(const QString& label, const ValueSlider::Range& range,
+                   std::function<double()> get, std::function<void(double)> set, Condition isShown);
+    /// What is added until endRow() stands side by side.
+    void beginRow();
+    void endRow() { m_row = nullptr; }
+
+private:
+    struct Section
+    {
+        QToolButton* header;
+        QString key;
+        bool isOpen = true;
+    };
+    struct Row
+    {
+        QWidget* widget;
+        std::function<void()> refresh;
+        Condition isShown;
+        int section; ///< -1: none
+    };
+
+    void addGroup(const Bound& bound);
+    void addControl(const Bound& bound);
+    void addNumber(const Bound& bound, double low, double high);
+    void addFlag(const Bound& bound);
+    void addChoices(const Bound& bound);
+    void addTextChoices(const Bound& bound);
+    void addText(const Bound& bound);
+    void addRange(const Bound& bound);
+    void addColour(const Bound& bound);
+    void addCurve(const Bound& bound);
+    void addNumberList(const Bound& bound);
+    void fold(int section, bool isOpen);
+    void refreshVisibility();
+
+    FormTarget m_target;
+    QString m_key;
+    EditorState* m_state;
+    QVBoxLayout* m_layout;
+    QHBoxLayout* m_row = nullptr;   ///< being filled
+    std::vector<QWidget*> m_groups; ///< rows of several controls
+    std::vector<Section> m_sections;
+    std::vector<Row> m_rows;
+    bool m_isRefreshing = false;
+};
+
+/// Controls of fields that refer to something: a slot, clips, a path, a tag, an event, a point.
+/// False where the field has no such role.
+bool addReferenceControl(FieldForm& form, const FieldForm::Bound& bound);
+
+} // namespace crowd::widgets

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+
+#include "model/brush/BrushSettings.h"
+#include "model/brush/ClipChoice.h"
+#include "model/scene/NearestPath.h"
+#include "model/scene/RuleSets.h"
+#include "model/scene/Scene.h"
+#include "widgets/docks/ClipMix.h"
+#include "widgets/docks/FieldForm.h"
+#include "widgets/state/BrushTexts.h"
+#include "widgets/state/EditorState.h"
+
+namespace crowd::widgets {
+
+using Bound = FieldForm::Bound;
+
+namespace {
+
+const model::Scene& sceneOf(const FieldForm& form)
+{
+    static const model::Scene kNone;
+    const model::Scene* scene = form.context().scene;
+    return scene != nullptr ? *scene : kNone;
+}
+
+QString labelText(const Bound& bound)
+{
+    return fieldText(bound.field->meta.label);
+}
+
+/// Names of all slots of the scene's templates, each once.
+std::vector<std::string> slotNames(const model::Scene& scene)
+{
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
+            if (known.insert(entry.asset->slots[i].name).second) {
+                names.push_back(entry.asset->slots[i].name);
+            }
+        }
+    }
+    return names;
+}
+
+/// The flag beside a slot that means the clothes as a whole; null: there is none.
+const model::FieldInfo* sparingField(const FieldForm& form)
+{
+    const model::BrushSettings* brush = form.context().brush;
+    if (brush == nullptr) {
+        return nullptr;
+    }
+    const auto fields = model::brushType(brush->kind()).fields;
+    const auto found = std::ranges::find_if(fields, [](const model::FieldInfo& field) {
+        return std::string_view(field.meta.key) == "spares_body";
+    });
+    return found != fields.end() ? &*found : nullptr;
+}
+
+/// Where a flag says so, the clothes as a whole come before all slots and each of them.
+void addSlot(FieldForm& form, const Bound& bound)
+{
+    const std::vector<std::string> names = slotNames(sceneOf(form));
+    const model::FieldInfo* sparing = sparingField(form);
+    const int wholes = sparing != nullptr ? 2 : 1;
+    QStringList texts;
+    if (sparing != nullptr) {
+        texts << FieldForm::tr("Clothes");
+    }
+    texts << (sparing != nullptr ? FieldForm::tr("All tintable") : FieldForm::tr("All"));
+    for (const std::string& name : names) {
+        texts << QString::fromStdString(name);
+    }
+    const auto chosen = [&form, bound, names, sparing, wholes] {
+        const auto found = std::ranges::find(names, form.valueOf<std::string>(bound));
+        if (found != names.end()) {
+            return static_cast<int>(found - names.begin()) + wholes;
+        }
+        return sparing != nullptr && !std::get<bool>(sparing->get(form.object(bound))) ? 1 : 0;
+    };
+    const auto choose = [&form, bound, names, sparing, wholes](int i) {
+        form.change(bound, [&](void* object) {
+            if (sparing != nullptr) {
+                sparing->set(object, i == 0);
+            }
+            bound.field->set(object, i < wholes ? std::string()
+                                                : names[static_cast<std::size_t>(i - wholes)]);
+        });
+    };
+    form.addChoice(labelText(bound), texts, chosen, choose, bound.isShown);
+}
+
+/// Names of materials that some slot lets choose from, each once; any comes first.
+void addMaterial(FieldForm& form, const Bound& bound)
+{
+    QStringList texts{FieldForm::tr("Any, by the operator")};
+    std::vector<std::string> names{std::string()};
+    for (const model::TemplateEntry& entry : sceneOf(form).templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->slots.size(); ++i) {
+            const auto& choices = entry.asset->slots[i].choices;
+            for (std::size_t c = 0; choices.size() > 1 && c < choices.size(); ++c) {
+                if (std::ranges::find(names, choices[c].name) == names.end()) {
+                    names.push_back(choices[c].name);
+                    texts << QString::fromStdString(choices[c].name);
+                }
+            }
+        }
+    }
+    form.addChoice(
+        labelText(bound), texts,
+        [&form, bound, names] {
+            const auto found = std::ranges::find(names, form.valueOf<std::string>(bound));
+            return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+        },
+        [&form, bound, names](int i) { form.setValue(bound, names[static_cast<std::size_t>(i)]); },
+        bound.isShown);
+}
+
+/// Each once; those to walk with, or all.
+std::vector<std::string> clipNamesOf(const model::Scene& scene, bool areWalking)
+{
+    std::vector<std::string> names;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
+            const int index = entry.asset ? entry.asset->clipIndex(entry.clipNames[i]) : -1;
+            const bool isMeant =
+                !areWalking ||
+                (index >= 0 && model::movesOverGround(entry, i, static_cast<std::size_t>(index)));
+            if (isMeant && std::ranges::find(names, entry.clipNames[i]) == names.end()) {
+                names.push_back(entry.clipNames[i]);
+            }
+        }
+    }
+    return names;
+}
+
+void addClips(FieldForm& form, const Bound& bound)
+{
+    using Clips = std::vector<model::ClipWeight>;
+    const bool areWalking = bound.field->meta.role == model::FieldRole::WalkingClips;
+    auto* mix = new ClipMix(clipNamesOf(sceneOf(form), areWalking), &form);
+    QObject::connect(mix, &ClipMix::edited, &form, [&form, bound](const model::ClipWeight& edited) {
+        auto all = form.valueOf<Clips>(bound);
+        const auto known = std::ranges::find(all, edited.clip, &model::ClipWeight::clip);
+        if (edited.weight <= 0.0F) {
+            std::erase_if(all, [&](const auto& clip) { return clip.clip == edited.clip; });
+        } else if (known != all.end()) {
+            known->weight = edited.weight;
+        } else {
+            all.push_back(edited);
+        }
+        form.setValue(bound, std::move(all));
+    });
+    form.bind(
+        mix, [&form, mix, bound] { mix->setClips(form.valueOf<Clips>(bound)); }, bound.isShown);
+}
+
+void addPath(FieldForm& form, const Bound& bound)
+{
+    QStringList names{FieldForm::tr("None: stay"), FieldForm::tr("The nearest")};
+    std::vector<std::int64_t> ids{0, model::kNearestPath};
+    for (const model::Path& path : sceneOf(form).paths) {
+        names << QString::fromStdString(path.name);
+        ids.push_back(path.id);
+    }
+    form.addChoice(
+        labelText(bound), names,
+        [&form, bound, ids] {
+            const auto found = std::ranges::find(ids, form.valueOf<std::int64_t>(bound));
+            return found == ids.end() ? 0 : static_cast<int>(found - ids.begin());
+        },
+        [&form, bound, ids](int i) { form.setValue(bound, ids[static_cast<std::size_t>(i)]); },
+        bound.isShown);
+}
+
+/// A colour and a name beside it, to be looked at only.
+void addTagSwatch(FieldForm& form, const Bound& bound)
+{
+    auto* row = new QWidget(&form);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* swatch = new QLabel(row);
+    swatch->setObjectName(QStringLiteral("swatch"));
+    auto* name = new QLabel(row);
+    name->setObjectName(QStringLiteral("swatchText"));
+    name->setWordWrap(true);
+    layout->addWidget(swatch);
+    layout->addWidget(name, 1);
+    form.bind(
+        row,
+        [&form, swatch, name, bound] {
+            const model::Scene& scene = sceneOf(form);
+            const auto tag = static_cast<int>(form.valueOf<std::int64_t>(bound));
+            QPixmap filled(14, 14);
+            filled.fill(tagColor(scene, tag));
+            swatch->setPixmap(filled);
+            const auto named = std::ranges::find(scene.tags, tag, &model::TagName::bit);
+            name->setText(named != scene.tags.end() && !named->name.empty()
+                              ? QString::fromStdString(named->name)
+                              : FieldForm::tr("no name yet; the Rules panel gives it one"));
+        },
+        bound.isShown);
+}
+
+void addTag(FieldForm& form, const Bound& bound)
+{
+    form.addSlider(
+        labelText(bound), {1.0, model::kTagCount, 1.0, 0, {}, false},
+        [&form, bound] { return static_cast<double>(form.valueOf<std::int64_t>(bound)) + 1.0; },
+        [&form, bound](double shown) {
+            form.setValue(bound, static_cast<std::int64_t>(shown - 1.0));
+        },
+        bound.isShown);
+    addTagSwatch(form, bound);
+    QStringList names;
+    std::vector<std::int64_t> bits;
+    for (const model::TagName& tag : sceneOf(form).tags) {
+        names << QString::fromStdString(tag.name);
+        bits.push_back(tag.bit);
+    }
+    if (bits.empty()) {
+        return;
+    }
+    form.addChoice(
+        FieldForm::tr("Named"), names,
+        [&form, bound, bits] {
+            const auto found = std::ranges::find(bits, form.valueOf<std::int64_t>(bound));
+            return found == bits.end() ? -1 : static_cast<int>(found - bits.begin());
+        },
+        [&form, bound, bits](int i) { form.setValue(bound, bits[static_cast<std::size_t>(i)]); },
+        bound.isShown);
+}
+
+/// Events that some rule listens to, beside a text of the artist's own.
+void addKnownEvents(FieldForm& form, const Bound& bound)
+{
+    QStringList names;
+    for (const std::string& event : model::eventsOf(sceneOf(form))) {
+        names << QString::fromStdString(event);
+    }
+    if (names.isEmpty()) {
+        return;
+    }
+    form.addChoice(
+        FieldForm::tr("Known"), names,
+        [&form, bound, names] {
+            return static_cast<int>(
+                names.indexOf(QString::fromStdString(form.valueOf<std::string>(bound))));
+        },
+        [&form, bound, names](int i) { form.setValue(bound, names[i].toStdString()); },
+        bound.isShown);
+}
+
+/// Its height comes with the point that is chosen in the picture.
+void addPoint(FieldForm& form, const Bound& bound)
+{
+    const model::FieldMeta& meta = bound.field->meta;
+    form.beginRow();
+    for (const int axis : {0, 2}) {
+        form.addSlider(
+            axis == 0 ? QStringLiteral("X") : QStringLiteral("Z"),
+            {meta.sliderLow, meta.sliderHigh, meta.step, meta.decimals, fieldText(meta.unit),
+             false},
+            [&form, bound, axis] {
+                return static_cast<double>(form.valueOf<glm::vec3>(bound)[axis]);
+            },
+            [&form, bound, axis](double shown) {
+                auto point = form.valueOf<glm::vec3>(bound);
+                point[axis] = static_cast<float>(shown);
+                form.setValue(bound, point);
+            },
+            bound.isShown);
+    }
+    form.endRow();
+    EditorState* state = form.state();
+    if (state == nullptr) {
+        return;
+    }
+    auto* button = new QPushButton(FieldForm::tr("Choose in the Picture"), &form);
+    button->setToolTip(FieldForm::tr("Then click the point to face"));
+    QObject::connect(button, &QPushButton::clicked, &form,
+                     [state] { state->setPicking(Picking::Point); });
+    form.bind(
+        button, [] {}, bound.isShown);
+}
+
+} // namespace
+
+bool addReferenceControl(FieldForm& form, const Bound& bound)
+{
+    const model::FieldInfo& field = *bound.field;
+    if (field.is<std::vector<model::ClipWeight>>()) {
+        addClips(form, bound);
+        return true;
+    }
+    switch (field.meta.role) {
+    case model::FieldRole::Slot:
+        addSlot(form, bound);
+        return true;
+    case model::FieldRole::Material:
+        addMaterial(form, bound);
+        return true;
+    case model::FieldRole::Path:
+        addPath(form, bound);
+        return true;
+    case model::FieldRole::Tag:
+        addTag(form, bound);
+        return true;
+    case model::FieldRole::Point:
+        addPoint(form, bound);
+        return true;
+    case model::FieldRole::Event:
+        addKnownEvents(form, bound);
+        return false; // and the text
+    default:
+        return false;
+    }
+}
+
+} // namespace crowd::widgets
