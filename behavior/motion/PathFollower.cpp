@@ -2,22 +2,24 @@
 #include "behavior/motion/PathFollower.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
+#include <glm/geometric.hpp>
 #include <glm/gtx/norm.hpp>
 
+#include "behavior/crowd/Chunks.h"
+#include "behavior/crowd/ForceKernel.h"
 #include "model/base/Bounds.h"
 #include "model/base/Random.h"
-#include "model/base/Segment.h"
 
 namespace crowd::behavior {
 
 namespace {
 
 constexpr std::uint32_t kFirstCheckSteps = 20;
+constexpr float kWidestLane = 6.0F; ///< metres
 
-constexpr float kWidestPlace = 1e4F;
 /// Uniform in the unit disk.
 glm::vec2 shareOf(std::uint64_t seed)
 {
@@ -26,19 +28,11 @@ glm::vec2 shareOf(std::uint64_t seed)
     return radius * glm::vec2(std::sin(angle), std::cos(angle));
 }
 
-std::string nameOf(const model::Path& path)
-{
-    return "Path \"" + path.name + "\"";
-}
-
 } // namespace
 
 std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places,
                                             std::span<const model::Path> paths)
 {
-    std::vector<Problem> problems;
-    const std::vector<Route> former = std::move(m_routes);
-    m_routes.clear();
     m_slow.clear();
     for (const model::Place& place : places) {
         if (place.role == model::PlaceRole::Slow && model::Bounds::isPlace(place.position)) {
@@ -47,78 +41,46 @@ std::vector<Problem> PathFollower::setPaths(std::span<const model::Place> places
                               std::clamp(place.speedShare, model::kMinSpeedShare, 1.0F)});
         }
     }
-    for (const model::Path& path : paths) {
-        Route route{path.id, path.kind, {}};
-        for (const model::PlaceId id : path.places) {
-            const auto place = std::ranges::find(places, id, &model::Place::id);
-            if (place == places.end()) {
-                problems.push_back({nameOf(path) + " names a place that is not there any more; " +
-                                        "characters pass it over.",
-                                    0, 0, path.id});
-            } else if (!model::Bounds::isPlace(place->position) || !std::isfinite(place->radius)) {
-                problems.push_back({"Place \"" + place->name +
-                                        "\" has no position or size; characters "
-                                        "pass it over. Give it numbers.",
-                                    0, place->id, path.id});
-            } else {
-                Stop stop{id,
-                          {place->position.x, place->position.z},
-                          place->position.y,
-                          std::clamp(place->radius, 0.0F, kWidestPlace)};
-                for (const model::PathBranch& branch : path.branches) {
-                    if (branch.place == id) {
-                        stop.branches.push_back({branch.path, std::max(branch.weight, 0.0F)});
-                    }
-                }
-                route.stops.push_back(std::move(stop));
-            }
-        }
-        if (route.stops.empty()) {
-            problems.push_back(
-                {nameOf(path) + " has no places: nobody can walk it. Add some.", 0, 0, path.id});
-        } else {
-            m_routes.push_back(std::move(route));
-        }
-    }
+    const PathRoutes former = m_routes;
+    std::vector<Problem> problems = m_routes.set(places, paths);
     for (Walk& walk : m_walks) {
-        walk.point.reset();
-        if (walk.route == kNoRoute) {
-            continue;
-        }
-        const std::size_t formerStops = former[walk.route].stops.size();
-        walk.route = routeOf(former[walk.route].id);
-        if (walk.route == kNoRoute) {
-            continue;
-        }
-        const Route& route = m_routes[walk.route];
-        const bool isLonger = route.stops.size() > formerStops;
-        if (walk.hasArrived && (isLonger || route.kind != model::PathKind::Simple)) {
-            walk.hasArrived = false; // there is more to walk now
-            walk.next = isLonger ? static_cast<std::uint32_t>(formerStops) : 0;
-        }
-        walk.next = std::min(walk.next, static_cast<std::uint32_t>(route.stops.size() - 1));
+        carryOver(walk, former);
     }
     markAllDirty();
     return problems;
 }
 
-std::uint32_t PathFollower::routeOf(model::PathId path) const
+/// Goes on along its path as that is now.
+void PathFollower::carryOver(Walk& walk, const PathRoutes& former) const
 {
-    const auto route = std::ranges::find(m_routes, path, &Route::id);
-    return route == m_routes.end() ? kNoRoute
-                                   : static_cast<std::uint32_t>(route - m_routes.begin());
+    walk.point.reset();
+    if (walk.route == PathRoutes::kNone) {
+        return;
+    }
+    const Route& before = former[walk.route];
+    walk.route = m_routes.indexOf(before.id);
+    if (walk.route == PathRoutes::kNone) {
+        return;
+    }
+    const Route& route = m_routes[walk.route];
+    const bool isLonger = route.stops.size() > before.stops.size();
+    if (walk.hasArrived && (isLonger || route.kind != model::PathKind::Simple)) {
+        walk.hasArrived = false; // there is more to walk now
+        walk.next = isLonger ? static_cast<std::uint32_t>(before.stops.size()) : 0;
+    }
+    walk.next = std::min(walk.next, static_cast<std::uint32_t>(route.stops.size() - 1));
 }
 
 model::PathId PathFollower::pathOf(std::uint32_t agent) const
 {
     const std::uint32_t route = m_walks[agent].route;
-    return route == kNoRoute ? 0 : m_routes[route].id;
+    return route == PathRoutes::kNone ? 0 : m_routes[route].id;
 }
 
 model::PlaceId PathFollower::endPlace(std::uint32_t agent) const
 {
     const Walk& walk = m_walks[agent];
-    return walk.hasArrived && !walk.hasErrand && walk.route != kNoRoute
+    return walk.hasArrived && !walk.hasErrand && walk.route != PathRoutes::kNone
                ? m_routes[walk.route].stops.back().place
                : 0;
 }
@@ -139,30 +101,6 @@ std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignment
              ". Give them another path."}};
 }
 
-std::uint32_t PathFollower::nextStop(const Route& route, const glm::vec3& from)
-{
-    const auto count = static_cast<std::uint32_t>(route.stops.size());
-    const std::uint32_t legs =
-        route.kind == model::PathKind::Cyclic && count > 2 ? count : count - 1;
-    const auto point = [&](std::uint32_t stop) {
-        const Stop& at = route.stops[stop % count];
-        return glm::vec3(at.position.x, at.height, at.position.y);
-    };
-    std::uint32_t next = 0;
-    float least = std::numeric_limits<float>::infinity();
-    for (std::uint32_t leg = 0; leg < legs; ++leg) {
-        const glm::vec3 begin = point(leg);
-        const glm::vec3 end = point(leg + 1);
-        const float share = model::nearestShare(from, begin, end);
-        const float distance2 = glm::distance2(from, glm::mix(begin, end, share));
-        if (distance2 < least) {
-            least = distance2;
-            next = share > 0.0F ? (leg + 1) % count : leg;
-        }
-    }
-    return next;
-}
-
 bool PathFollower::follow(const Assignment& assignment)
 {
     Walk& walk = markDirty(assignment.agent);
@@ -175,27 +113,20 @@ bool PathFollower::follow(const Assignment& assignment)
     walk.seed = assignment.seed;
     walk.share = shareOf(assignment.seed);
     walk.pace = assignment.metresPerSecond;
-    walk.route = routeOf(assignment.path);
-    if (walk.route == kNoRoute) {
+    walk.route = m_routes.indexOf(assignment.path);
+    if (walk.route == PathRoutes::kNone) {
         return false;
     }
-    walk.next = nextStop(m_routes[walk.route], assignment.from);
-    walk.stepsToCheck = assignment.agent % kFirstCheckSteps; // not all in the same step
+    walk.next = m_routes[walk.route].nextStop(assignment.from);
+    walk.way.setStepsToCheck(assignment.agent % kFirstCheckSteps);
     return true;
 }
 
 void PathFollower::setGroups(std::span<const std::uint32_t> groupOfAgent)
 {
-    std::vector<std::uint32_t> groups(groupOfAgent.begin(), groupOfAgent.end());
-    std::ranges::sort(groups);
-    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-    std::erase(groups, 0U);
-    m_parties.assign(groups.size(), {});
+    const std::vector<std::uint32_t> parties = m_parties.setGroups(groupOfAgent);
     for (std::size_t agent = 0; agent < m_walks.size(); ++agent) {
-        const std::uint32_t group = groupOfAgent[agent];
-        const auto found = std::ranges::lower_bound(groups, group);
-        m_walks[agent].party =
-            group == 0 ? kNoParty : static_cast<std::uint32_t>(found - groups.begin());
+        m_walks[agent].party = parties[agent];
     }
     markAllDirty();
 }
@@ -220,8 +151,7 @@ void PathFollower::goOn(std::uint32_t agent)
 
 void PathFollower::forgetWay(std::uint32_t agent)
 {
-    markDirty(agent).corners.clear();
-    m_walks[agent].cornersFor = glm::vec2(1e30F);
+    markDirty(agent).way.forget();
 }
 
 void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
@@ -231,13 +161,7 @@ void PathFollower::setPace(std::uint32_t agent, float metresPerSecond)
 
 void PathFollower::rearrange(std::span<const std::uint32_t> keep)
 {
-    std::vector<Walk> walks(keep.size());
-    for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i] != kNoAgent) {
-            walks[i] = std::move(m_walks[keep[i]]);
-        }
-    }
-    m_walks = std::move(walks);
+    behavior::rearrange(m_walks, keep);
     markAllDirty();
 }
 
@@ -261,8 +185,7 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
     m_surface = std::move(surface);
     for (Walk& walk : m_walks) {
-        walk.corners.clear();
-        walk.cornersFor = glm::vec2(1e30F);
+        walk.way.forget();
         walk.point.reset();
     }
     markAllDirty();
@@ -270,9 +193,9 @@ void PathFollower::setSurface(std::shared_ptr<const WalkSurface> surface)
 
 glm::vec2 PathFollower::nextAim(std::uint32_t agent) const
 {
-    const std::vector<glm::vec3>& corners = m_walks[agent].corners;
-    return !m_surface || corners.empty() ? glm::vec2(m_aims.x[agent], m_aims.z[agent])
-                                         : glm::vec2(corners.back().x, corners.back().z);
+    const glm::vec3* corner = m_surface ? m_walks[agent].way.nextCorner() : nullptr;
+    return corner == nullptr ? glm::vec2(m_aims.x[agent], m_aims.z[agent])
+                             : glm::vec2(corner->x, corner->z);
 }
 
 bool PathFollower::isWalking(std::uint32_t agent) const
@@ -281,7 +204,234 @@ bool PathFollower::isWalking(std::uint32_t agent) const
     if (walk.isHeld || walk.hasErrand) {
         return walk.hasErrand && !walk.isHeld && !walk.isErrandDone;
     }
-    return walk.route != kNoRoute && !walk.hasArrived;
+    return walk.route != PathRoutes::kNone && !walk.hasArrived;
+}
+
+void PathFollower::gatherParties(std::span<const Body> bodies)
+{
+    m_parties.beginStep();
+    for (std::uint32_t agent = 0; agent < bodies.size(); ++agent) {
+        const Walk& walk = m_walks[agent];
+        if (walk.party != WalkParties::kNone && !walk.hasErrand && isWalking(agent)) {
+            m_parties.add(walk.party, walk.route, {bodies[agent].x, bodies[agent].z}, walk.pace);
+        }
+    }
+    m_parties.endStep();
+}
+
+/// Null: it walks alone.
+const WalkParties::Party* PathFollower::partyOf(const Walk& walk) const
+{
+    return walk.hasErrand ? nullptr : m_parties.find(walk.party, walk.route);
+}
+
+/// Some go over to another path at a place with branches.
+void PathFollower::branchOff(Walk& walk) const
+{
+    const std::vector<RouteStop::Branch>& branches = m_routes[walk.route].stops[walk.next].branches;
+    float total = 1.0F;
+    for (const RouteStop::Branch& branch : branches) {
+        total += branch.weight;
+    }
+    float drawn = total * model::unitFloat(model::hashKeys(walk.seed, 41, walk.turns)) - 1.0F;
+    for (const RouteStop::Branch& branch : branches) {
+        if (drawn >= 0.0F && drawn < branch.weight &&
+            m_routes.indexOf(branch.path) != PathRoutes::kNone) {
+            walk.route = m_routes.indexOf(branch.path);
+            walk.next = 0;
+            return;
+        }
+        drawn -= branch.weight;
+    }
+}
+
+/// From the place reached to the next one, by the path's kind.
+std::uint8_t PathFollower::passStop(Body& body, float& height, Walk& walk) const
+{
+    walk.reached = m_routes[walk.route].stops[walk.next].place;
+    ++walk.turns;
+    walk.point.reset();
+    const std::uint32_t before = walk.route;
+    branchOff(walk);
+    const Route& route = m_routes[walk.route];
+    if (walk.route != before) {
+        return kReachedPlace;
+    }
+    if (walk.next + 1 < route.stops.size()) {
+        ++walk.next;
+        return kReachedPlace;
+    }
+    if (route.kind == model::PathKind::Simple || route.stops.size() == 1) {
+        walk.hasArrived = true;
+        return kReachedPlace | kEndedPath;
+    }
+    if (route.kind == model::PathKind::Cyclic) {
+        walk.next = 0;
+    } else {
+        const glm::vec3 start = pointIn(walk, route.stops[0]).position;
+        body.x = start.x;
+        body.z = start.z;
+        height = start.y;
+        walk.next = 1;
+    }
+    return kReachedPlace;
+}
+
+/// As wide as the places that the flow comes from and goes to.
+Lane PathFollower::laneOf(const Walk& walk) const
+{
+    if (walk.hasErrand || walk.route == PathRoutes::kNone) {
+        return {};
+    }
+    const float radius = m_routes[walk.route].stops[walk.next].radius;
+    return {walk.share, std::min(2.0F * radius, kWidestLane)};
+}
+
+/// Vector to walk along now: to the next corner of the way around what stands between.
+glm::vec2 PathFollower::wayTo(const Body& body, float height, Walk& walk, const glm::vec3& to) const
+{
+    return m_surface ? walk.way.towards(*m_surface, body, height, to, laneOf(walk))
+                     : glm::vec2(to.x, to.z) - glm::vec2(body.x, body.z);
+}
+
+float PathFollower::slowness(float x, float z) const
+{
+    for (const SlowArea& area : m_slow) {
+        if (glm::length2(area.center - glm::vec2(x, z)) < area.radius * area.radius) {
+            return area.share;
+        }
+    }
+    return 1.0F;
+}
+
+/// His own point in a place: where one can get to from its middle.
+PathFollower::PlacePoint PathFollower::pointIn(const Walk& walk, const RouteStop& stop) const
+{
+    const glm::vec2 aimed = aim(walk, stop);
+    const glm::vec3 point(aimed.x, stop.height, aimed.y);
+    const glm::vec3 middle(stop.position.x, stop.height, stop.position.y);
+    const auto reached = m_surface ? m_surface->straight(middle, point) : std::nullopt;
+    return {reached.value_or(point), reached.has_value()};
+}
+
+glm::vec3 PathFollower::targetOf(Walk& walk) const
+{
+    if (walk.hasErrand) {
+        return walk.errand;
+    }
+    if (!walk.point) {
+        walk.point = pointIn(walk, m_routes[walk.route].stops[walk.next]);
+    }
+    return walk.point->position;
+}
+
+/// How far from his aim somebody begins to come to rest; 0 where he goes on from there.
+float PathFollower::brakingMetres(const Walk& walk, const Body& body) const
+{
+    if (!walk.hasErrand) {
+        const Route& route = m_routes[walk.route];
+        if (!route.isEnd(walk.next) || !route.stops[walk.next].branches.empty()) {
+            return 0.0F;
+        }
+    }
+    return glm::length2(glm::vec2(body.velocityX, body.velocityZ)) / (2.0F * kUsualBraking);
+}
+
+/// Near enough to where it is going, or past it; or its way ends where nothing leads on.
+bool PathFollower::hasReached(const Walk& walk, const Body& body, float height,
+                              const glm::vec3& target) const
+{
+    const glm::vec2 at(body.x, body.z);
+    const glm::vec2 aimed(target.x, target.z);
+    const glm::vec2 left = aimed - at;
+    const bool isPast = left.x * body.velocityX + left.y * body.velocityZ < 0.0F;
+    const float near = std::max(isPast ? kPassedMetres : kArrivalMetres, brakingMetres(walk, body));
+    const bool isOnLevel =
+        walk.hasErrand || !walk.point->isOnSurface || std::fabs(target.y - height) < kLevelMetres;
+    return (glm::length2(left) < near * near && isOnLevel) ||
+           (m_surface && walk.way.endsShort(aimed, at, kArrivalMetres));
+}
+
+void PathFollower::steerAgent(std::uint32_t agent, Body& body, float& height)
+{
+    Walk& walk = m_walks[agent];
+    body.desiredX = 0.0F;
+    body.desiredZ = 0.0F;
+    body.preferredSpeed = 0.0F; // stands unless there is somewhere to go
+    if (!isWalking(agent)) {
+        return;
+    }
+    if (hasReached(walk, body, height, targetOf(walk))) {
+        if (walk.hasErrand) {
+            walk.isErrandDone = true;
+            m_events[agent] = kEndedErrand;
+        } else {
+            m_events[agent] = passStop(body, height, walk);
+        }
+        if (!isWalking(agent)) {
+            return;
+        }
+    }
+    setVelocity(walk, body, height);
+}
+
+/// The velocity that it would like.
+void PathFollower::setVelocity(Walk& walk, Body& body, float height) const
+{
+    const glm::vec2 way = wayTo(body, height, walk, targetOf(walk));
+    const float squared = glm::length2(way);
+    const WalkParties::Party* party = partyOf(walk);
+    const float slow = slowness(body.x, body.z);
+    float speed = (party != nullptr ? party->pace : paceOf(walk)) * slow;
+    if (squared > 1e-8F) {
+        const glm::vec2 ahead = way / std::sqrt(squared);
+        glm::vec2 sideways(0.0F);
+        if (party != nullptr) {
+            WalkParties::keepTogether(*party, {body.x, body.z}, ahead, speed, sideways);
+        }
+        body.desiredX = ahead.x * speed + sideways.x;
+        body.desiredZ = ahead.y * speed + sideways.y;
+    }
+    body.preferredSpeed = speed;
+}
+
+/// What the kernel may do with an agent from now on.
+void PathFollower::setAim(std::uint32_t agent)
+{
+    Walk& walk = m_walks[agent];
+    UpdateMode mode = UpdateMode::Rest;
+    m_aims.pace[agent] = 0.0F;
+    if (isWalking(agent)) {
+        // With others, or around what stands in the way, the aim is another one in every step.
+        mode =
+            m_surface || walk.party != WalkParties::kNone ? UpdateMode::Full : UpdateMode::Continue;
+        const glm::vec3 target = targetOf(walk);
+        m_aims.x[agent] = target.x;
+        m_aims.z[agent] = target.z;
+        m_aims.pace[agent] = paceOf(walk);
+    }
+    m_aims.mode[agent] = static_cast<std::int32_t>(mode);
+}
+
+void PathFollower::steer(CrowdSimulation& crowd)
+{
+    const std::span<Body> bodies = crowd.bodies();
+    const std::span<float> heights = crowd.heights();
+    if (!m_parties.isEmpty()) {
+        gatherParties(bodies);
+    }
+    std::ranges::fill(m_events, std::uint8_t{0});
+    overRows(bodies.size(), [&](std::size_t begin, std::size_t end) {
+        std::array<std::uint32_t, kStrideBlock + kLanes> list;
+        for (std::size_t first = begin; first < end; first += kStrideBlock) {
+            const std::size_t updates = steerStraightOn(
+                bodies, m_aims, m_slow, first, std::min(first + kStrideBlock, end), list.data());
+            for (std::size_t i = 0; i < updates; ++i) {
+                steerAgent(list[i], bodies[list[i]], heights[list[i]]);
+                setAim(list[i]);
+            }
+        }
+    });
 }
 
 } // namespace crowd::behavior

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,8 +15,11 @@
 #include "behavior/base/Agents.h"
 #include "behavior/base/Problem.h"
 #include "behavior/crowd/CrowdSimulation.h"
+#include "behavior/motion/PathRoutes.h"
 #include "behavior/motion/StrideKernel.h"
 #include "behavior/motion/TravelEvents.h"
+#include "behavior/motion/WalkParties.h"
+#include "behavior/motion/WayAround.h"
 #include "behavior/surface/WalkSurface.h"
 #include "model/scene/Path.h"
 
@@ -56,7 +60,10 @@ public:
     /// Joins the path where it is nearest, and goes on along it. False: there is no such path, and
     /// the agent stands.
     bool follow(const Assignment& assignment);
-    [[nodiscard]] bool hasPath(model::PathId path) const { return routeOf(path) != kNoRoute; }
+    [[nodiscard]] bool hasPath(model::PathId path) const
+    {
+        return m_routes.indexOf(path) != PathRoutes::kNone;
+    }
     /// To a point, before anything else; stays there until told to go on. At his own pace, or at
     /// `atLeast` (m/s) where that is faster.
     void sendTo(std::uint32_t agent, const glm::vec3& point, float atLeast);
@@ -93,25 +100,6 @@ public:
     [[nodiscard]] model::PlaceId endPlace(std::uint32_t agent) const;
 
 private:
-    struct Branch
-    {
-        model::PathId path = 0;
-        float weight = 0.0F;
-    };
-    struct Stop
-    {
-        model::PlaceId place = 0;
-        glm::vec2 position{0.0F};
-        float height = 0.0F;
-        float radius = 0.0F;
-        std::vector<Branch> branches{};
-    };
-    struct Route
-    {
-        model::PathId id = 0;
-        model::PathKind kind = model::PathKind::Simple;
-        std::vector<Stop> stops;
-    };
     struct PlacePoint
     {
         glm::vec3 position{0.0F};
@@ -119,13 +107,13 @@ private:
     };
     struct Walk
     {
-        std::uint32_t route = kNoRoute;
-        std::uint32_t next = 0;
+        std::uint32_t route = PathRoutes::kNone;
+        std::uint32_t next = 0; ///< stop
         glm::vec2 share{0.0F};  ///< of the radius, in the unit disk
         glm::vec2 beside{0.0F}; ///< metres
-        /// His own in the place where he is going to, once asked for; metres.
+        /// Its own in the place where it is going to, once asked for; metres.
         std::optional<PlacePoint> point;
-        std::uint32_t party = kNoParty;
+        std::uint32_t party = WalkParties::kNone;
         std::uint64_t seed = 0;
         std::uint32_t turns = 0; ///< stops passed: keys the choice at a branch
         float pace = model::kUsualWalkingSpeed;
@@ -136,61 +124,43 @@ private:
         glm::vec3 errand{0.0F};
         float errandPace = 0.0F; ///< m/s at least
         model::PlaceId reached = 0;
-        // Around what stands in the way: corners still to come, the last one the aim.
-        std::vector<glm::vec3> corners;
-        glm::vec2 cornersFor{1e30F};  ///< aim that they lead to
-        glm::vec2 cornerBefore{0.0F}; ///< the one passed last, or where he was when he asked
-        std::uint32_t stepsAstray = 0;
-        std::uint32_t stepsToCheck = 0; ///< of the way, whether it is still his
-    };
-    static constexpr std::uint32_t kNoRoute = 0xFFFFFFFFU;
-    static constexpr std::uint32_t kNoParty = 0xFFFFFFFFU;
-    /// People of a group who walk the same path, in this step.
-    struct Party
-    {
-        std::uint32_t route = kNoRoute;
-        std::uint32_t members = 0;
-        glm::vec2 middle{0.0F};
-        float pace = 0.0F; ///< mean
+        WayAround way;
     };
 
-    [[nodiscard]] static glm::vec2 aim(const Walk& walk, const Stop& stop)
+    [[nodiscard]] static glm::vec2 aim(const Walk& walk, const RouteStop& stop)
     {
         return stop.position + walk.share * stop.radius + walk.beside;
     }
-    [[nodiscard]] std::uint32_t routeOf(model::PathId path) const;
-    /// Where somebody at `from` goes first: the end of the leg that passes nearest to him.
-    [[nodiscard]] static std::uint32_t nextStop(const Route& route, const glm::vec3& from);
-    /// Something else is to be done with somebody: the next step updates at him.
+    /// The next step steers the agent in full.
     Walk& markDirty(std::uint32_t agent);
     void markAllDirty();
-    /// Returns what happened.
+    void carryOver(Walk& walk, const PathRoutes& former) const;
+    /// Returns TravelEvent bits.
     [[nodiscard]] std::uint8_t passStop(Body& body, float& height, Walk& walk) const;
-    void setAim(std::uint32_t agent);
-    [[nodiscard]] PlacePoint pointIn(const Walk& walk, const Stop& stop) const;
-    [[nodiscard]] glm::vec3 targetOf(Walk& walk) const;
-    [[nodiscard]] float brakingMetres(const Walk& walk, const Body& body) const;
     void branchOff(Walk& walk) const;
-    void steerOne(std::uint32_t agent, Body& body, float& height);
+    void gatherParties(std::span<const Body> bodies);
+    [[nodiscard]] const WalkParties::Party* partyOf(const Walk& walk) const;
+    [[nodiscard]] PlacePoint pointIn(const Walk& walk, const RouteStop& stop) const;
+    [[nodiscard]] glm::vec3 targetOf(Walk& walk) const;
+    [[nodiscard]] Lane laneOf(const Walk& walk) const;
     [[nodiscard]] glm::vec2 wayTo(const Body& body, float height, Walk& walk,
                                   const glm::vec3& to) const;
-    void passCorners(const glm::vec3& at, Walk& walk) const;
-    void checkWay(const glm::vec3& at, Walk& walk) const;
-    [[nodiscard]] Lane laneOf(const Walk& walk) const;
+    [[nodiscard]] float brakingMetres(const Walk& walk, const Body& body) const;
     [[nodiscard]] float slowness(float x, float z) const;
-    void gatherParties(std::span<const Body> bodies);
-    [[nodiscard]] const Party* partyOf(const Walk& walk) const;
-    /// On his own, m/s.
+    [[nodiscard]] bool hasReached(const Walk& walk, const Body& body, float height,
+                                  const glm::vec3& target) const;
+    void steerAgent(std::uint32_t agent, Body& body, float& height);
+    void setVelocity(Walk& walk, Body& body, float height) const;
+    void setAim(std::uint32_t agent);
+    /// Alone, m/s.
     [[nodiscard]] static float paceOf(const Walk& walk)
     {
         return walk.hasErrand ? std::max(walk.pace, walk.errandPace) : walk.pace;
     }
-    static void keepTogether(const Party& party, const glm::vec2& at, const glm::vec2& ahead,
-                             float& speed, glm::vec2& sideways);
 
-    std::vector<Route> m_routes;
+    PathRoutes m_routes;
+    WalkParties m_parties;
     std::vector<SlowArea> m_slow;
-    std::vector<Party> m_parties;       ///< by Walk::party
     std::vector<Walk> m_walks;          ///< by agent
     std::vector<std::uint8_t> m_events; ///< TravelEvent bits, by agent
     Aims m_aims;                        ///< of those who go straight on, by agent
