@@ -38,7 +38,6 @@ void ScriptStrokeLink::close()
 void ScriptStrokeLink::abandon()
 {
     m_edit = nullptr;
-    m_isAbandoned = true;
     {
         const std::lock_guard lock(m_mutex);
         m_dabs.clear();

@@ -33,7 +33,6 @@ public:
     void close();   ///< there are no more dabs
     void abandon(); ///< the stroke is taken back: its edit is gone
     [[nodiscard]] model::SceneEdit* edit() const { return m_edit; } ///< null: gone, or no dab yet
-    [[nodiscard]] bool isAbandoned() const { return m_isAbandoned; }
 
     // Python's thread.
     enum class Wait { Dab, End, Nothing };
@@ -52,7 +51,6 @@ public:
 
 private:
     model::SceneEdit* m_edit = nullptr;
-    bool m_isAbandoned = false; ///< the document's thread alone
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<ScriptDab> m_dabs;

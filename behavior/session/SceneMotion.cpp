@@ -48,7 +48,7 @@ void SceneMotion::begin()
 }
 
 model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* isCancelled,
-                                     const Progress& told)
+                                     const Progress& notify)
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
     if (m_session) {
@@ -61,8 +61,8 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
             }
             m_session->step();
             m_before = std::exchange(m_after, m_session->pose());
-            if (told) {
-                told(m_after->seconds);
+            if (notify) {
+                notify(m_after->seconds);
             }
         }
         applyPose(*m_before, *m_after, frame);

@@ -29,11 +29,11 @@ public:
     explicit SceneMotion(const model::Scene& scene, const std::atomic<bool>* isCancelled = nullptr);
     ~SceneMotion();
 
-    /// Null: cancelled from another thread, and may be asked again. `told` hears after each step up
-    /// to what time is simulated, seconds.
+    /// Null: cancelled from another thread, and may be asked again. `notify` is called after each
+    /// step with the time that is simulated, seconds.
     using Progress = std::function<void(double seconds)>;
     [[nodiscard]] model::CrowdFramePtr
-    at(double seconds, const std::atomic<bool>* isCancelled = nullptr, const Progress& told = {});
+    at(double seconds, const std::atomic<bool>* isCancelled = nullptr, const Progress& notify = {});
     /// Sentences about what could not be followed.
     [[nodiscard]] std::vector<std::string> problems() const;
 

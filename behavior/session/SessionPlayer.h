@@ -34,7 +34,7 @@ public:
     /// `seconds` is what the transport shows as it begins.
     void start(const model::Scene& scene, double seconds = 0.0,
                std::shared_ptr<const WalkSurface> surface = nullptr);
-    /// The session is gone, as soon as its thread hears of it; the scene is as it was.
+    /// The session is gone, as soon as its thread notices; the scene is as it was.
     void stop();
     [[nodiscard]] bool isRunning() const { return m_run != nullptr; }
 
@@ -69,7 +69,7 @@ private:
 
     std::function<void()> m_published;
     std::unique_ptr<Run> m_run;                ///< null: none
-    std::vector<std::unique_ptr<Run>> m_ended; ///< until their threads have heard of it
+    std::vector<std::unique_ptr<Run>> m_ended; ///< until their threads have ended
     Report m_lastReport;                       ///< of the run before
     SessionTally m_lastTally;
 };

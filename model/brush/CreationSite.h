@@ -43,7 +43,6 @@ public:
     /// Gives back all spots given out so far.
     void reset();
 
-    [[nodiscard]] bool usesSeats() const { return m_usesSeats; }
     /// Why the last query gave less than it could have.
     [[nodiscard]] StrokeReason reason() const { return m_reason; }
 
