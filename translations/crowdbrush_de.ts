@@ -641,7 +641,7 @@
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation>&amp;Größe und Fülle</translation>
+        <translation>&amp;Höhe und Umfang</translation>
     </message>
     <message>
         <source>Make the characters under the brush taller or stouter</source>

@@ -482,6 +482,8 @@ void PanelsTest::smallWindowCutsNothingOff()
     QFETCH(QString, language);
     openWindowIn(language);
     auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+    m_window->resize(1600, 700);
+    QTRY_COMPARE(m_window->width(), 1600);
     const int icons = bar->iconSize().width();
     m_window->resize(1024, 700);
     QTRY_COMPARE(m_window->width(), 1024);
@@ -494,7 +496,7 @@ void PanelsTest::smallWindowCutsNothingOff()
              qPrintable(QString::number(m_window->viewport().width())));
     const auto* text = hint->findChild<QLabel*>();
     QVERIFY(text->height() >= text->heightForWidth(text->width()));
-    m_window->resize(1400, 700);
+    m_window->resize(1600, 700);
     QTRY_COMPARE(bar->iconSize().width(), icons);
     m_window->state().showStatus(QString(400, QLatin1Char('x'))); // drawn shortened
     QCOMPARE(m_window->statusBar()->toolTip().size(), 400);
