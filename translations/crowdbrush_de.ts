@@ -2088,6 +2088,13 @@
     </message>
 </context>
 <context>
+    <name>RuleTextsConte</name>
+    <message>
+        <source>(gone)</source>
+        <translation>(fort)</translation>
+    </message>
+</context>
+<context>
     <name>Rules</name>
     <message>
         <source>choose…</source>
@@ -2122,72 +2129,16 @@
         <translation>Wenn es beginnt</translation>
     </message>
     <message>
-        <source>When “%1” reaches someone</source>
-        <translation>Wenn „%1“ jemanden erreicht</translation>
-    </message>
-    <message>
-        <source>When someone arrives at %1</source>
-        <translation>Wenn jemand ankommt: %1</translation>
-    </message>
-    <message>
-        <source>When someone enters %1</source>
-        <translation>Wenn jemand betritt: %1</translation>
-    </message>
-    <message>
-        <source>When someone leaves %1</source>
-        <translation>Wenn jemand verlässt: %1</translation>
-    </message>
-    <message>
-        <source>When someone reaches the end of %1</source>
-        <translation>Wenn jemand das Ende erreicht: %1</translation>
-    </message>
-    <message>
         <source>When someone’s clip is over</source>
         <translation>Wenn jemandes Clip vorbei ist</translation>
-    </message>
-    <message>
-        <source>Every %1 s</source>
-        <translation>Alle %1 s</translation>
-    </message>
-    <message>
-        <source>When someone tagged %1 comes within %2 m</source>
-        <translation>Wenn jemand mit Marke %1 näher als %2 m kommt</translation>
-    </message>
-    <message>
-        <source>tagged %1</source>
-        <translation>mit Marke %1</translation>
-    </message>
-    <message>
-        <source>a %1</source>
-        <translation>%1</translation>
-    </message>
-    <message>
-        <source>in %1</source>
-        <translation>in %1</translation>
-    </message>
-    <message>
-        <source>walking %1</source>
-        <translation>auf %1</translation>
     </message>
     <message>
         <source>seated</source>
         <translation>sitzend</translation>
     </message>
     <message>
-        <source>not %1</source>
-        <translation>nicht %1</translation>
-    </message>
-    <message>
         <source>themselves</source>
         <translation>sich selbst</translation>
-    </message>
-    <message>
-        <source>those within %1 m</source>
-        <translation>alle im Umkreis von %1 m</translation>
-    </message>
-    <message>
-        <source>those tagged %1</source>
-        <translation>alle mit Marke %1</translation>
     </message>
     <message>
         <source>their group</source>
@@ -2198,22 +2149,6 @@
         <translation>alle</translation>
     </message>
     <message>
-        <source>play %1</source>
-        <translation>%1 spielen</translation>
-    </message>
-    <message>
-        <source>walk along %1</source>
-        <translation>%1 entlanggehen</translation>
-    </message>
-    <message>
-        <source>go to %1</source>
-        <translation>zu %1 gehen</translation>
-    </message>
-    <message>
-        <source>run %1 m away</source>
-        <translation>%1 m weit weglaufen</translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation>anhalten</translation>
     </message>
@@ -2222,24 +2157,8 @@
         <translation>weitergehen</translation>
     </message>
     <message>
-        <source>at %1 m/s</source>
-        <translation>mit %1 m/s</translation>
-    </message>
-    <message>
         <source>at the event’s speed</source>
         <translation>im Tempo des Ereignisses</translation>
-    </message>
-    <message>
-        <source>turn to %1</source>
-        <translation>zu %1 drehen</translation>
-    </message>
-    <message>
-        <source>untag %1</source>
-        <translation>Marke %1 nehmen</translation>
-    </message>
-    <message>
-        <source>send “%1” to %2</source>
-        <translation>„%1“ senden an %2</translation>
     </message>
     <message>
         <source>leave the scene</source>
@@ -2426,54 +2345,6 @@
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation>%1 unter %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 gleich %2</translation>
-    </message>
-    <message>
-        <source>%1 above %2</source>
-        <translation>%1 über %2</translation>
-    </message>
-    <message>
-        <source>of %1</source>
-        <translation>von %1</translation>
-    </message>
-    <message>
-        <source>named %1</source>
-        <translation>namens %1</translation>
-    </message>
-    <message>
-        <source>go to the nearest place %1</source>
-        <translation>zum nächsten Ort %1 gehen</translation>
-    </message>
-    <message>
-        <source>go to the nearest free place %1</source>
-        <translation>zum nächsten freien Ort %1 gehen</translation>
-    </message>
-    <message>
-        <source>go to the first free place %1</source>
-        <translation>zum ersten freien Ort %1 gehen</translation>
-    </message>
-    <message>
-        <source>move up to the next free place %1</source>
-        <translation>zum nächsten freien Ort %1 aufrücken</translation>
-    </message>
-    <message>
-        <source>When someone gets faster than %1 m/s</source>
-        <translation>Wenn jemand schneller wird als %1 m/s</translation>
-    </message>
-    <message>
-        <source>When someone gets slower than %1 m/s</source>
-        <translation>Wenn jemand langsamer wird als %1 m/s</translation>
-    </message>
-    <message>
-        <source>When someone has stood for %1 s</source>
-        <translation>Wenn jemand %1 s gestanden hat</translation>
-    </message>
-    <message>
         <source>speed</source>
         <translation>Tempo</translation>
     </message>
@@ -2482,44 +2353,12 @@
         <translation>die Zahl des Ereignisses</translation>
     </message>
     <message>
-        <source>%1 full</source>
-        <translation>%1 voll</translation>
-    </message>
-    <message>
-        <source>leave the scene at %1</source>
-        <translation>die Szene bei %1 verlassen</translation>
-    </message>
-    <message>
-        <source>sit on the nearest free seat within %1 m</source>
-        <translation>auf den nächsten freien Sitz binnen %1 m setzen</translation>
-    </message>
-    <message>
         <source>sit on the nearest free seat</source>
         <translation>auf den nächsten freien Sitz setzen</translation>
     </message>
     <message>
         <source>stand up</source>
         <translation>aufstehen</translation>
-    </message>
-    <message>
-        <source>wait for “%1”, at most %2 s</source>
-        <translation>auf „%1“ warten, höchstens %2 s</translation>
-    </message>
-    <message>
-        <source>wait for “%1”</source>
-        <translation>auf „%1“ warten</translation>
-    </message>
-    <message>
-        <source>set %1 to %2</source>
-        <translation>%1 auf %2 setzen</translation>
-    </message>
-    <message>
-        <source>add %1 to %2</source>
-        <translation>%1 zu %2 hinzuzählen</translation>
-    </message>
-    <message>
-        <source>appear at %1</source>
-        <translation>bei %1 erscheinen</translation>
     </message>
     <message>
         <source>The number is not there: make one below, under “Tags and numbers”.</source>
@@ -2730,62 +2569,6 @@
         <translation>Wenn der Ort vor jemandem frei wird</translation>
     </message>
     <message>
-        <source>When the place ahead of someone in %1 gets free</source>
-        <translation>Wenn der Ort vor jemandem in %1 frei wird</translation>
-    </message>
-    <message>
-        <source>showing %1</source>
-        <translation>mit Clip %1</translation>
-    </message>
-    <message>
-        <source>the nearest one tagged %1</source>
-        <translation>den Nächsten mit der Marke %1</translation>
-    </message>
-    <message>
-        <source>follow %1 for %2 s</source>
-        <translation>%2 s lang folgen: %1</translation>
-    </message>
-    <message>
-        <source>look at %1 for %2 s</source>
-        <translation>%2 s lang ansehen: %1</translation>
-    </message>
-    <message>
-        <source>turn %1</source>
-        <translation>%1 färben</translation>
-    </message>
-    <message>
-        <source>turn %1 at %2</source>
-        <translation>bei %2 %1 färben</translation>
-    </message>
-    <message>
-        <source>become %1 × as tall</source>
-        <translation>%1 × so groß werden</translation>
-    </message>
-    <message>
-        <source>move %1 × as fast</source>
-        <translation>sich %1 × so schnell bewegen</translation>
-    </message>
-    <message>
-        <source>from now on %1</source>
-        <translation>von nun an %1</translation>
-    </message>
-    <message>
-        <source>go to %1 of their clip</source>
-        <translation>zu %1 des Clips springen</translation>
-    </message>
-    <message>
-        <source>run %1 m away from %2</source>
-        <translation>%1 m weit weglaufen: %2</translation>
-    </message>
-    <message>
-        <source>repeat for ever</source>
-        <translation>für immer wiederholen</translation>
-    </message>
-    <message>
-        <source>repeat %1 ×</source>
-        <translation>%1 × wiederholen</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
@@ -2800,10 +2583,6 @@
     <message>
         <source>either %1</source>
         <translation>entweder %1</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>full: the place</source>
@@ -2824,34 +2603,6 @@
     <message>
         <source>is not</source>
         <translation>ist nicht</translation>
-    </message>
-    <message>
-        <source>%1 not below %2</source>
-        <translation>%1 nicht unter %2</translation>
-    </message>
-    <message>
-        <source>%1 not at %2</source>
-        <translation>%1 nicht gleich %2</translation>
-    </message>
-    <message>
-        <source>%1 not above %2</source>
-        <translation>%1 nicht über %2</translation>
-    </message>
-    <message>
-        <source>except by chance in %1 % of cases</source>
-        <translation>außer zufällig in %1 % der Fälle</translation>
-    </message>
-    <message>
-        <source>by chance in %1 % of cases</source>
-        <translation>zufällig in %1 % der Fälle</translation>
-    </message>
-    <message>
-        <source>%1 not full</source>
-        <translation>%1 nicht voll</translation>
-    </message>
-    <message>
-        <source>wait about %1 s</source>
-        <translation>etwa %1 s warten</translation>
     </message>
     <message>
         <source>number of characters in</source>
@@ -2926,40 +2677,652 @@
         <translation>die Szene am nächsten Ausgang verlassen</translation>
     </message>
     <message>
-        <source>leave the scene at the nearest place %1</source>
-        <translation>die Szene am nächsten Ort %1 verlassen</translation>
-    </message>
-    <message>
         <source>leave the scene at the nearest free exit</source>
         <translation>die Szene am nächsten freien Ausgang verlassen</translation>
-    </message>
-    <message>
-        <source>leave the scene at the nearest free place %1</source>
-        <translation>die Szene am nächsten freien Ort %1 verlassen</translation>
     </message>
     <message>
         <source>leave the scene at the first free exit</source>
         <translation>die Szene am ersten freien Ausgang verlassen</translation>
     </message>
     <message>
-        <source>leave the scene at the first free place %1</source>
-        <translation>die Szene am ersten freien Ort %1 verlassen</translation>
-    </message>
-    <message>
-        <source>characters in %1</source>
-        <translation>Figuren in %1</translation>
-    </message>
-    <message>
-        <source>follow %1 until something else comes</source>
-        <translation>folgen, bis etwas anderes kommt: %1</translation>
-    </message>
-    <message>
-        <source>look at %1 until something else comes</source>
-        <translation>ansehen, bis etwas anderes kommt: %1</translation>
-    </message>
-    <message>
         <source>“%1”: %2</source>
         <translation>„%1“: %2</translation>
+    </message>
+    <message>
+        <source>tag {tag}</source>
+        <translation>Marke {tag} geben</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>add {value} to {number}</source>
+        <translation>{value} zu {number} hinzuzählen</translation>
+    </message>
+    <message>
+        <source>appear at {place}</source>
+        <translation>bei {place} erscheinen</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>lang</translation>
+    </message>
+    <message>
+        <source>run {metres} m away</source>
+        <translation>{metres} m weit weglaufen</translation>
+    </message>
+    <message>
+        <source>run {metres} m away from the nearest one tagged {tag}</source>
+        <translation>{metres} m weit vom Nächsten mit der Marke {tag} weglaufen</translation>
+    </message>
+    <message>
+        <source>run {metres} m away from {place}</source>
+        <translation>{metres} m weit weglaufen: {place}</translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation>bis auf</translation>
+    </message>
+    <message>
+        <source>How near they come</source>
+        <translation>Wie nahe sie kommen</translation>
+    </message>
+    <message>
+        <source>until something else comes</source>
+        <translation>bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>follow whoever it came from for {seconds} s</source>
+        <translation>{seconds} s lang dem folgen, von dem es kam</translation>
+    </message>
+    <message>
+        <source>follow whoever it came from until something else comes</source>
+        <translation>dem folgen, von dem es kam, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>follow the nearest one tagged {tag} for {seconds} s</source>
+        <translation>{seconds} s lang dem Nächsten mit der Marke {tag} folgen</translation>
+    </message>
+    <message>
+        <source>follow the nearest one tagged {tag} until something else comes</source>
+        <translation>dem Nächsten mit der Marke {tag} folgen, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>follow {place} for {seconds} s</source>
+        <translation>{seconds} s lang folgen: {place}</translation>
+    </message>
+    <message>
+        <source>follow {place} until something else comes</source>
+        <translation>folgen, bis etwas anderes kommt: {place}</translation>
+    </message>
+    <message>
+        <source>walk along {path}</source>
+        <translation>{path} entlanggehen</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source>however long</source>
+        <translation>wie lange auch immer</translation>
+    </message>
+    <message>
+        <source>go to whoever it came from</source>
+        <translation>zu dem gehen, von dem es kam</translation>
+    </message>
+    <message>
+        <source>go to the nearest one tagged {tag}</source>
+        <translation>zum Nächsten mit der Marke {tag} gehen</translation>
+    </message>
+    <message>
+        <source>go to {place}</source>
+        <translation>zu {place} gehen</translation>
+    </message>
+    <message>
+        <source>of any path</source>
+        <translation>eines beliebigen Wegs</translation>
+    </message>
+    <message>
+        <source>with any name</source>
+        <translation>mit beliebigem Namen</translation>
+    </message>
+    <message>
+        <source>go to the nearest place of {path}</source>
+        <translation>zum nächsten Ort von {path} gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest place named {place}</source>
+        <translation>zum nächsten Ort namens {place} gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest place</source>
+        <translation>zum nächsten Ort gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest free place of {path}</source>
+        <translation>zum nächsten freien Ort von {path} gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest free place named {place}</source>
+        <translation>zum nächsten freien Ort namens {place} gehen</translation>
+    </message>
+    <message>
+        <source>go to the nearest free place</source>
+        <translation>zum nächsten freien Ort gehen</translation>
+    </message>
+    <message>
+        <source>go to the first free place of {path}</source>
+        <translation>zum ersten freien Ort von {path} gehen</translation>
+    </message>
+    <message>
+        <source>go to the first free place named {place}</source>
+        <translation>zum ersten freien Ort namens {place} gehen</translation>
+    </message>
+    <message>
+        <source>go to the first free place</source>
+        <translation>zum ersten freien Ort gehen</translation>
+    </message>
+    <message>
+        <source>move up to the next free place of {path}</source>
+        <translation>zum nächsten freien Ort von {path} aufrücken</translation>
+    </message>
+    <message>
+        <source>move up to the next free place named {place}</source>
+        <translation>zum nächsten freien Ort namens {place} aufrücken</translation>
+    </message>
+    <message>
+        <source>move up to the next free place</source>
+        <translation>zum nächsten freien Ort aufrücken</translation>
+    </message>
+    <message>
+        <source>of all exits</source>
+        <translation>von allen Ausgängen</translation>
+    </message>
+    <message>
+        <source>leave the scene at {place}</source>
+        <translation>die Szene bei {place} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place of {path}</source>
+        <translation>die Szene am nächsten Ort von {path} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place named {place}</source>
+        <translation>die Szene am nächsten Ort namens {place} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place of {path}</source>
+        <translation>die Szene am nächsten freien Ort von {path} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place named {place}</source>
+        <translation>die Szene am nächsten freien Ort namens {place} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place of {path}</source>
+        <translation>die Szene am ersten freien Ort von {path} verlassen</translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place named {place}</source>
+        <translation>die Szene am ersten freien Ort namens {place} verlassen</translation>
+    </message>
+    <message>
+        <source>where they are</source>
+        <translation>wo sie sind</translation>
+    </message>
+    <message>
+        <source>at this place</source>
+        <translation>an diesem Ort</translation>
+    </message>
+    <message>
+        <source>at the nearest</source>
+        <translation>am nächsten</translation>
+    </message>
+    <message>
+        <source>at the nearest free one</source>
+        <translation>am nächsten freien</translation>
+    </message>
+    <message>
+        <source>at the first free one</source>
+        <translation>am ersten freien</translation>
+    </message>
+    <message>
+        <source>look at whoever it came from for {seconds} s</source>
+        <translation>{seconds} s lang den ansehen, von dem es kam</translation>
+    </message>
+    <message>
+        <source>look at whoever it came from until something else comes</source>
+        <translation>den ansehen, von dem es kam, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>look at the nearest one tagged {tag} for {seconds} s</source>
+        <translation>{seconds} s lang den Nächsten mit der Marke {tag} ansehen</translation>
+    </message>
+    <message>
+        <source>look at the nearest one tagged {tag} until something else comes</source>
+        <translation>den Nächsten mit der Marke {tag} ansehen, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>look at {place} for {seconds} s</source>
+        <translation>{seconds} s lang ansehen: {place}</translation>
+    </message>
+    <message>
+        <source>look at {place} until something else comes</source>
+        <translation>ansehen, bis etwas anderes kommt: {place}</translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation>wie oft</translation>
+    </message>
+    <message>
+        <source>{inside}</source>
+        <translation>{inside}</translation>
+    </message>
+    <message>
+        <source>play {clips}</source>
+        <translation>{clips} spielen</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>untag {tag}</source>
+        <translation>Marke {tag} nehmen</translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation>für immer</translation>
+    </message>
+    <message>
+        <source>repeat for ever {inside}</source>
+        <translation>für immer wiederholen {inside}</translation>
+    </message>
+    <message>
+        <source>repeat {times} × {inside}</source>
+        <translation>{times} × wiederholen {inside}</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>im Umkreis</translation>
+    </message>
+    <message>
+        <source>Whoever is nearer hears it</source>
+        <translation>Wer näher ist, hört es</translation>
+    </message>
+    <message>
+        <source>runs at</source>
+        <translation>läuft mit</translation>
+    </message>
+    <message>
+        <source>How long it takes from one to the next</source>
+        <translation>Wie lange es von einer Figur zur nächsten braucht</translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation> s/m</translation>
+    </message>
+    <message>
+        <source>once for all</source>
+        <translation>für alle zugleich</translation>
+    </message>
+    <message>
+        <source>its number</source>
+        <translation>seine Zahl</translation>
+    </message>
+    <message>
+        <source>Rules that hear it can ask for it, or walk as fast</source>
+        <translation>Regeln, die es hören, können danach fragen oder so schnell gehen lassen</translation>
+    </message>
+    <message>
+        <source>send “{event}” to themselves</source>
+        <translation>„{event}“ an sich selbst senden</translation>
+    </message>
+    <message>
+        <source>send “{event}” to those within {metres} m</source>
+        <translation>„{event}“ an alle im Umkreis von {metres} m senden</translation>
+    </message>
+    <message>
+        <source>send “{event}” to those tagged {tag}</source>
+        <translation>„{event}“ an alle mit Marke {tag} senden</translation>
+    </message>
+    <message>
+        <source>send “{event}” to their group</source>
+        <translation>„{event}“ an ihre Gruppe senden</translation>
+    </message>
+    <message>
+        <source>send “{event}” to everybody</source>
+        <translation>„{event}“ an alle senden</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>set {number} to {value}</source>
+        <translation>{number} auf {value} setzen</translation>
+    </message>
+    <message>
+        <source>turn {color}</source>
+        <translation>{color} färben</translation>
+    </message>
+    <message>
+        <source>turn {color} at {slot}</source>
+        <translation>bei {slot} {color} färben</translation>
+    </message>
+    <message>
+        <source>become {value} × as tall</source>
+        <translation>{value} × so groß werden</translation>
+    </message>
+    <message>
+        <source>move {value} × as fast</source>
+        <translation>sich {value} × so schnell bewegen</translation>
+    </message>
+    <message>
+        <source>from now on {clips}</source>
+        <translation>von nun an {clips}</translation>
+    </message>
+    <message>
+        <source>go to {value} of their clip</source>
+        <translation>zu {value} des Clips springen</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>at {value} m/s</source>
+        <translation>mit {value} m/s</translation>
+    </message>
+    <message>
+        <source>however far</source>
+        <translation>wie weit auch immer</translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat within {metres} m</source>
+        <translation>auf den nächsten freien Sitz binnen {metres} m setzen</translation>
+    </message>
+    <message>
+        <source>turn to whoever it came from</source>
+        <translation>sich zu dem drehen, von dem es kam</translation>
+    </message>
+    <message>
+        <source>turn to the nearest one tagged {tag}</source>
+        <translation>sich zum Nächsten mit der Marke {tag} drehen</translation>
+    </message>
+    <message>
+        <source>turn to {place}</source>
+        <translation>zu {place} drehen</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>etwa</translation>
+    </message>
+    <message>
+        <source>wait about {seconds} s</source>
+        <translation>etwa {seconds} s warten</translation>
+    </message>
+    <message>
+        <source>wait for “{event}”, at most {seconds} s</source>
+        <translation>auf „{event}“ warten, höchstens {seconds} s</translation>
+    </message>
+    <message>
+        <source>wait for “{event}”</source>
+        <translation>auf „{event}“ warten</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source> % of cases</source>
+        <translation> % der Fälle</translation>
+    </message>
+    <message>
+        <source>by chance in {chance} % of cases</source>
+        <translation>zufällig in {chance} % der Fälle</translation>
+    </message>
+    <message>
+        <source>except by chance in {chance} % of cases</source>
+        <translation>außer zufällig in {chance} % der Fälle</translation>
+    </message>
+    <message>
+        <source>walking {path}</source>
+        <translation>auf {path}</translation>
+    </message>
+    <message>
+        <source>not walking {path}</source>
+        <translation>nicht auf {path}</translation>
+    </message>
+    <message>
+        <source>tagged {tag}</source>
+        <translation>mit Marke {tag}</translation>
+    </message>
+    <message>
+        <source>not tagged {tag}</source>
+        <translation>nicht mit Marke {tag}</translation>
+    </message>
+    <message>
+        <source>in {place}</source>
+        <translation>in {place}</translation>
+    </message>
+    <message>
+        <source>not in {place}</source>
+        <translation>nicht in {place}</translation>
+    </message>
+    <message>
+        <source>{place} full</source>
+        <translation>{place} voll</translation>
+    </message>
+    <message>
+        <source>{place} not full</source>
+        <translation>{place} nicht voll</translation>
+    </message>
+    <message>
+        <source>not seated</source>
+        <translation>nicht sitzend</translation>
+    </message>
+    <message>
+        <source>{number} below {value}</source>
+        <translation>{number} unter {value}</translation>
+    </message>
+    <message>
+        <source>{number} not below {value}</source>
+        <translation>{number} nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>{number} at {value}</source>
+        <translation>{number} gleich {value}</translation>
+    </message>
+    <message>
+        <source>{number} not at {value}</source>
+        <translation>{number} nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>{number} above {value}</source>
+        <translation>{number} über {value}</translation>
+    </message>
+    <message>
+        <source>{number} not above {value}</source>
+        <translation>{number} nicht über {value}</translation>
+    </message>
+    <message>
+        <source>a {template}</source>
+        <translation>{template}</translation>
+    </message>
+    <message>
+        <source>not a {template}</source>
+        <translation>nicht {template}</translation>
+    </message>
+    <message>
+        <source>the event’s number below {value}</source>
+        <translation>die Zahl des Ereignisses unter {value}</translation>
+    </message>
+    <message>
+        <source>the event’s number not below {value}</source>
+        <translation>die Zahl des Ereignisses nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>the event’s number at {value}</source>
+        <translation>die Zahl des Ereignisses gleich {value}</translation>
+    </message>
+    <message>
+        <source>the event’s number not at {value}</source>
+        <translation>die Zahl des Ereignisses nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>the event’s number above {value}</source>
+        <translation>die Zahl des Ereignisses über {value}</translation>
+    </message>
+    <message>
+        <source>the event’s number not above {value}</source>
+        <translation>die Zahl des Ereignisses nicht über {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} below {value}</source>
+        <translation>Figuren in {place} unter {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} not below {value}</source>
+        <translation>Figuren in {place} nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} at {value}</source>
+        <translation>Figuren in {place} gleich {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} not at {value}</source>
+        <translation>Figuren in {place} nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} above {value}</source>
+        <translation>Figuren in {place} über {value}</translation>
+    </message>
+    <message>
+        <source>characters in {place} not above {value}</source>
+        <translation>Figuren in {place} nicht über {value}</translation>
+    </message>
+    <message>
+        <source>showing {clip}</source>
+        <translation>mit Clip {clip}</translation>
+    </message>
+    <message>
+        <source>not showing {clip}</source>
+        <translation>nicht mit Clip {clip}</translation>
+    </message>
+    <message>
+        <source>{property} below {value}</source>
+        <translation>{property} unter {value}</translation>
+    </message>
+    <message>
+        <source>{property} not below {value}</source>
+        <translation>{property} nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>{property} at {value}</source>
+        <translation>{property} gleich {value}</translation>
+    </message>
+    <message>
+        <source>{property} not at {value}</source>
+        <translation>{property} nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>{property} above {value}</source>
+        <translation>{property} über {value}</translation>
+    </message>
+    <message>
+        <source>{property} not above {value}</source>
+        <translation>{property} nicht über {value}</translation>
+    </message>
+    <message>
+        <source>speed below {value}</source>
+        <translation>Tempo unter {value}</translation>
+    </message>
+    <message>
+        <source>speed not below {value}</source>
+        <translation>Tempo nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>speed at {value}</source>
+        <translation>Tempo gleich {value}</translation>
+    </message>
+    <message>
+        <source>speed not at {value}</source>
+        <translation>Tempo nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>speed above {value}</source>
+        <translation>Tempo über {value}</translation>
+    </message>
+    <message>
+        <source>speed not above {value}</source>
+        <translation>Tempo nicht über {value}</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone in {path} gets free</source>
+        <translation>Wenn der Ort vor jemandem in {path} frei wird</translation>
+    </message>
+    <message>
+        <source>When someone arrives at {place}</source>
+        <translation>Wenn jemand ankommt: {place}</translation>
+    </message>
+    <message>
+        <source>When someone enters {place}</source>
+        <translation>Wenn jemand betritt: {place}</translation>
+    </message>
+    <message>
+        <source>When “{event}” reaches someone</source>
+        <translation>Wenn „{event}“ jemanden erreicht</translation>
+    </message>
+    <message>
+        <source>Every {seconds} s</source>
+        <translation>Alle {seconds} s</translation>
+    </message>
+    <message>
+        <source>When someone leaves {place}</source>
+        <translation>Wenn jemand verlässt: {place}</translation>
+    </message>
+    <message>
+        <source>When someone reaches the end of {path}</source>
+        <translation>Wenn jemand das Ende erreicht: {path}</translation>
+    </message>
+    <message>
+        <source>When someone gets faster than {metresPerSecond} m/s</source>
+        <translation>Wenn jemand schneller wird als {metresPerSecond} m/s</translation>
+    </message>
+    <message>
+        <source>When someone gets slower than {metresPerSecond} m/s</source>
+        <translation>Wenn jemand langsamer wird als {metresPerSecond} m/s</translation>
+    </message>
+    <message>
+        <source>slower than</source>
+        <translation>langsamer als</translation>
+    </message>
+    <message>
+        <source>faster than</source>
+        <translation>schneller als</translation>
+    </message>
+    <message>
+        <source>When someone tagged {tag} comes within {metres} m</source>
+        <translation>Wenn jemand mit Marke {tag} näher als {metres} m kommt</translation>
+    </message>
+    <message>
+        <source>When someone has stood for {seconds} s</source>
+        <translation>Wenn jemand {seconds} s gestanden hat</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
     </message>
 </context>
 <context>
@@ -5177,36 +5540,8 @@ Verworfen ist sie fort.</translation>
         <translation>Wenn</translation>
     </message>
     <message>
-        <source>event</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>any place</source>
-        <translation>irgendein Ort</translation>
-    </message>
-    <message>
-        <source>any path</source>
-        <translation>irgendein Weg</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>slower than</source>
-        <translation>langsamer als</translation>
-    </message>
-    <message>
-        <source>faster than</source>
-        <translation>schneller als</translation>
-    </message>
-    <message>
-        <source> m/s</source>
-        <translation> m/s</translation>
     </message>
     <message>
         <source>if</source>
@@ -5235,38 +5570,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Remove this</source>
         <translation>Dies entfernen</translation>
-    </message>
-    <message>
-        <source>of any path</source>
-        <translation>eines beliebigen Wegs</translation>
-    </message>
-    <message>
-        <source>with any name</source>
-        <translation>mit beliebigem Namen</translation>
-    </message>
-    <message>
-        <source> s/m</source>
-        <translation> s/m</translation>
-    </message>
-    <message>
-        <source>once</source>
-        <translation>einmal</translation>
-    </message>
-    <message>
-        <source>for</source>
-        <translation>lang</translation>
-    </message>
-    <message>
-        <source>where they are</source>
-        <translation>wo sie sind</translation>
-    </message>
-    <message>
-        <source>however far</source>
-        <translation>wie weit auch immer</translation>
-    </message>
-    <message>
-        <source>for ever</source>
-        <translation>für immer</translation>
     </message>
     <message>
         <source>pause</source>
@@ -5309,10 +5612,6 @@ Verworfen ist sie fort.</translation>
         <translation>Dies und was darin ist entfernen</translation>
     </message>
     <message>
-        <source>How often it comes, against the others</source>
-        <translation>Wie oft dies kommt, im Vergleich zu den anderen</translation>
-    </message>
-    <message>
         <source>+ in it</source>
         <translation>+ darin</translation>
     </message>
@@ -5329,104 +5628,12 @@ Verworfen ist sie fort.</translation>
         <translation>Fügt ein weiteres zur Wahl hinzu</translation>
     </message>
     <message>
-        <source>until something else comes</source>
-        <translation>bis etwas anderes kommt</translation>
-    </message>
-    <message>
-        <source>up to</source>
-        <translation>bis auf</translation>
-    </message>
-    <message>
-        <source>How near they come</source>
-        <translation>Wie nahe sie kommen</translation>
-    </message>
-    <message>
-        <source>however long</source>
-        <translation>wie lange auch immer</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>in</translation>
-    </message>
-    <message>
-        <source> % of cases</source>
-        <translation> % der Fälle</translation>
-    </message>
-    <message>
         <source>Before it comes again for the same character</source>
         <translation>Bevor es für dieselbe Figur wieder kommt</translation>
     </message>
     <message>
         <source>So often for the same character</source>
         <translation>So oft für dieselbe Figur</translation>
-    </message>
-    <message>
-        <source>at this place</source>
-        <translation>an diesem Ort</translation>
-    </message>
-    <message>
-        <source>at the nearest</source>
-        <translation>am nächsten</translation>
-    </message>
-    <message>
-        <source>at the nearest free one</source>
-        <translation>am nächsten freien</translation>
-    </message>
-    <message>
-        <source>at the first free one</source>
-        <translation>am ersten freien</translation>
-    </message>
-    <message>
-        <source>of all exits</source>
-        <translation>von allen Ausgängen</translation>
-    </message>
-    <message>
-        <source>within</source>
-        <translation>im Umkreis</translation>
-    </message>
-    <message>
-        <source>Whoever is nearer hears it</source>
-        <translation>Wer näher ist, hört es</translation>
-    </message>
-    <message>
-        <source>runs at</source>
-        <translation>läuft mit</translation>
-    </message>
-    <message>
-        <source>How long it takes from one to the next</source>
-        <translation>Wie lange es von einer Figur zur nächsten braucht</translation>
-    </message>
-    <message>
-        <source>once for all</source>
-        <translation>für alle zugleich</translation>
-    </message>
-    <message>
-        <source>its number</source>
-        <translation>seine Zahl</translation>
-    </message>
-    <message>
-        <source>Rules that hear it can ask for it, or walk as fast</source>
-        <translation>Regeln, die es hören, können danach fragen oder so schnell gehen lassen</translation>
-    </message>
-    <message>
-        <source>about</source>
-        <translation>etwa</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>auf</translation>
-    </message>
-    <message>
-        <source>the event’s number</source>
-        <translation>die Zahl des Ereignisses</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>um</translation>
-    </message>
-    <message>
-        <source>how often</source>
-        <translation>wie oft</translation>
     </message>
 </context>
 <context>

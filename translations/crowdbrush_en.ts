@@ -2088,6 +2088,13 @@
     </message>
 </context>
 <context>
+    <name>RuleTextsConte</name>
+    <message>
+        <source>(gone)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Rules</name>
     <message>
         <source>choose…</source>
@@ -2122,51 +2129,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When “%1” reaches someone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone arrives at %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone enters %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone leaves %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone reaches the end of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>When someone’s clip is over</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Every %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone tagged %1 comes within %2 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>tagged %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>walking %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2174,19 +2137,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>themselves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>those within %1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>those tagged %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2198,22 +2149,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>play %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>walk along %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run %1 m away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2222,23 +2157,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at %1 m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>at the event’s speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>turn to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>untag %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>send “%1” to %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2426,54 +2345,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 above %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>named %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to the nearest place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to the nearest free place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to the first free place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>move up to the next free place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone gets faster than %1 m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone gets slower than %1 m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When someone has stood for %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>speed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2482,43 +2353,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>leave the scene at %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sit on the nearest free seat within %1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>sit on the nearest free seat</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stand up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>wait for “%1”, at most %2 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>wait for “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>set %1 to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>add %1 to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>appear at %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2730,62 +2569,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When the place ahead of someone in %1 gets free</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>showing %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the nearest one tagged %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>follow %1 for %2 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>look at %1 for %2 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>turn %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>turn %1 at %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>become %1 × as tall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>move %1 × as fast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>from now on %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>go to %1 of their clip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run %1 m away from %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>repeat for ever</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>repeat %1 ×</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2799,10 +2582,6 @@
     </message>
     <message>
         <source>either %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2823,34 +2602,6 @@
     </message>
     <message>
         <source>is not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 not below %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 not at %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 not above %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>except by chance in %1 % of cases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>by chance in %1 % of cases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 not full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>wait about %1 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2926,15 +2677,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>leave the scene at the nearest place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>leave the scene at the nearest free exit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>leave the scene at the nearest free place %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2942,23 +2685,643 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>leave the scene at the first free place %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>characters in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>follow %1 until something else comes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>look at %1 until something else comes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>“%1”: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add {value} to {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>appear at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {metres} m away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {metres} m away from the nearest one tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {metres} m away from {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How near they come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow whoever it came from for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow whoever it came from until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow the nearest one tagged {tag} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow the nearest one tagged {tag} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow {place} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow {place} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walk along {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>however long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to whoever it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest one tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of any path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with any name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest free place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest free place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest free place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first free place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first free place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the first free place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move up to the next free place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move up to the next free place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move up to the next free place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of all exits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the nearest free place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the scene at the first free place named {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at this place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the nearest free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the first free one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at whoever it came from for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at whoever it came from until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at the nearest one tagged {tag} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at the nearest one tagged {tag} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at {place} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at {place} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{inside}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play {clips}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>untag {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat for ever {inside}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat {times} × {inside}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever is nearer hears it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long it takes from one to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules that hear it can ask for it, or walk as fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to those within {metres} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to those tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to their group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to everybody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set {number} to {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn {color}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn {color} at {slot}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>become {value} × as tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move {value} × as fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from now on {clips}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to {value} of their clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {value} m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>however far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sit on the nearest free seat within {metres} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to whoever it came from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to the nearest one tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait about {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for “{event}”, at most {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for “{event}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by chance in {chance} % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>except by chance in {chance} % of cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walking {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not walking {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not tagged {tag}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place} full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place} not full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not seated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a {template}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a {template}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the event’s number not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characters in {place} not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>showing {clip}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not showing {clip}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{property} not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the place ahead of someone in {path} gets free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone arrives at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone enters {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When “{event}” reaches someone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone leaves {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone reaches the end of {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone gets faster than {metresPerSecond} m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone gets slower than {metresPerSecond} m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slower than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faster than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone tagged {tag} comes within {metres} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone has stood for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5170,35 +5533,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>event</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>any place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>any path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>slower than</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>faster than</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m/s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5227,38 +5562,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Remove this</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of any path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>with any name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> s/m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>once</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>where they are</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>however far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>for ever</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5302,10 +5605,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How often it comes, against the others</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>+ in it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5322,103 +5621,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>until something else comes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>up to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How near they come</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>however long</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> % of cases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Before it comes again for the same character</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>So often for the same character</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at this place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at the nearest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at the nearest free one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at the first free one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of all exits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>within</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whoever is nearer hears it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>runs at</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How long it takes from one to the next</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>once for all</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rules that hear it can ask for it, or walk as fast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>about</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the event’s number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>how often</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

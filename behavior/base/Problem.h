@@ -6,7 +6,7 @@
 
 #include "model/population/Columns.h"
 #include "model/scene/Path.h"
-#include "model/scene/Rule.h"
+#include "model/rules/Rule.h"
 
 namespace crowd::behavior {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/population/Columns.h"
-#include "model/scene/Rule.h"
+#include "model/rules/Rule.h"
 
 namespace crowd::behavior {
 

@@ -10,8 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "model/rules/Rule.h"
 #include "model/scene/Path.h"
-#include "model/scene/Rule.h"
 
 namespace crowd::behavior {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "behavior/rules/RuleEngine.h"
+#include "model/base/Overloaded.h"
 #include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
 
@@ -12,19 +13,17 @@
 namespace crowd::behavior {
 
 std::string RuleEngine::drawClip(RuleHost& host, std::uint32_t agent,
-                                 const model::Action& action) const
+                                 const std::vector<model::ClipWeight>& clips) const
 {
-    if (action.clips.empty()) {
+    if (clips.empty()) {
         return {};
     }
     const float share = draw(host, agent, model::hashKeys(m_minds[agent].action, 71));
-    return action
-        .clips[model::weightedIndex(action.clips, share,
-                                    [](const auto& clip) { return clip.weight; })]
+    return clips[model::weightedIndex(clips, share, [](const auto& clip) { return clip.weight; })]
         .clip;
 }
 
-bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::actions::PlayClip& action)
 {
     Mind& mind = m_minds[agent];
     if (mind.isStarted) {
@@ -35,22 +34,22 @@ bool RuleEngine::play(RuleHost& host, std::uint32_t agent, const model::Action& 
         m_clipsEnded.push_back({agent, mind.rule, mind.cause});
         return true;
     }
-    const std::string clip = drawClip(host, agent, action);
+    const std::string clip = drawClip(host, agent, action.clips);
     const float seconds = clip.empty() ? -1.0F : host.play(agent, clip, action.isLooped);
     mind.until = m_now + static_cast<double>(action.isLooped ? action.seconds : seconds);
     mind.isStarted = true;
     return seconds < 0.0F; // he has no such clip: on to the next action
 }
 
-void RuleEngine::changeTags(RuleHost& host, std::uint32_t agent, const model::Action& action)
+void RuleEngine::changeTags(RuleHost& host, std::uint32_t agent, std::uint8_t tag, bool hasIt)
 {
     std::uint64_t& tags = m_minds[agent].tags;
-    const std::uint64_t bit = std::uint64_t{1} << action.tag;
-    const std::uint64_t now = action.kind == model::ActionKind::AddTag ? tags | bit : tags & ~bit;
+    const std::uint64_t bit = std::uint64_t{1} << tag;
+    const std::uint64_t now = hasIt ? tags | bit : tags & ~bit;
     if (now != tags) {
         tags = now;
         host.noteTags(agent, now);
-        const auto known = m_carriers.find(action.tag);
+        const auto known = m_carriers.find(tag);
         if (known != m_carriers.end() && (now & bit) != 0) {
             std::vector<std::uint32_t>& carriers = known->second;
             const auto at = std::ranges::lower_bound(carriers, agent);
@@ -61,7 +60,7 @@ void RuleEngine::changeTags(RuleHost& host, std::uint32_t agent, const model::Ac
     }
 }
 
-bool RuleEngine::sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::sitDown(RuleHost& host, std::uint32_t agent, const model::actions::SitDown& action)
 {
     Mind& mind = m_minds[agent];
     if (mind.isStarted || host.isSeated(agent) || host.isGone(agent)) {
@@ -97,116 +96,142 @@ bool RuleEngine::standUp(RuleHost& host, std::uint32_t agent)
     return true;
 }
 
-bool RuleEngine::wait(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::wait(RuleHost& host, std::uint32_t agent, const model::actions::Wait& action)
 {
     Mind& mind = m_minds[agent];
-    const bool isForEvent = action.kind == model::ActionKind::WaitForEvent;
+    if (!mind.isStarted) {
+        mind.isStarted = true;
+        const float share = 0.5F + draw(host, agent, model::hashKeys(mind.action, 91));
+        mind.until = m_now + static_cast<double>(action.seconds * share);
+    }
+    return m_now >= mind.until;
+}
+
+bool RuleEngine::waitForEvent(std::uint32_t agent, const model::actions::WaitForEvent& action)
+{
+    Mind& mind = m_minds[agent];
     if (!mind.isStarted) {
         mind.isStarted = true;
         mind.hasHeard = false;
-        const float share =
-            isForEvent ? 1.0F : 0.5F + draw(host, agent, model::hashKeys(mind.action, 91));
-        mind.until = isForEvent && action.seconds <= 0.0F
-                         ? std::numeric_limits<double>::infinity()
-                         : m_now + static_cast<double>(action.seconds * share);
+        mind.until = action.seconds <= 0.0F ? std::numeric_limits<double>::infinity()
+                                            : m_now + static_cast<double>(action.seconds);
     }
-    return m_now >= mind.until || (isForEvent && mind.hasHeard);
+    return m_now >= mind.until || mind.hasHeard;
 }
 
-void RuleEngine::changeNumber(std::uint32_t agent, const model::Action& action)
+void RuleEngine::changeNumber(std::uint32_t agent, model::NumberId id, float value, bool isAdded)
 {
     Mind& mind = m_minds[agent];
-    const auto found = std::ranges::find(m_numbers, action.number, &model::NumberName::id);
+    const auto found = std::ranges::find(m_numbers, id, &model::NumberName::id);
     if (found == m_numbers.end()) {
         complainOf(mind.rule, " changes a number that is not there any more. Choose another one.");
         return;
     }
     float& number = mind.numbers[static_cast<std::size_t>(found - m_numbers.begin())];
-    number = std::clamp(action.kind == model::ActionKind::SetNumber ? action.value
-                                                                    : number + action.value,
-                        -model::kMaxNumber, model::kMaxNumber);
+    number = std::clamp(isAdded ? number + value : value, -model::kMaxNumber, model::kMaxNumber);
     m_areNumbersStale = true;
 }
 
+void RuleEngine::followPath(RuleHost& host, std::uint32_t agent, model::PathId path)
+{
+    if (host.follow(agent, path)) {
+        hold(agent, 0);
+    } else {
+        complainOf(
+            m_minds[agent].rule,
+            " lets characters follow a path that is not there any more. Choose another one.");
+    }
+}
+
+void RuleEngine::appear(RuleHost& host, std::uint32_t agent, model::PlaceId id)
+{
+    const model::Place* place = m_places.find(id);
+    if (place == nullptr) {
+        complainOf(m_minds[agent].rule, " lets characters appear at a place that is not there any "
+                                        "more. Choose another one.");
+        return;
+    }
+    host.appear(agent, pointIn(host, agent, *place));
+    if (!m_cells.isEmpty()) {
+        m_cells.add(agent, host.position(agent));
+    }
+}
+
+namespace {
+
+/// For actions that are over at once.
+template<class Done>
+bool once(const Done& done)
+{
+    done();
+    return true;
+}
+
+} // namespace
+
 bool RuleEngine::run(RuleHost& host, std::uint32_t agent, const model::Action& action)
 {
+    using namespace model::actions;
     Mind& mind = m_minds[agent];
-    switch (action.kind) {
-    case model::ActionKind::PlayClip:
-        return play(host, agent, action);
-    case model::ActionKind::FollowPath:
-        if (host.follow(agent, action.path)) {
-            hold(agent, 0);
-        } else {
-            complainOf(mind.rule,
-                       " lets characters follow a path that is not there any more. Choose "
-                       "another one.");
-        }
-        return true;
-    case model::ActionKind::GoToPlace:
-    case model::ActionKind::Flee:
-        return travel(host, agent, action);
-    case model::ActionKind::Stop:
-        host.stop(agent);
-        return true;
-    case model::ActionKind::GoOn:
-        hold(agent, 0);
-        host.goOn(agent);
-        return true;
-    case model::ActionKind::Wait:
-    case model::ActionKind::WaitForEvent:
-        return wait(host, agent, action);
-    case model::ActionKind::SetSpeed:
-        host.setPace(agent, action.value > 0.0F ? action.value : mind.cause.payload);
-        return true;
-    case model::ActionKind::TurnTo:
-        if (const std::optional<Aim> aim = aimOf(host, agent, action)) {
-            host.turnTo(agent, aim->point);
-        }
-        return true;
-    case model::ActionKind::AddTag:
-    case model::ActionKind::RemoveTag:
-        changeTags(host, agent, action);
-        return true;
-    case model::ActionKind::SendEvent:
-        send(host, agent, action);
-        return true;
-    case model::ActionKind::LeaveScene:
-        return leave(host, agent, action);
-    case model::ActionKind::Again:
-    case model::ActionKind::Repeat:
-    case model::ActionKind::OneOf:
-        return true; // see branch()
-    case model::ActionKind::SitDown:
-        return sitDown(host, agent, action);
-    case model::ActionKind::StandUp:
-        return standUp(host, agent);
-    case model::ActionKind::SetNumber:
-    case model::ActionKind::AddToNumber:
-        changeNumber(agent, action);
-        return true;
-    case model::ActionKind::Appear:
-        if (const model::Place* place = m_places.find(action.place)) {
-            host.appear(agent, pointIn(host, agent, *place));
-            if (!m_cells.isEmpty()) {
-                m_cells.add(agent, host.position(agent));
-            }
-        } else {
-            complainOf(mind.rule,
-                       " lets characters appear at a place that is not there any more. Choose "
-                       "another one.");
-        }
-        return true;
-    case model::ActionKind::GoToPerson:
-    case model::ActionKind::Follow:
-        return approach(host, agent, action);
-    case model::ActionKind::LookAt:
-        return lookAtAim(host, agent, action);
-    case model::ActionKind::SetProperty:
-        host.setProperty(agent, action, drawClip(host, agent, action));
-        return true;
-    }
-    return true;
+    return std::visit(
+        model::Overloaded{
+            [&](const PlayClip& each) { return play(host, agent, each); },
+            [&](const FollowPath& each) {
+                return once([&] { followPath(host, agent, each.path); });
+            },
+            [&](const GoToPlace& each) {
+                return travel(host, agent, {each.choice, each.place, each.path});
+            },
+            [&](const Flee& each) { return flee(host, agent, each); },
+            [&](const Stop&) { return once([&] { host.stop(agent); }); },
+            [&](const GoOn&) {
+                hold(agent, 0);
+                return once([&] { host.goOn(agent); });
+            },
+            [&](const Wait& each) { return wait(host, agent, each); },
+            [&](const WaitForEvent& each) { return waitForEvent(agent, each); },
+            [&](const SetSpeed& each) {
+                const float pace = each.value > 0.0F ? each.value : mind.cause.payload;
+                return once([&] { host.setPace(agent, pace); });
+            },
+            [&](const TurnTo& each) {
+                if (const std::optional<Aim> aim = aimOf(host, agent, each)) {
+                    host.turnTo(agent, aim->point);
+                }
+                return true;
+            },
+            [&](const AddTag& each) {
+                return once([&] { changeTags(host, agent, each.tag, true); });
+            },
+            [&](const RemoveTag& each) {
+                return once([&] { changeTags(host, agent, each.tag, false); });
+            },
+            [&](const SendEvent& each) { return once([&] { send(host, agent, each); }); },
+            [&](const LeaveScene& each) { return leave(host, agent, each); },
+            [&](const SitDown& each) { return sitDown(host, agent, each); },
+            [&](const StandUp&) { return standUp(host, agent); },
+            [&](const SetNumber& each) {
+                return once([&] { changeNumber(agent, each.number, each.value, false); });
+            },
+            [&](const AddToNumber& each) {
+                return once([&] { changeNumber(agent, each.number, each.value, true); });
+            },
+            [&](const Appear& each) { return once([&] { appear(host, agent, each.place); }); },
+            [&](const GoToPerson& each) {
+                return approach(host, agent, {each, each.metres, each.seconds, false});
+            },
+            [&](const Follow& each) {
+                return approach(host, agent, {each, each.metres, each.seconds, true});
+            },
+            [&](const LookAt& each) { return lookAtAim(host, agent, each); },
+            [&](const SetProperty& each) {
+                const std::string clip = drawClip(host, agent, each.clips);
+                return once([&] { host.setProperty(agent, each, clip); });
+            },
+            [](const Again&) { return true; }, // see branch()
+            [](const Repeat&) { return true; },
+            [](const OneOf&) { return true; }},
+        action.data);
 }
 
 } // namespace crowd::behavior

@@ -53,11 +53,11 @@ std::uint32_t RuleEngine::nearestTagged(RuleHost& host, std::uint32_t agent, std
 
 /// Nothing: there is nobody and no place.
 std::optional<RuleEngine::Aim> RuleEngine::aimOf(RuleHost& host, std::uint32_t agent,
-                                                 const model::Action& action)
+                                                 const model::AimChoice& choice)
 {
     const Cause& cause = m_minds[agent].cause;
     std::uint32_t whom = kNone;
-    switch (action.aim) {
+    switch (choice.aim) {
     case model::ActionAim::Sender:
         whom = cause.sender != 0 ? agentNamed(cause.sender) : kNone;
         if (whom == kNone || host.isGone(whom)) {
@@ -65,10 +65,10 @@ std::optional<RuleEngine::Aim> RuleEngine::aimOf(RuleHost& host, std::uint32_t a
         }
         break;
     case model::ActionAim::Tagged:
-        whom = nearestTagged(host, agent, action.tag);
+        whom = nearestTagged(host, agent, choice.tag);
         break;
     case model::ActionAim::Place:
-        if (const model::Place* place = m_places.find(action.place)) {
+        if (const model::Place* place = m_places.find(choice.place)) {
             return Aim{place->position, kNone};
         }
         complainOf(m_minds[agent].rule,
@@ -78,8 +78,18 @@ std::optional<RuleEngine::Aim> RuleEngine::aimOf(RuleHost& host, std::uint32_t a
     return whom == kNone ? std::nullopt : std::optional(Aim{host.position(whom), whom});
 }
 
-void RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::Action& action)
+/// True: he is there.
+bool RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::actions::Flee& action)
 {
+    Mind& mind = m_minds[agent];
+    if (host.isGone(agent)) {
+        return true;
+    }
+    if (mind.isTravelling) {
+        return hasErrandEnded(host, agent);
+    }
+    mind.isStarted = true;
+    mind.isTravelling = true;
     const glm::vec3 at = host.position(agent);
     const std::optional<Aim> from = aimOf(host, agent, action);
     glm::vec3 away = from ? at - from->point : glm::vec3(0.0F);
@@ -87,30 +97,31 @@ void RuleEngine::flee(RuleHost& host, std::uint32_t agent, const model::Action& 
     const float length = std::sqrt(away.x * away.x + away.z * away.z);
     const float angle = kAllRound * draw(host, agent, 81);
     away = length > 0.05F ? away / length : glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-    m_minds[agent].goal = 0;
+    mind.goal = 0;
     hold(agent, 0);
     sendTo(host, agent, at + away * action.metres, 0.0F);
+    return false;
 }
 
 /// Whom somebody goes to: the one that he began with, as long as it can be he.
 std::optional<RuleEngine::Aim> RuleEngine::partnerOf(RuleHost& host, std::uint32_t agent,
-                                                     const model::Action& action)
+                                                     const model::AimChoice& choice)
 {
     Mind& mind = m_minds[agent];
     const std::uint32_t former = mind.partner != 0 ? agentNamed(mind.partner) : kNone;
     const bool isStill =
         former != kNone && !host.isGone(former) &&
-        (action.aim == model::ActionAim::Sender || (m_minds[former].tags >> action.tag & 1U) != 0);
+        (choice.aim == model::ActionAim::Sender || (m_minds[former].tags >> choice.tag & 1U) != 0);
     if (isStill) {
         return Aim{host.position(former), former};
     }
-    const std::optional<Aim> aim = aimOf(host, agent, action);
+    const std::optional<Aim> aim = aimOf(host, agent, choice);
     mind.partner = aim && aim->agent != kNone ? host.id(aim->agent) : 0;
     return aim;
 }
 
 /// To somebody, and after him where he is to be followed. True: it is over.
-bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const Approach& action)
 {
     Mind& mind = m_minds[agent];
     if (host.isGone(agent)) {
@@ -131,22 +142,21 @@ bool RuleEngine::approach(RuleHost& host, std::uint32_t agent, const model::Acti
         host.stop(agent);
         return true;
     }
-    const bool isFollowing = action.kind == model::ActionKind::Follow;
-    if (!isFollowing && !mind.isNear && hasErrandEnded(host, agent)) {
+    if (!action.isFollowing && !mind.isNear && hasErrandEnded(host, agent)) {
         return true; // as near as he gets
     }
     return m_now >= mind.nextLook && comeNear(host, agent, action);
 }
 
 /// A look at where the other one is now.
-bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::comeNear(RuleHost& host, std::uint32_t agent, const Approach& action)
 {
     Mind& mind = m_minds[agent];
     mind.nextLook = m_now + kSecondsBetweenLooks;
-    const std::optional<Aim> aim = partnerOf(host, agent, action);
-    const bool isFollowing = action.kind == model::ActionKind::Follow;
+    const std::optional<Aim> aim = partnerOf(host, agent, action.aim);
+    const bool isFollowing = action.isFollowing;
     if (!aim || (isFollowing && aim->agent == kNone)) {
-        if (isFollowing && action.aim == model::ActionAim::Sender) {
+        if (isFollowing && action.aim.aim == model::ActionAim::Sender) {
             complainOf(mind.rule,
                        " follows whoever sent the event, but it came from a brush, a "
                        "cue or nobody. Let characters send it, or follow those with a tag.");
@@ -214,7 +224,8 @@ bool RuleEngine::giveWay(RuleHost& host, std::uint32_t agent, std::uint32_t othe
     return true;
 }
 
-bool RuleEngine::lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::lookAtAim(RuleHost& host, std::uint32_t agent,
+                           const model::actions::LookAt& action)
 {
     Mind& mind = m_minds[agent];
     if (!mind.isStarted) {

@@ -8,7 +8,7 @@
 
 #include "behavior/motion/TravelEvents.h"
 #include "model/base/Random.h"
-#include "model/scene/RuleFlaws.h"
+#include "model/rules/RuleFlaws.h"
 
 namespace crowd::behavior {
 
@@ -29,7 +29,7 @@ constexpr std::size_t kHeardEach = 2;
 bool bringsBack(const model::Rule& rule)
 {
     return std::ranges::any_of(rule.actions, [](const model::Action& action) {
-        return action.kind == model::ActionKind::Appear;
+        return action.is<model::actions::Appear>();
     });
 }
 
@@ -39,9 +39,9 @@ std::vector<PlaceWish> linesOf(const std::vector<model::Rule>& rules)
     std::vector<PlaceWish> lines;
     for (const model::Rule& rule : rules) {
         for (const model::Action& action : rule.actions) {
-            if (action.kind == model::ActionKind::GoToPlace &&
-                action.choice == model::PlaceChoice::Ahead) {
-                lines.push_back({action.choice, action.place, action.path});
+            const auto* go = action.as<model::actions::GoToPlace>();
+            if (go != nullptr && go->choice == model::PlaceChoice::Ahead) {
+                lines.push_back({go->choice, go->place, go->path});
             }
         }
     }

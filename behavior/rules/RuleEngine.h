@@ -21,8 +21,8 @@
 #include "behavior/rules/PlaceRooms.h"
 #include "behavior/rules/RuleHost.h"
 #include "model/population/Population.h"
-#include "model/scene/Rule.h"
-#include "model/scene/RuleSequence.h"
+#include "model/rules/Rule.h"
+#include "model/rules/RuleSequence.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::behavior {
@@ -184,6 +184,14 @@ private:
         std::size_t heard = 0; ///< events that reach somebody
         std::size_t asked = 0; ///< people of whom a sent event asks whether they are meant
     };
+    /// Going to somebody, or after him.
+    struct Approach
+    {
+        model::AimChoice aim;
+        float metres = 0.0F;  ///< how near
+        float seconds = 0.0F; ///< at most; 0: however long
+        bool isFollowing = false;
+    };
     /// What an action is about, where it is now.
     struct Aim
     {
@@ -215,12 +223,17 @@ private:
     /// The first one from there on whom a rule lets do something, or their number.
     [[nodiscard]] std::uint32_t nextBusy(std::uint32_t agent) const;
     void setBusy(std::uint32_t agent, std::uint32_t rule);
-    void lookForTags(RuleHost& host, std::uint32_t rule);
-    void lookAhead(RuleHost& host, std::uint32_t rule);
+    void lookForTags(RuleHost& host, std::uint32_t rule, const model::triggers::TagNear& trigger);
+    void lookAhead(RuleHost& host, std::uint32_t rule, model::PathId path);
     [[nodiscard]] bool happensTo(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
-    [[nodiscard]] bool isCrossed(const model::Trigger& trigger, float speed, Memory& memory) const;
-    [[nodiscard]] bool isTired(const model::Trigger& trigger, float speed, Memory& memory) const;
-    [[nodiscard]] bool isTime(RuleHost& host, std::uint32_t rule, std::uint32_t agent);
+    [[nodiscard]] bool hasArrived(RuleHost& host, std::uint32_t agent, model::PlaceId place) const;
+    [[nodiscard]] bool isInside(RuleHost& host, std::uint32_t agent, model::PlaceId place) const;
+    [[nodiscard]] bool isCrossed(const model::triggers::SpeedLimit& trigger, float speed,
+                                 Memory& memory) const;
+    [[nodiscard]] bool isTired(const model::triggers::Waited& trigger, float speed,
+                               Memory& memory) const;
+    [[nodiscard]] bool isTime(RuleHost& host, std::uint32_t rule, std::uint32_t agent,
+                              const model::triggers::Every& trigger);
     [[nodiscard]] bool holds(RuleHost& host, const model::Rule& rule, std::uint32_t agent,
                              const Cause& cause);
     [[nodiscard]] bool holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
@@ -239,58 +252,69 @@ private:
     /// Line to go on with after one that is over, with all that belongs to it.
     [[nodiscard]] std::uint32_t lineAfter(Mind& mind, const model::Actions& actions,
                                           std::size_t line) const;
-    [[nodiscard]] bool goesRound(Mind& mind, const model::Action& repeat, std::size_t line) const;
+    [[nodiscard]] bool goesRound(Mind& mind, const model::actions::Repeat& repeat,
+                                 std::size_t line) const;
     /// True: the action is over.
     [[nodiscard]] bool run(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void followPath(RuleHost& host, std::uint32_t agent, model::PathId path);
+    void appear(RuleHost& host, std::uint32_t agent, model::PlaceId place);
     /// One of the clips by weight; empty: there are none.
     [[nodiscard]] std::string drawClip(RuleHost& host, std::uint32_t agent,
-                                       const model::Action& action) const;
-    void changeTags(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool travel(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool setOut(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool leave(RuleHost& host, std::uint32_t agent, const model::Action& action);
+                                       const std::vector<model::ClipWeight>& clips) const;
+    void changeTags(RuleHost& host, std::uint32_t agent, std::uint8_t tag, bool hasIt);
+    [[nodiscard]] bool play(RuleHost& host, std::uint32_t agent,
+                            const model::actions::PlayClip& action);
+    [[nodiscard]] bool travel(RuleHost& host, std::uint32_t agent, const PlaceWish& wish);
+    [[nodiscard]] bool setOut(RuleHost& host, std::uint32_t agent, const PlaceWish& wish);
+    [[nodiscard]] bool leave(RuleHost& host, std::uint32_t agent,
+                             const model::actions::LeaveScene& action);
     void goToPlace(RuleHost& host, std::uint32_t agent, model::PlaceId place);
-    void closeUp(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void closeUp(RuleHost& host, std::uint32_t agent, PlaceWish wish);
     [[nodiscard]] bool isAtGoal(RuleHost& host, std::uint32_t agent, float ahead) const;
-    void sayNowhere(std::uint32_t rule, const model::Action& action);
-    [[nodiscard]] bool isHisTurn(std::uint32_t agent, const model::Action& action);
+    void sayNowhere(std::uint32_t rule, const PlaceWish& wish);
+    [[nodiscard]] bool isHisTurn(std::uint32_t agent, const PlaceWish& wish);
     [[nodiscard]] bool isWaiting(const Turn& turn) const;
-    void waitForPlace(std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] static PlaceWish wishOf(const model::Action& action);
-    [[nodiscard]] static TurnsKey turnsOf(const model::Action& action);
+    void waitForPlace(std::uint32_t agent, const PlaceWish& wish);
+    [[nodiscard]] static TurnsKey turnsOf(const PlaceWish& wish);
     void sendTo(RuleHost& host, std::uint32_t agent, const glm::vec3& point, float atLeast);
-    [[nodiscard]] bool sitDown(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool sitDown(RuleHost& host, std::uint32_t agent,
+                               const model::actions::SitDown& action);
     [[nodiscard]] bool standUp(RuleHost& host, std::uint32_t agent);
-    [[nodiscard]] bool wait(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    void flee(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool approach(RuleHost& host, std::uint32_t agent, const model::Action& action);
-    [[nodiscard]] bool comeNear(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool wait(RuleHost& host, std::uint32_t agent,
+                            const model::actions::Wait& action);
+    [[nodiscard]] bool waitForEvent(std::uint32_t agent,
+                                    const model::actions::WaitForEvent& action);
+    [[nodiscard]] bool flee(RuleHost& host, std::uint32_t agent,
+                            const model::actions::Flee& action);
+    [[nodiscard]] bool approach(RuleHost& host, std::uint32_t agent, const Approach& action);
+    [[nodiscard]] bool comeNear(RuleHost& host, std::uint32_t agent, const Approach& action);
     [[nodiscard]] bool giveWay(RuleHost& host, std::uint32_t agent, std::uint32_t other);
-    [[nodiscard]] bool lookAtAim(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    [[nodiscard]] bool lookAtAim(RuleHost& host, std::uint32_t agent,
+                                 const model::actions::LookAt& action);
     [[nodiscard]] std::optional<Aim> aimOf(RuleHost& host, std::uint32_t agent,
-                                           const model::Action& action);
+                                           const model::AimChoice& choice);
     [[nodiscard]] std::optional<Aim> partnerOf(RuleHost& host, std::uint32_t agent,
-                                               const model::Action& action);
+                                               const model::AimChoice& choice);
     [[nodiscard]] std::uint32_t nearestTagged(RuleHost& host, std::uint32_t agent,
                                               std::uint8_t tag);
     [[nodiscard]] std::uint32_t agentNamed(model::IndividualId id) const;
-    void send(RuleHost& host, std::uint32_t agent, const model::Action& action);
+    void send(RuleHost& host, std::uint32_t agent, const model::actions::SendEvent& action);
     void tell(RuleHost& host, std::uint32_t agent, std::uint32_t other,
-              const model::Action& action);
+              const model::actions::SendEvent& action);
     /// Among whom those are whom a sent event reaches; null: everybody.
-    [[nodiscard]] const std::vector<std::uint32_t>* findMeant(RuleHost& host, std::uint32_t agent,
-                                                              const model::Action& action);
+    [[nodiscard]] const std::vector<std::uint32_t>*
+    findMeant(RuleHost& host, std::uint32_t agent, const model::actions::SendEvent& action);
     void fillCells(RuleHost& host);
     void fillGroups(RuleHost& host);
     [[nodiscard]] std::vector<std::uint32_t>& carriersOf(std::uint8_t tag);
-    [[nodiscard]] bool isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
-                               std::uint32_t other) const;
+    [[nodiscard]] bool isMeant(RuleHost& host, const model::actions::SendEvent& action,
+                               std::uint32_t agent, std::uint32_t other) const;
     void hold(std::uint32_t agent, model::PlaceId place);
     [[nodiscard]] PlaceRooms& rooms(RuleHost& host);
     [[nodiscard]] glm::vec3 pointIn(RuleHost& host, std::uint32_t agent,
                                     const model::Place& place) const;
-    void changeNumber(std::uint32_t agent, const model::Action& action);
+    /// Becomes the value, or that much more.
+    void changeNumber(std::uint32_t agent, model::NumberId number, float value, bool isAdded);
     void giveNumbers(const model::Scene& scene, bool areKept);
     [[nodiscard]] float firstNumber(const model::NumberName& named, model::IndividualId id) const;
     [[nodiscard]] std::vector<float> firstNumbers(model::IndividualId id) const;

@@ -72,22 +72,23 @@ void RuleEngine::hear(RuleHost& host, std::uint32_t agent, const Event& event)
     Mind& mind = m_minds[agent];
     if (mind.rule != kNone && mind.isStarted) {
         const model::Action& action = m_rules[mind.rule].actions[mind.action];
-        if (action.kind == model::ActionKind::WaitForEvent && action.event == event.name) {
+        const auto* wait = action.as<model::actions::WaitForEvent>();
+        if (wait != nullptr && wait->event == event.name) {
             mind.hasHeard = true;
             mind.cause = {event.payload, event.origin, true, event.sender};
         }
     }
     for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
-        const model::Trigger& trigger = m_rules[rule].trigger;
-        if (trigger.kind == model::TriggerKind::Event && trigger.event == event.name &&
+        const auto* trigger = m_rules[rule].trigger.as<model::triggers::Event>();
+        if (trigger != nullptr && trigger->event == event.name &&
             (m_bringsBack[rule] || !host.isGone(agent))) {
             fire(host, rule, agent, {event.payload, event.origin, true, event.sender});
         }
     }
 }
 
-bool RuleEngine::isMeant(RuleHost& host, const model::Action& action, std::uint32_t agent,
-                         std::uint32_t other) const
+bool RuleEngine::isMeant(RuleHost& host, const model::actions::SendEvent& action,
+                         std::uint32_t agent, std::uint32_t other) const
 {
     if (action.reach == model::EventReach::Self) {
         return other == agent;
@@ -136,7 +137,7 @@ std::vector<std::uint32_t>& RuleEngine::carriersOf(std::uint8_t tag)
 }
 
 const std::vector<std::uint32_t>* RuleEngine::findMeant(RuleHost& host, std::uint32_t agent,
-                                                        const model::Action& action)
+                                                        const model::actions::SendEvent& action)
 {
     switch (action.reach) {
     case model::EventReach::Self:
@@ -159,7 +160,7 @@ const std::vector<std::uint32_t>* RuleEngine::findMeant(RuleHost& host, std::uin
 }
 
 void RuleEngine::tell(RuleHost& host, std::uint32_t agent, std::uint32_t other,
-                      const model::Action& action)
+                      const model::actions::SendEvent& action)
 {
     const glm::vec3 at = host.position(agent);
     const float away = host.isGone(other) ? 0.0F : flatDistance(host.position(other), at);
@@ -168,7 +169,7 @@ void RuleEngine::tell(RuleHost& host, std::uint32_t agent, std::uint32_t other,
         {m_now + delay, m_order++, action.event, action.value, host.id(other), at, host.id(agent)});
 }
 
-void RuleEngine::send(RuleHost& host, std::uint32_t agent, const model::Action& action)
+void RuleEngine::send(RuleHost& host, std::uint32_t agent, const model::actions::SendEvent& action)
 {
     const std::vector<std::uint32_t>* meant = findMeant(host, agent, action);
     const std::size_t asked = meant != nullptr ? meant->size() : m_minds.size();

@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 
 #include "model/population/Columns.h"
+#include "model/rules/Rule.h"
 #include "model/scene/Path.h"
-#include "model/scene/Rule.h"
 
 namespace crowd::behavior {
 
@@ -71,7 +71,7 @@ public:
                                          model::ComparedProperty property) const = 0;
     [[nodiscard]] virtual bool showsClip(std::uint32_t agent, const std::string& clip) const = 0;
     /// `clip` is the one that was drawn. What somebody's template has not stays as it is.
-    virtual void setProperty(std::uint32_t agent, const model::Action& action,
+    virtual void setProperty(std::uint32_t agent, const model::actions::SetProperty& action,
                              const std::string& clip) = 0;
     virtual void noteTags(std::uint32_t agent, std::uint64_t tags) = 0;
 };

@@ -36,16 +36,9 @@ glm::vec3 RuleEngine::pointIn(RuleHost& host, std::uint32_t agent, const model::
                                                                             std::cos(angle)));
 }
 
-PlaceWish RuleEngine::wishOf(const model::Action& action)
+RuleEngine::TurnsKey RuleEngine::turnsOf(const PlaceWish& wish)
 {
-    return {action.choice, action.place, action.path,
-            action.kind == model::ActionKind::LeaveScene ? model::PlaceRole::Exit
-                                                         : model::PlaceRole::Spot};
-}
-
-RuleEngine::TurnsKey RuleEngine::turnsOf(const model::Action& action)
-{
-    return {action.place, action.path, action.kind == model::ActionKind::LeaveScene ? 1U : 0U};
+    return {wish.place, wish.path, wish.role == model::PlaceRole::Exit ? 1U : 0U};
 }
 
 bool RuleEngine::isWaiting(const Turn& turn) const
@@ -55,9 +48,9 @@ bool RuleEngine::isWaiting(const Turn& turn) const
 }
 
 /// Nobody waits for such a place for longer than he does.
-bool RuleEngine::isHisTurn(std::uint32_t agent, const model::Action& action)
+bool RuleEngine::isHisTurn(std::uint32_t agent, const PlaceWish& wish)
 {
-    const auto found = m_turns.find(turnsOf(action));
+    const auto found = m_turns.find(turnsOf(wish));
     if (found == m_turns.end()) {
         return true;
     }
@@ -69,27 +62,27 @@ bool RuleEngine::isHisTurn(std::uint32_t agent, const model::Action& action)
 }
 
 /// Until one is free he goes on with what he does.
-void RuleEngine::waitForPlace(std::uint32_t agent, const model::Action& action)
+void RuleEngine::waitForPlace(std::uint32_t agent, const PlaceWish& wish)
 {
     Mind& mind = m_minds[agent];
     mind.isStarted = true;
     mind.until = m_now + kSecondsToAskAgain;
     if (mind.ticket == 0) {
         mind.ticket = ++m_tickets;
-        m_turns[turnsOf(action)].push_back({mind.ticket, m_agentOf[agent].first});
+        m_turns[turnsOf(wish)].push_back({mind.ticket, m_agentOf[agent].first});
     }
 }
 
-void RuleEngine::sayNowhere(std::uint32_t rule, const model::Action& action)
+void RuleEngine::sayNowhere(std::uint32_t rule, const PlaceWish& wish)
 {
-    const bool isLeaving = action.kind == model::ActionKind::LeaveScene;
-    if (action.choice == model::PlaceChoice::Given) {
+    const bool isLeaving = wish.role == model::PlaceRole::Exit;
+    if (wish.choice == model::PlaceChoice::Given) {
         complainOf(rule,
                    " sends characters to a place that is not there any more. Choose another one.");
-    } else if (action.path != 0) {
+    } else if (wish.path != 0) {
         complainOf(rule, " sends characters to places of a path that is not there any more, or has "
                          "none. Choose another one.");
-    } else if (action.place != 0) {
+    } else if (wish.place != 0) {
         complainOf(rule, " sends characters to places by a name that none has any more. Choose "
                          "another one.");
     } else {
@@ -102,20 +95,19 @@ void RuleEngine::sayNowhere(std::uint32_t rule, const model::Action& action)
 }
 
 /// True: there is nowhere to go, and nothing to wait for.
-bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const PlaceWish& wish)
 {
     Mind& mind = m_minds[agent];
-    const PlaceWish wish = wishOf(action);
-    const bool isForFree = action.choice == model::PlaceChoice::NearestFree ||
-                           action.choice == model::PlaceChoice::FirstFree;
+    const bool isForFree = wish.choice == model::PlaceChoice::NearestFree ||
+                           wish.choice == model::PlaceChoice::FirstFree;
     if (!m_places.hasAny(wish)) {
-        sayNowhere(mind.rule, action);
+        sayNowhere(mind.rule, wish);
     }
-    if (isForFree || action.choice == model::PlaceChoice::Ahead) {
+    if (isForFree || wish.choice == model::PlaceChoice::Ahead) {
         (void)rooms(host);
     }
     const bool mayChoose =
-        !isForFree || m_places.isAmong(wish, mind.holds) || isHisTurn(agent, action);
+        !isForFree || m_places.isAmong(wish, mind.holds) || isHisTurn(agent, wish);
     const glm::vec3 at = host.position(agent);
     const auto wayTo = [&](const model::Place& to) {
         return host.wayMetres(at, to.position, to.radius + kThereMetres);
@@ -124,7 +116,7 @@ bool RuleEngine::setOut(RuleHost& host, std::uint32_t agent, const model::Action
         mayChoose ? m_places.choose(wish, at, mind.holds, wayTo) : std::optional<model::PlaceId>();
     if (!place) {
         if (isForFree) {
-            waitForPlace(agent, action);
+            waitForPlace(agent, wish);
         }
         return !isForFree;
     }
@@ -145,11 +137,10 @@ void RuleEngine::goToPlace(RuleHost& host, std::uint32_t agent, model::PlaceId p
 
 /// On his way to the end of a line he goes further up as that gets shorter, so that those behind
 /// him can set out too.
-void RuleEngine::closeUp(RuleHost& host, std::uint32_t agent, const model::Action& action)
+void RuleEngine::closeUp(RuleHost& host, std::uint32_t agent, PlaceWish wish)
 {
     Mind& mind = m_minds[agent];
     mind.until = m_now + kSecondsToAskAgain;
-    PlaceWish wish = wishOf(action);
     if (!m_places.isLine(wish)) {
         return;
     }
@@ -160,7 +151,7 @@ void RuleEngine::closeUp(RuleHost& host, std::uint32_t agent, const model::Actio
     }
 }
 
-bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const PlaceWish& wish)
 {
     Mind& mind = m_minds[agent];
     if (host.isGone(agent)) {
@@ -168,25 +159,21 @@ bool RuleEngine::travel(RuleHost& host, std::uint32_t agent, const model::Action
     }
     if (mind.isTravelling) {
         const bool isOver = hasErrandEnded(host, agent);
-        if (!isOver && action.choice == model::PlaceChoice::FirstFree && m_now >= mind.until) {
-            closeUp(host, agent, action);
+        if (!isOver && wish.choice == model::PlaceChoice::FirstFree && m_now >= mind.until) {
+            closeUp(host, agent, wish);
         }
         return isOver;
     }
-    if (action.kind == model::ActionKind::Flee) {
-        mind.isStarted = true;
-        mind.isTravelling = true;
-        flee(host, agent, action);
-        return false;
-    }
-    return (!mind.isStarted || m_now >= mind.until) && setOut(host, agent, action);
+    return (!mind.isStarted || m_now >= mind.until) && setOut(host, agent, wish);
 }
 
 /// Where he is, or where he is to go first; who has nowhere to leave at stays.
-bool RuleEngine::leave(RuleHost& host, std::uint32_t agent, const model::Action& action)
+bool RuleEngine::leave(RuleHost& host, std::uint32_t agent,
+                       const model::actions::LeaveScene& action)
 {
-    const bool isHere = action.choice == model::PlaceChoice::Given && action.place == 0;
-    if (!isHere && !travel(host, agent, action)) {
+    const bool isHere = action.isHere();
+    const PlaceWish wish{action.choice, action.place, action.path, model::PlaceRole::Exit};
+    if (!isHere && !travel(host, agent, wish)) {
         return false;
     }
     const bool isThere = isHere || host.isGone(agent) || isAtGoal(host, agent, 0.0F);

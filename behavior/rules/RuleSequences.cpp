@@ -21,30 +21,32 @@ std::size_t RuleEngine::drawAlternative(RuleHost& host, std::uint32_t agent,
 {
     const Mind& mind = m_minds[agent];
     const float share = draw(host, agent, model::hashKeys(mind.action, 72, mind.turns));
-    return lines[model::weightedIndex(
-        lines, share, [&actions](std::size_t line) { return actions[line].weight; })];
+    return lines[model::weightedIndex(lines, share, [&actions](std::size_t line) {
+        return actions[line].as<model::actions::OneOf>()->weight;
+    })];
 }
 
 bool RuleEngine::branch(RuleHost& host, std::uint32_t agent, const model::Actions& actions)
 {
     Mind& mind = m_minds[agent];
     const std::size_t line = mind.action;
-    switch (actions[line].kind) {
-    case model::ActionKind::Again:
+    if (actions[line].is<model::actions::Again>()) {
         mind.rounds.clear();
         ++mind.turns;
         mind.action = 0;
         return true;
-    case model::ActionKind::Repeat:
+    }
+    if (const auto* repeat = actions[line].as<model::actions::Repeat>()) {
         std::erase_if(mind.rounds, [line](const Round& round) { return round.line >= line; });
         if (model::endOf(actions, line) == line + 1) {
             mind.action = lineAfter(mind, actions, line); // there is nothing in it
         } else {
-            mind.rounds.push_back({mind.action, actions[line].times});
+            mind.rounds.push_back({mind.action, repeat->times});
             ++mind.action;
         }
         return true;
-    case model::ActionKind::OneOf: {
+    }
+    if (actions[line].is<model::actions::OneOf>()) {
         const std::vector<std::size_t> lines = model::alternativesOf(actions, line);
         const std::size_t chosen = drawAlternative(host, agent, actions, lines);
         ++mind.turns;
@@ -53,13 +55,11 @@ bool RuleEngine::branch(RuleHost& host, std::uint32_t agent, const model::Action
                           : static_cast<std::uint32_t>(chosen + 1);
         return true;
     }
-    default:
-        return false;
-    }
+    return false;
 }
 
 /// Whether what belongs to a Repeat comes once more.
-bool RuleEngine::goesRound(Mind& mind, const model::Action& repeat, std::size_t line) const
+bool RuleEngine::goesRound(Mind& mind, const model::actions::Repeat& repeat, std::size_t line) const
 {
     const auto round = std::ranges::find(mind.rounds, line, &Round::line);
     if (round == mind.rounds.end()) {
@@ -80,9 +80,10 @@ std::uint32_t RuleEngine::lineAfter(Mind& mind, const model::Actions& actions,
     for (std::size_t parent = model::parentOf(actions, line);
          parent != model::kNoLine && next >= model::endOf(actions, parent);
          parent = model::parentOf(actions, parent)) {
-        if (actions[parent].kind == model::ActionKind::OneOf) {
+        const auto* repeat = actions[parent].as<model::actions::Repeat>();
+        if (repeat == nullptr) {
             next = model::endOf(actions, model::alternativesOf(actions, parent).back());
-        } else if (goesRound(mind, actions[parent], parent)) {
+        } else if (goesRound(mind, *repeat, parent)) {
             return static_cast<std::uint32_t>(parent + 1);
         }
     }
@@ -122,7 +123,7 @@ void RuleEngine::endClips(RuleHost& host)
         const ClipEnd end = m_clipsEnded[i];
         const bool wasFree = m_minds[end.agent].rule == kNone;
         for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
-            if (m_rules[rule].trigger.kind == model::TriggerKind::ClipEnded && rule != end.rule &&
+            if (m_rules[rule].trigger.is<model::triggers::ClipEnded>() && rule != end.rule &&
                 (m_bringsBack[rule] || !host.isGone(end.agent))) {
                 hearClipEnd(host, rule, end);
             }

@@ -5,6 +5,7 @@
 
 #include "behavior/motion/TravelEvents.h"
 #include "behavior/rules/RuleEngine.h"
+#include "model/base/Overloaded.h"
 #include "model/base/Random.h"
 
 /// What rules wait for and ask.
@@ -30,9 +31,9 @@ bool compares(float asked, model::Comparison comparison, float value)
 
 } // namespace
 
-bool RuleEngine::isTime(RuleHost& host, std::uint32_t index, std::uint32_t agent)
+bool RuleEngine::isTime(RuleHost& host, std::uint32_t index, std::uint32_t agent,
+                        const model::triggers::Every& trigger)
 {
-    const model::Trigger& trigger = m_rules[index].trigger;
     const std::uint32_t count = m_memory[index].of[agent].count;
     double& due = m_memory[index].due[agent];
     const double period = std::max(1.0 / 30.0, static_cast<double>(trigger.seconds));
@@ -50,7 +51,8 @@ bool RuleEngine::isTime(RuleHost& host, std::uint32_t index, std::uint32_t agent
 }
 
 /// A speed became higher or lower than the limit; what it is at first does not count.
-bool RuleEngine::isCrossed(const model::Trigger& trigger, float speed, Memory& memory) const
+bool RuleEngine::isCrossed(const model::triggers::SpeedLimit& trigger, float speed,
+                           Memory& memory) const
 {
     const float margin =
         trigger.isAbove != memory.wasThere ? 1.0F + kSpeedMargin : 1.0F - kSpeedMargin;
@@ -61,7 +63,7 @@ bool RuleEngine::isCrossed(const model::Trigger& trigger, float speed, Memory& m
 }
 
 /// Has stood still for so long; once for each time that he stands.
-bool RuleEngine::isTired(const model::Trigger& trigger, float speed, Memory& memory) const
+bool RuleEngine::isTired(const model::triggers::Waited& trigger, float speed, Memory& memory) const
 {
     if (speed > kStandsBelow) {
         memory.since = -1.0;
@@ -75,47 +77,52 @@ bool RuleEngine::isTired(const model::Trigger& trigger, float speed, Memory& mem
            !std::exchange(memory.wasThere, true);
 }
 
+/// At the place, or at any where it is 0.
+bool RuleEngine::hasArrived(RuleHost& host, std::uint32_t agent, model::PlaceId place) const
+{
+    const std::uint8_t happened = host.travelEvents()[agent];
+    const bool isErrand = (happened & kEndedErrand) != 0;
+    const model::PlaceId reached = isErrand ? m_minds[agent].arrived : host.reachedPlace(agent);
+    return (isErrand ? reached != 0 : (happened & kReachedPlace) != 0) &&
+           (place == 0 || reached == place);
+}
+
+/// The place, or any where it is 0.
+bool RuleEngine::isInside(RuleHost& host, std::uint32_t agent, model::PlaceId place) const
+{
+    const glm::vec3 at = host.position(agent);
+    return std::ranges::any_of(m_places.places(), [&](const model::Place& each) {
+        return (place == 0 || each.id == place) && flatDistance(each.position, at) <= each.radius;
+    });
+}
+
 bool RuleEngine::happensTo(RuleHost& host, std::uint32_t index, std::uint32_t agent)
 {
-    const model::Trigger& trigger = m_rules[index].trigger;
+    using namespace model::triggers;
     Memory& memory = m_memory[index].of[agent];
-    const std::uint8_t happened = host.travelEvents()[agent];
-    switch (trigger.kind) {
-    case model::TriggerKind::Start:
-        return !std::exchange(memory.wasThere, true);
-    case model::TriggerKind::Arrived: {
-        const bool isErrand = (happened & kEndedErrand) != 0;
-        const model::PlaceId reached = isErrand ? m_minds[agent].arrived : host.reachedPlace(agent);
-        return (isErrand ? reached != 0 : (happened & kReachedPlace) != 0) &&
-               (trigger.place == 0 || reached == trigger.place);
-    }
-    case model::TriggerKind::PathEnded:
-        return (happened & kEndedPath) != 0 &&
-               (trigger.path == 0 || host.pathOf(agent) == trigger.path);
-    case model::TriggerKind::Entered:
-    case model::TriggerKind::Left: {
-        const glm::vec3 at = host.position(agent);
-        const bool isThere = std::ranges::any_of(m_places.places(), [&](const model::Place& place) {
-            return (trigger.place == 0 || place.id == trigger.place) &&
-                   flatDistance(place.position, at) <= place.radius;
-        });
-        const bool wasThere = std::exchange(memory.wasThere, isThere);
-        return trigger.kind == model::TriggerKind::Entered ? isThere && !wasThere
-                                                           : wasThere && !isThere;
-    }
-    case model::TriggerKind::Every:
-        return isTime(host, index, agent);
-    case model::TriggerKind::SpeedLimit:
-        return isCrossed(trigger, host.speed(agent), memory);
-    case model::TriggerKind::Waited:
-        return isTired(trigger, host.speed(agent), memory);
-    case model::TriggerKind::Event:
-    case model::TriggerKind::ClipEnded:
-    case model::TriggerKind::TagNear:
-    case model::TriggerKind::AheadFree:
-        break;
-    }
-    return false;
+    return std::visit(
+        model::Overloaded{
+            [&](const Start&) { return !std::exchange(memory.wasThere, true); },
+            [&](const Arrived& each) { return hasArrived(host, agent, each.place); },
+            [&](const PathEnded& each) {
+                return (host.travelEvents()[agent] & kEndedPath) != 0 &&
+                       (each.path == 0 || host.pathOf(agent) == each.path);
+            },
+            [&](const Entered& each) {
+                const bool isThere = isInside(host, agent, each.place);
+                return !std::exchange(memory.wasThere, isThere) && isThere;
+            },
+            [&](const Left& each) {
+                const bool isThere = isInside(host, agent, each.place);
+                return std::exchange(memory.wasThere, isThere) && !isThere;
+            },
+            [&](const Every& each) { return isTime(host, index, agent, each); },
+            [&](const SpeedLimit& each) { return isCrossed(each, host.speed(agent), memory); },
+            [&](const Waited& each) { return isTired(each, host.speed(agent), memory); },
+            [](const model::triggers::Event&) { return false; }, // these do not happen to one alone
+            [](const ClipEnded&) { return false; }, [](const TagNear&) { return false; },
+            [](const AheadFree&) { return false; }},
+        m_rules[index].trigger.data);
 }
 
 void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent)
@@ -128,15 +135,15 @@ void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule, std::uint32_t agent)
 /// At those to whom it can have happened.
 void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule)
 {
-    const model::TriggerKind kind = m_rules[rule].trigger.kind;
-    if (kind == model::TriggerKind::Arrived || kind == model::TriggerKind::PathEnded) {
+    const model::Trigger& trigger = m_rules[rule].trigger;
+    if (trigger.is<model::triggers::Arrived>() || trigger.is<model::triggers::PathEnded>()) {
         for (const std::uint32_t agent : m_happenedTo) {
             lookAt(host, rule, agent);
         }
         return;
     }
     const std::vector<double>& due = m_memory[rule].due;
-    const bool isTimed = kind == model::TriggerKind::Every;
+    const bool isTimed = trigger.is<model::triggers::Every>();
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
         if (!isTimed || due[agent] <= m_now) {
             lookAt(host, rule, agent);
@@ -144,9 +151,9 @@ void RuleEngine::lookAt(RuleHost& host, std::uint32_t rule)
     }
 }
 
-void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
+void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule,
+                             const model::triggers::TagNear& trigger)
 {
-    const model::Trigger trigger = m_rules[rule].trigger;
     const std::uint64_t bit = std::uint64_t{1} << trigger.tag;
     NearCells tagged;
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
@@ -167,9 +174,8 @@ void RuleEngine::lookForTags(RuleHost& host, std::uint32_t rule)
 }
 
 /// Once for each time that the place before somebody's gets free; who is busy does it after.
-void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule)
+void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule, model::PathId path)
 {
-    const model::PathId path = m_rules[rule].trigger.path;
     for (std::uint32_t agent = 0; agent < m_minds.size(); ++agent) {
         const model::PlaceId own = m_minds[agent].holds;
         if (own == 0 || host.isGone(agent)) {
@@ -189,12 +195,13 @@ void RuleEngine::lookAhead(RuleHost& host, std::uint32_t rule)
 void RuleEngine::lookAround(RuleHost& host)
 {
     for (std::uint32_t rule = 0; rule < m_rules.size(); ++rule) {
-        const model::TriggerKind kind = m_rules[rule].trigger.kind;
-        if (kind == model::TriggerKind::TagNear) {
-            lookForTags(host, rule);
-        } else if (kind == model::TriggerKind::AheadFree) {
-            lookAhead(host, rule);
-        } else if (kind != model::TriggerKind::Event && kind != model::TriggerKind::ClipEnded) {
+        const model::Trigger& trigger = m_rules[rule].trigger;
+        if (const auto* near = trigger.as<model::triggers::TagNear>()) {
+            lookForTags(host, rule, *near);
+        } else if (const auto* ahead = trigger.as<model::triggers::AheadFree>()) {
+            lookAhead(host, rule, ahead->path);
+        } else if (!trigger.is<model::triggers::Event>() &&
+                   !trigger.is<model::triggers::ClipEnded>()) {
             lookAt(host, rule);
         }
     }
@@ -203,38 +210,34 @@ void RuleEngine::lookAround(RuleHost& host)
 bool RuleEngine::holds(RuleHost& host, const model::Condition& condition, std::uint64_t key,
                        std::uint32_t agent, const Cause& cause)
 {
-    const auto isSo = [&condition](float asked) {
-        return compares(asked, condition.comparison, condition.value);
+    using namespace model::conditions;
+    const auto isSo = [](float asked, const auto& each) {
+        return compares(asked, each.comparison, each.value);
     };
-    switch (condition.kind) {
-    case model::ConditionKind::HasTag:
-        return (m_minds[agent].tags >> condition.tag & 1U) != 0;
-    case model::ConditionKind::OfTemplate:
-        return host.templateOf(agent) == condition.templateId;
-    case model::ConditionKind::InPlace:
-        return m_places.isInside(condition.place, host.position(agent));
-    case model::ConditionKind::FollowsPath:
-        return condition.path == 0 ? host.pathOf(agent) != 0 : host.pathOf(agent) == condition.path;
-    case model::ConditionKind::IsSeated:
-        return host.isSeated(agent);
-    case model::ConditionKind::Chance:
-        return draw(host, agent, key) < condition.chance;
-    case model::ConditionKind::Number:
-        return isSo(number(agent, condition.number));
-    case model::ConditionKind::Speed:
-        return isSo(host.speed(agent));
-    case model::ConditionKind::Payload:
-        return isSo(cause.payload);
-    case model::ConditionKind::IsFull:
-        return rooms(host).isFull(condition.place);
-    case model::ConditionKind::PeopleIn:
-        return isSo(static_cast<float>(rooms(host).inside(condition.place)));
-    case model::ConditionKind::Property:
-        return condition.property == model::ComparedProperty::Clip
-                   ? host.showsClip(agent, condition.clip)
-                   : isSo(host.property(agent, condition.property));
-    }
-    return false;
+    return std::visit(
+        model::Overloaded{
+            [&](const HasTag& each) { return (m_minds[agent].tags >> each.tag & 1U) != 0; },
+            [&](const OfTemplate& each) { return host.templateOf(agent) == each.templateId; },
+            [&](const InPlace& each) {
+                return m_places.isInside(each.place, host.position(agent));
+            },
+            [&](const FollowsPath& each) {
+                return each.path == 0 ? host.pathOf(agent) != 0 : host.pathOf(agent) == each.path;
+            },
+            [&](const IsSeated&) { return host.isSeated(agent); },
+            [&](const Chance& each) { return draw(host, agent, key) < each.chance; },
+            [&](const Number& each) { return isSo(number(agent, each.number), each); },
+            [&](const Speed& each) { return isSo(host.speed(agent), each); },
+            [&](const Payload& each) { return isSo(cause.payload, each); },
+            [&](const IsFull& each) { return rooms(host).isFull(each.place); },
+            [&](const PeopleIn& each) {
+                return isSo(static_cast<float>(rooms(host).inside(each.place)), each);
+            },
+            [&](const Property& each) {
+                return each.isClip() ? host.showsClip(agent, each.clip)
+                                     : isSo(host.property(agent, each.property), each);
+            }},
+        condition.data);
 }
 
 } // namespace crowd::behavior

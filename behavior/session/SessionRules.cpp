@@ -193,7 +193,7 @@ bool SessionRules::showsClip(std::uint32_t agent, const std::string& clip) const
     return named >= 0 && static_cast<int>(m_parts.animation.shown(agent).clip.clip) == named;
 }
 
-void SessionRules::setTint(std::uint32_t agent, const model::Action& action)
+void SessionRules::setTint(std::uint32_t agent, const model::actions::SetProperty& action)
 {
     const model::TemplateEntry* entry = m_parts.templates.entry(m_parts.agents.table[agent]);
     const std::size_t count =
@@ -204,12 +204,12 @@ void SessionRules::setTint(std::uint32_t agent, const model::Action& action)
         const model::Slot& each = entry->asset->slots[slot];
         if (action.slot.empty() ? each.tintable : each.name == action.slot) {
             m_parts.overrides.set(model::columns::tint(static_cast<int>(slot)), id(agent),
-                                  action.tint);
+                                  action.tint());
         }
     }
 }
 
-void SessionRules::setProperty(std::uint32_t agent, const model::Action& action,
+void SessionRules::setProperty(std::uint32_t agent, const model::actions::SetProperty& action,
                                const std::string& clip)
 {
     AgentColumns& agents = m_parts.agents;

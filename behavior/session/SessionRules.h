@@ -48,12 +48,12 @@ public:
     [[nodiscard]] float property(std::uint32_t agent,
                                  model::ComparedProperty property) const override;
     [[nodiscard]] bool showsClip(std::uint32_t agent, const std::string& clip) const override;
-    void setProperty(std::uint32_t agent, const model::Action& action,
+    void setProperty(std::uint32_t agent, const model::actions::SetProperty& action,
                      const std::string& clip) override;
     void noteTags(std::uint32_t agent, std::uint64_t tags) override;
 
 private:
-    void setTint(std::uint32_t agent, const model::Action& action);
+    void setTint(std::uint32_t agent, const model::actions::SetProperty& action);
 
     SessionParts& m_parts;
 };

@@ -161,21 +161,11 @@ ValidationRow jumpingPath()
 std::vector<ValidationRow> sequence()
 {
     model::Scene scene = walkerOn({{0.0F, 0.0F, 0.0F}}, model::PathKind::Simple);
-    const auto action = [](model::ActionKind kind, float seconds, std::uint8_t tag) {
-        model::Action made;
-        made.kind = kind;
-        made.seconds = seconds;
-        made.tag = tag;
-        made.event = kind == model::ActionKind::WaitForEvent ? "never" : "";
-        return made;
-    };
     model::Rule rule;
     rule.id = 1;
-    rule.trigger.event = "go";
-    rule.actions = {action(model::ActionKind::WaitForEvent, 1.0F, 0),
-                    action(model::ActionKind::AddTag, 0.0F, 1),
-                    action(model::ActionKind::WaitForEvent, 0.5F, 0),
-                    action(model::ActionKind::AddTag, 0.0F, 2)};
+    rule.trigger = model::triggers::Event{"go"};
+    rule.actions = {model::actions::WaitForEvent{"never", 1.0F}, model::actions::AddTag{1},
+                    model::actions::WaitForEvent{"never", 0.5F}, model::actions::AddTag{2}};
     scene.rules = {rule};
     Session session(scene);
     session.send("go", 0.0F, {1});

@@ -6,7 +6,7 @@
 
 #include "behavior/session/Session.h"
 #include "behavior/workload/Workload.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 
 namespace crowd::behavior {
 

@@ -6,17 +6,11 @@
 #include <locale>
 #include <sstream>
 
+#include "model/base/Overloaded.h"
+
 namespace crowd::model {
 
 namespace {
-
-template<class... Visitors>
-struct Overloaded : Visitors...
-{
-    using Visitors::operator()...;
-};
-template<class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 bool isWithin(const FieldMeta& meta, double value)
 {

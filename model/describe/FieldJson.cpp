@@ -13,10 +13,6 @@
 namespace crowd::model {
 
 namespace {
-static_assert(true);
-void readWithin(JsonFields& fields, const char* key, float low, float high, float& value);
-std::string colorText(const PaintColor& color);
-void readColor(JsonFields& fields, const char* key, PaintColor& color);
 
 using nlohmann::json;
 
@@ -57,19 +53,19 @@ json toJson(const FieldMeta&, bool value)
 }
 json toJson(const FieldMeta& meta, std::int64_t value)
 {
-    if (meta.choices.empty()) {
-        return value;
+    if (meta.choices.empty()) { // as it is read: only what is negative has a sign
+        return value < 0 ? json(value) : json(static_cast<std::uint64_t>(value));
     }
     const auto index = static_cast<std::size_t>(value);
     return index < meta.choices.size() ? json(meta.choices[index].key) : json();
 }
-json toJson(const FieldMeta&, double value)
-{
-    return value;
-}
 json toJson(const FieldMeta&, float value)
 {
     return number(value);
+}
+json toJson(const FieldMeta&, double value)
+{
+    return value;
 }
 json toJson(const FieldMeta&, const std::string& value)
 {
@@ -184,9 +180,16 @@ void readValue(JsonFields& fields, const FieldMeta& meta, float& value)
 }
 void readValue(JsonFields& fields, const FieldMeta& meta, double& value)
 {
-    auto narrow = static_cast<float>(value);
-    readValue(fields, meta, narrow);
-    value = static_cast<double>(narrow);
+    const json* found = fields.find(meta.key);
+    if (found != nullptr && !JsonFields::isFinite(*found)) {
+        fields.complain(meta.key, "must be a finite number");
+        return;
+    }
+    value = found != nullptr ? found->get<double>() : value;
+    if (!(value >= meta.low && value <= meta.high)) {
+        fields.complain(meta.key, "must lie between " + std::to_string(meta.low) + " and " +
+                                      std::to_string(meta.high));
+    }
 }
 void readValue(JsonFields& fields, const FieldMeta& meta, std::string& value)
 {
@@ -399,7 +402,6 @@ void readField(JsonFields& source, const FieldInfo& field, void* data, WrongValu
     }
 }
 
-namespace {
 void readWithin(JsonFields& fields, const char* key, float low, float high, float& value)
 {
     fields.read(key, value);
@@ -408,16 +410,12 @@ void readWithin(JsonFields& fields, const char* key, float low, float high, floa
                         "must lie between " + std::to_string(low) + " and " + std::to_string(high));
     }
 }
-} // namespace
 
-namespace {
 std::string colorText(const PaintColor& color)
 {
     return hexText(color);
 }
-} // namespace
 
-namespace {
 void readColor(JsonFields& fields, const char* key, PaintColor& color)
 {
     std::string text = colorText(color);
@@ -426,6 +424,5 @@ void readColor(JsonFields& fields, const char* key, PaintColor& color)
         fields.complain(key, "must be a colour, as \"#f0962c\"");
     }
 }
-} // namespace
 
 } // namespace crowd::model

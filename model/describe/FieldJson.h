@@ -30,4 +30,10 @@ void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* dat
 void readField(JsonFields& source, const FieldInfo& field, void* data,
                WrongValue wrong = WrongValue::Complain);
 
+/// A number within limits.
+void readWithin(JsonFields& fields, const char* key, float low, float high, float& value);
+/// "#rrggbb".
+[[nodiscard]] std::string colorText(const PaintColor& color);
+void readColor(JsonFields& fields, const char* key, PaintColor& color);
+
 } // namespace crowd::model

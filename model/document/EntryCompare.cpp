@@ -91,30 +91,37 @@ bool isSame(const Path& a, const Path& b)
 
 namespace {
 
-bool isSame(const Trigger& a, const Trigger& b)
+/// Of values that are equal.
+bool isSame(const FieldValue& a, const FieldValue& b)
 {
-    return isSame(a.seconds, b.seconds) && isSame(a.jitter, b.jitter) &&
-           isSame(a.metres, b.metres) && isSame(a.metresPerSecond, b.metresPerSecond);
+    if (const auto* number = std::get_if<float>(&a)) {
+        return isSame(*number, std::get<float>(b));
+    }
+    if (const auto* number = std::get_if<double>(&a)) {
+        return std::bit_cast<std::uint64_t>(*number) ==
+               std::bit_cast<std::uint64_t>(std::get<double>(b));
+    }
+    if (const auto* clips = std::get_if<std::vector<ClipWeight>>(&a)) {
+        return std::ranges::equal(
+            *clips, std::get<std::vector<ClipWeight>>(b),
+            [](const ClipWeight& x, const ClipWeight& y) { return isSame(x.weight, y.weight); });
+    }
+    return true;
 }
 
-bool isSame(const Condition& a, const Condition& b)
+/// Of parts of rules that are equal.
+template<class Part>
+bool isSamePart(const Part& a, const Part& b)
 {
-    return isSame(a.chance, b.chance) && isSame(a.value, b.value);
-}
-
-bool isSame(const Action& a, const Action& b)
-{
-    return isSame(a.seconds, b.seconds) && isSame(a.value, b.value) && isSame(a.metres, b.metres) &&
-           isSame(a.secondsPerMetre, b.secondsPerMetre) && isSame(a.weight, b.weight) &&
-           std::ranges::equal(a.clips, b.clips, [](const ClipWeight& x, const ClipWeight& y) {
-               return isSame(x.weight, y.weight);
-           });
+    return std::ranges::all_of(a.kind().fields, [&](const FieldInfo& field) {
+        return isSame(field.get(a.object()), field.get(b.object()));
+    });
 }
 
 template<class Part>
 bool areSame(const std::vector<Part>& a, const std::vector<Part>& b)
 {
-    return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return isSame(x, y); });
+    return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return isSamePart(x, y); });
 }
 
 } // namespace
@@ -123,7 +130,7 @@ bool isSame(const std::vector<Rule>& a, const std::vector<Rule>& b)
 {
     return a == b && std::ranges::equal(a, b, [](const Rule& x, const Rule& y) {
                return isSame(x.cooldownSeconds, y.cooldownSeconds) &&
-                      isSame(x.trigger, y.trigger) && areSame(x.conditions, y.conditions) &&
+                      isSamePart(x.trigger, y.trigger) && areSame(x.conditions, y.conditions) &&
                       areSame(x.actions, y.actions);
            });
 }

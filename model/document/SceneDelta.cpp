@@ -63,16 +63,27 @@ std::size_t bytesOf(const Path& path)
            path.places.size() * sizeof(PlaceId) + path.branches.size() * sizeof(PathBranch);
 }
 
+/// Of a field, what lies outside its struct.
+std::size_t bytesOutside(const FieldValue& value)
+{
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        return text->size();
+    }
+    const auto* clips = std::get_if<std::vector<ClipWeight>>(&value);
+    return clips != nullptr ? clips->size() * sizeof(ClipWeight) : 0;
+}
+
 std::size_t bytesOf(const std::vector<Rule>& rules)
 {
     std::size_t total = 0;
     for (const Rule& rule : rules) {
         total += sizeof(rule) + rule.name.size() + rule.unknownMembers.size() +
                  rule.conditions.size() * sizeof(Condition) + rule.actions.size() * sizeof(Action);
-        for (const Action& action : rule.actions) {
-            total +=
-                action.event.size() + action.slot.size() + action.clips.size() * sizeof(ClipWeight);
-        }
+        forEachPart(rule, [&total](const RuleKind& kind, const void* object) {
+            for (const FieldInfo& field : kind.fields) {
+                total += bytesOutside(field.get(object));
+            }
+        });
     }
     return total;
 }

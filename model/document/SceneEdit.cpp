@@ -51,12 +51,8 @@ PathId highestPathNamed(const Scene& scene)
         highest = std::max(highest, path);
     }
     for (const Rule& rule : scene.rules) {
-        highest = std::max(highest, rule.trigger.path);
-        for (const Condition& condition : rule.conditions) {
-            highest = std::max(highest, condition.path);
-        }
-        for (const Action& action : rule.actions) {
-            highest = std::max(highest, action.path);
+        for (const PathId path : idsNamedIn(rule, FieldRole::Path)) {
+            highest = std::max(highest, path);
         }
     }
     return highest;
@@ -66,12 +62,8 @@ PlaceId highestPlaceNamed(const Scene& scene)
 {
     PlaceId highest = 0;
     for (const Rule& rule : scene.rules) {
-        highest = std::max(highest, rule.trigger.place);
-        for (const Condition& condition : rule.conditions) {
-            highest = std::max(highest, condition.place);
-        }
-        for (const Action& action : rule.actions) {
-            highest = std::max(highest, action.place);
+        for (const PlaceId place : idsNamedIn(rule, FieldRole::Place)) {
+            highest = std::max(highest, place);
         }
     }
     return highest;

@@ -43,15 +43,20 @@ struct RuleNames
 private:
     void addNames(const Rule& rule)
     {
-        for (const Condition& condition : rule.conditions) {
-            clips.insert(condition.clip);
-        }
-        for (const Action& action : rule.actions) {
-            slots.insert(action.slot);
-            for (const ClipWeight& each : action.clips) {
-                clips.insert(each.clip);
+        forEachPart(rule, [this](const RuleKind& kind, const void* object) {
+            for (const FieldInfo& field : kind.fields) {
+                const FieldValue value = field.get(object);
+                if (const auto* all = std::get_if<std::vector<ClipWeight>>(&value)) {
+                    for (const ClipWeight& each : *all) {
+                        clips.insert(each.clip);
+                    }
+                } else if (field.meta.role == FieldRole::Clip) {
+                    clips.insert(std::get<std::string>(value));
+                } else if (field.meta.role == FieldRole::Slot) {
+                    slots.insert(std::get<std::string>(value));
+                }
             }
-        }
+        });
     }
 };
 
@@ -81,25 +86,39 @@ void checkName(const std::set<std::string>& known, const std::string& name, cons
     }
 }
 
+/// Of one part of a rule, whose place is `where`.
+template<class Data>
+void checkPartNames(const RuleNames& names, const RulePart<Data>& part, const std::string& where,
+                    std::string& problem)
+{
+    for (const FieldInfo& field : part.kind().fields) {
+        const FieldValue value = field.get(part.object());
+        const std::string place = where + "." + field.meta.key;
+        if (const auto* clips = std::get_if<std::vector<ClipWeight>>(&value)) {
+            for (std::size_t c = 0; c < clips->size() && names.areClipsKnown; ++c) {
+                checkName(names.clips, (*clips)[c].clip, "clip",
+                          place + "[" + std::to_string(c) + "].clip", problem);
+            }
+        } else if (field.meta.role == FieldRole::Clip && names.areClipsKnown) {
+            checkName(names.clips, std::get<std::string>(value), "clip", place, problem);
+        } else if (field.meta.role == FieldRole::Slot && names.areSlotsKnown) {
+            checkName(names.slots, std::get<std::string>(value), "slot", place, problem);
+        }
+    }
+}
+
 void checkRuleNames(const RuleNames& names, const Scene& scene, std::string& problem)
 {
     for (std::size_t r = 0; r < scene.rules.size(); ++r) {
         const Rule& rule = scene.rules[r];
         const std::string where = "rules[" + std::to_string(r) + "]";
-        for (std::size_t i = 0; i < rule.conditions.size() && names.areClipsKnown; ++i) {
-            checkName(names.clips, rule.conditions[i].clip, "clip",
-                      where + ".if[" + std::to_string(i) + "].clip", problem);
+        for (std::size_t i = 0; i < rule.conditions.size(); ++i) {
+            checkPartNames(names, rule.conditions[i], where + ".if[" + std::to_string(i) + "]",
+                           problem);
         }
         for (std::size_t i = 0; i < rule.actions.size(); ++i) {
-            const Action& action = rule.actions[i];
-            const std::string place = where + ".do[" + std::to_string(i) + "]";
-            for (std::size_t c = 0; c < action.clips.size() && names.areClipsKnown; ++c) {
-                checkName(names.clips, action.clips[c].clip, "clip",
-                          place + ".clips[" + std::to_string(c) + "].clip", problem);
-            }
-            if (names.areSlotsKnown) {
-                checkName(names.slots, action.slot, "slot", place + ".slot", problem);
-            }
+            checkPartNames(names, rule.actions[i], where + ".do[" + std::to_string(i) + "]",
+                           problem);
         }
     }
 }

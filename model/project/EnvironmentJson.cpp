@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/EnvironmentJson.h"
 
-#include <charconv>
-
 #include "model/project/JsonWriting.h"
 
 namespace crowd::model {
@@ -155,33 +153,6 @@ void checkNames(const Scene& scene, std::string& problem)
 }
 
 } // namespace
-
-std::string colorText(const std::array<std::uint8_t, 3>& color)
-{
-    static constexpr char kHex[] = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t byte : color) {
-        text += kHex[byte >> 4U];
-        text += kHex[byte & 15U];
-    }
-    return text;
-}
-
-void readColor(JsonFields& fields, const char* key, std::array<std::uint8_t, 3>& color)
-{
-    std::string text = colorText(color);
-    fields.read(key, text);
-    if (text.size() == 7 && text[0] == '#') {
-        unsigned value = 0;
-        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-        if (error == std::errc() && end == text.data() + 7) {
-            color = {static_cast<std::uint8_t>(value >> 16U),
-                     static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)};
-            return;
-        }
-    }
-    fields.complain(key, "must be a colour, as \"#f0962c\"");
-}
 
 json surfaceJson(const SurfaceSettings& surface)
 {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "model/describe/FieldJson.h"
 #include "model/project/JsonFields.h"
 #include "model/scene/Scene.h"
 
@@ -21,10 +22,6 @@ void readEnvironment(JsonFields& top, Scene& scene, std::string& problem);
 
 void writeRules(const Scene& scene, nlohmann::json& top);
 void readRules(JsonFields& top, Scene& scene, std::string& problem);
-
-/// "#rrggbb".
-[[nodiscard]] std::string colorText(const std::array<std::uint8_t, 3>& color);
-void readColor(JsonFields& fields, const char* key, std::array<std::uint8_t, 3>& color);
 
 /// A choice among names; complains with all of them.
 template<std::size_t N, class Enum>
@@ -44,16 +41,6 @@ void readName(JsonFields& fields, const char* key, const std::array<const char*,
         all += (all.empty() ? "" : ", ") + std::string(name);
     }
     fields.complain(key, "must be one of: " + all);
-}
-
-/// A number within limits.
-inline void readWithin(JsonFields& fields, const char* key, float low, float high, float& value)
-{
-    fields.read(key, value);
-    if (!(value >= low && value <= high)) {
-        fields.complain(key,
-                        "must lie between " + std::to_string(low) + " and " + std::to_string(high));
-    }
 }
 
 /// Calls read(fields, place) for each object of a list.

@@ -52,9 +52,13 @@ public:
             add(rule.trigger.unknownMembers);
             addAll(rule.conditions);
             addAll(rule.actions);
-            for (const Action& action : rule.actions) {
-                addAll(action.clips);
-            }
+            forEachPart(rule, [this](const RuleKind& kind, const void* object) {
+                for (const FieldInfo& field : kind.fields) {
+                    if (field.is<std::vector<ClipWeight>>()) {
+                        addAll(std::get<std::vector<ClipWeight>>(field.get(object)));
+                    }
+                }
+            });
         }
         addAll(scene.tags);
         addAll(scene.numbers);

@@ -7,7 +7,8 @@
 
 #include "model/project/EnvironmentJson.h"
 #include "model/project/JsonWriting.h"
-#include "model/scene/RuleSequence.h"
+#include "model/rules/Rule.h"
+#include "model/rules/RuleSequence.h"
 
 namespace crowd::model {
 
@@ -15,30 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kTriggers{"start",    "event",       "arrived",    "entered",
-                               "left",     "path ended",  "clip ended", "every",
-                               "tag near", "speed limit", "waited",     "ahead free"};
-constexpr std::array kConditions{"tag",     "template", "in place",  "follows",
-                                 "seated",  "chance",   "number",    "speed",
-                                 "payload", "full",     "people in", "property"};
-constexpr std::array kActions{
-    "play",          "follow", "go to",        "flee",          "stop",           "go on",
-    "wait",          "speed",  "turn",         "tag",           "untag",          "send",
-    "leave scene",   "again",  "sit down",     "stand up",      "wait for event", "set number",
-    "add to number", "appear", "go to person", "follow person", "look at",        "set property",
-    "repeat",        "one of"};
-constexpr std::array kComparedProperties{"height", "girth", "playback speed", "walk speed", "clip"};
-constexpr std::array kSettableProperties{"tint", "height", "playback speed", "clip", "phase"};
-constexpr std::array kComparisons{"less", "equal", "more"};
-constexpr std::array kChoices{"given", "nearest", "nearest free", "first free", "ahead"};
-constexpr std::array kAims{"sender", "tagged", "place"};
 constexpr std::array kYields{"further up", "anybody", "nobody"};
 constexpr std::array kCueReaches{"everybody", "selected", "tagged"};
-constexpr std::array<const char*, 5> kReaches{"self", "near", "tagged", "group", "everybody"};
 constexpr std::array<const char*, 3> kMeetings{"interrupt", "queue", "ignore"};
 constexpr std::array<std::string_view, 8> kCueKeys{"F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10"};
-constexpr float kMaxSeconds = 86400.0F;
-constexpr float kMaxMetres = 10000.0F;
 constexpr float kMaxPayload = 1e6F;
 constexpr std::size_t kMaxParts = 1000; ///< of one rule
 
@@ -48,69 +29,13 @@ const char* nameOf(const std::array<const char*, N>& names, Enum value)
     return names[static_cast<std::size_t>(value)];
 }
 
-json toJson(const Trigger& trigger)
+/// The kind and what it has; `own` are members that all kinds have.
+template<class Data>
+json partJson(const RulePart<Data>& part, json own = json::object())
 {
-    return withUnknown(trigger.unknownMembers,
-                       {{"kind", nameOf(kTriggers, trigger.kind)},
-                        {"event", trigger.event},
-                        {"place", trigger.place},
-                        {"path", trigger.path},
-                        {"seconds", number(trigger.seconds)},
-                        {"jitter", number(trigger.jitter)},
-                        {"tag", trigger.tag},
-                        {"metres", number(trigger.metres)},
-                        {"metresPerSecond", number(trigger.metresPerSecond)},
-                        {"above", trigger.isAbove}});
-}
-
-json toJson(const Condition& condition)
-{
-    return withUnknown(condition.unknownMembers,
-                       {{"kind", nameOf(kConditions, condition.kind)},
-                        {"not", condition.isNot},
-                        {"tag", condition.tag},
-                        {"template", condition.templateId},
-                        {"place", condition.place},
-                        {"path", condition.path},
-                        {"chance", number(condition.chance)},
-                        {"number", condition.number},
-                        {"compare", nameOf(kComparisons, condition.comparison)},
-                        {"value", number(condition.value)},
-                        {"property", nameOf(kComparedProperties, condition.property)},
-                        {"clip", condition.clip}});
-}
-
-json toJson(const Action& action)
-{
-    json clips = json::array();
-    for (const ClipWeight& clip : action.clips) {
-        clips.push_back(withUnknown(clip.unknownMembers,
-                                    {{"clip", clip.clip}, {"weight", number(clip.weight)}}));
-    }
-    return withUnknown(
-        action.unknownMembers,
-        {{"kind", nameOf(kActions, action.kind)},
-         {"clips", clips},
-         {"loop", action.isLooped},
-         {"seconds", number(action.seconds)},
-         {"path", action.path},
-         {"place", action.place},
-         {"value", number(action.value)},
-         {"tag", action.tag},
-         {"event", action.event},
-         {"reach", nameOf(kReaches, action.reach)},
-         {"metres", number(action.metres)},
-         {"secondsPerMetre", number(action.secondsPerMetre)},
-         {"choice", nameOf(kChoices, action.choice)},
-         {"number", action.number},
-         {"aim", nameOf(kAims, action.aim)},
-         {"property", nameOf(kSettableProperties, action.property)},
-         {"slot", action.slot},
-         {"color", colorText({action.tint.red, action.tint.green, action.tint.blue})},
-         {"strength", action.tint.strength},
-         {"depth", action.depth},
-         {"times", action.times},
-         {"weight", number(action.weight)}});
+    own["kind"] = part.kind().text.key;
+    addFields(own, part.kind().fields, part.object());
+    return withUnknown(part.unknownMembers, own);
 }
 
 json toJson(const Rule& rule)
@@ -118,7 +43,7 @@ json toJson(const Rule& rule)
     json object = {{"id", rule.id},
                    {"name", rule.name},
                    {"enabled", rule.isEnabled},
-                   {"when", toJson(rule.trigger)},
+                   {"when", partJson(rule.trigger)},
                    {"if", json::array()},
                    {"any", rule.isAnyEnough},
                    {"do", json::array()},
@@ -127,10 +52,10 @@ json toJson(const Rule& rule)
                    {"cooldown", number(rule.cooldownSeconds)},
                    {"limit", rule.limit}};
     for (const Condition& condition : rule.conditions) {
-        object["if"].push_back(toJson(condition));
+        object["if"].push_back(partJson(condition, json::object({{"not", condition.isNot}})));
     }
     for (const Action& action : rule.actions) {
-        object["do"].push_back(toJson(action));
+        object["do"].push_back(partJson(action, json::object({{"depth", action.depth}})));
     }
     return withUnknown(rule.unknownMembers, object);
 }
@@ -143,76 +68,97 @@ void readTag(JsonFields& fields, const char* key, std::uint8_t& tag)
     }
 }
 
+/// A field of one of several kinds.
+struct ForeignField
+{
+    std::size_t kind;
+    const FieldInfo* field;
+};
+
+/// All fields of all kinds, each key once.
+std::vector<ForeignField> allFields(std::span<const RuleKind> kinds)
+{
+    std::vector<ForeignField> all;
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        for (const FieldInfo& field : kinds[kind].fields) {
+            const std::string_view key(field.meta.key);
+            const bool isKnown = std::ranges::any_of(
+                all, [key](const ForeignField& each) { return key == each.field->meta.key; });
+            if (field.meta.isStored && !isKnown) {
+                all.push_back({kind, &field});
+            }
+        }
+    }
+    return all;
+}
+
+/// Files from before each kind had fields of its own hold those of all kinds: they must be right
+/// and are then forgotten.
+template<class Data>
+void skipForeignFields(JsonFields& fields, const RulePart<Data>& part)
+{
+    static const std::vector<ForeignField> kAll = allFields(kindsOf<Data>());
+    RulePart<Data> other;
+    for (const ForeignField& each : kAll) {
+        const std::string_view key(each.field->meta.key);
+        const bool isOwn = std::ranges::any_of(
+            part.kind().fields, [key](const FieldInfo& own) { return key == own.meta.key; });
+        if (!isOwn && fields.find(key) != nullptr) {
+            other.begin(each.kind);
+            readField(fields, *each.field, other.object());
+        }
+    }
+}
+
+template<class Data>
+void readKind(JsonFields& fields, RulePart<Data>& part)
+{
+    const std::span<const RuleKind> kinds = kindsOf<Data>();
+    std::string key = part.kind().text.key;
+    fields.read("kind", key);
+    const std::size_t index = indexOfKind(kinds, key);
+    if (index < kinds.size()) {
+        part.begin(index);
+        return;
+    }
+    std::string all;
+    for (const RuleKind& kind : kinds) {
+        all += (all.empty() ? "" : ", ") + std::string(kind.text.key);
+    }
+    fields.complain("kind", "must be one of: " + all);
+}
+
+template<class Data>
+void readPart(JsonFields& fields, RulePart<Data>& part)
+{
+    readFields(fields, part.kind().fields, part.object());
+    skipForeignFields(fields, part);
+    part.unknownMembers = fields.unknown();
+}
+
 void readTrigger(JsonFields fields, Trigger& trigger)
 {
-    readName(fields, "kind", kTriggers, trigger.kind);
-    fields.read("event", trigger.event);
-    fields.read("place", trigger.place);
-    fields.read("path", trigger.path);
-    readWithin(fields, "seconds", 0.0F, kMaxSeconds, trigger.seconds);
-    readWithin(fields, "jitter", 0.0F, 1.0F, trigger.jitter);
-    readTag(fields, "tag", trigger.tag);
-    readWithin(fields, "metres", 0.0F, kMaxMetres, trigger.metres);
-    readWithin(fields, "metresPerSecond", 0.0F, kMaxWalkingSpeed * 10.0F, trigger.metresPerSecond);
-    fields.read("above", trigger.isAbove);
-    trigger.unknownMembers = fields.unknown();
+    readKind(fields, trigger);
+    readPart(fields, trigger);
 }
 
 void readCondition(JsonFields fields, Condition& condition)
 {
-    readName(fields, "kind", kConditions, condition.kind);
+    readKind(fields, condition);
     fields.read("not", condition.isNot);
-    readTag(fields, "tag", condition.tag);
-    fields.read("template", condition.templateId);
-    fields.read("place", condition.place);
-    fields.read("path", condition.path);
-    readWithin(fields, "chance", 0.0F, 1.0F, condition.chance);
-    fields.read("number", condition.number);
-    readName(fields, "compare", kComparisons, condition.comparison);
-    readWithin(fields, "value", -kMaxNumber, kMaxNumber, condition.value);
-    readName(fields, "property", kComparedProperties, condition.property);
-    fields.read("clip", condition.clip);
-    condition.unknownMembers = fields.unknown();
+    readPart(fields, condition);
 }
 
-void readAction(JsonFields fields, Action& action, const std::string& where, std::string& problem)
+void readAction(JsonFields fields, Action& action)
 {
-    readName(fields, "kind", kActions, action.kind);
-    readObjects(fields, "clips", where + ".", problem, [&](JsonFields clip, const std::string&) {
-        ClipWeight& read = action.clips.emplace_back();
-        clip.require("clip", read.clip);
-        readWithin(clip, "weight", 0.0F, kMaxPayload, read.weight);
-        read.unknownMembers = clip.unknown();
-    });
-    fields.read("loop", action.isLooped);
-    readWithin(fields, "seconds", 0.0F, kMaxSeconds, action.seconds);
-    fields.read("path", action.path);
-    fields.read("place", action.place);
-    readWithin(fields, "value", -kMaxPayload, kMaxPayload, action.value);
-    readTag(fields, "tag", action.tag);
-    fields.read("event", action.event);
-    readName(fields, "reach", kReaches, action.reach);
-    readWithin(fields, "metres", 0.0F, kMaxMetres, action.metres);
-    readWithin(fields, "secondsPerMetre", 0.0F, kMaxSeconds, action.secondsPerMetre);
-    readName(fields, "choice", kChoices, action.choice);
-    fields.read("number", action.number);
-    // Files from before there were aims turn people to the place that is given.
-    const bool isToPlace = action.kind == ActionKind::TurnTo && action.place != 0;
-    action.aim = isToPlace ? ActionAim::Place : ActionAim::Sender;
-    readName(fields, "aim", kAims, action.aim);
-    readName(fields, "property", kSettableProperties, action.property);
-    fields.read("slot", action.slot);
-    std::array<std::uint8_t, 3> color{action.tint.red, action.tint.green, action.tint.blue};
-    readColor(fields, "color", color);
-    action.tint = {color[0], color[1], color[2], action.tint.strength};
-    fields.read("strength", action.tint.strength);
-    fields.read("depth", action.depth);
-    fields.read("times", action.times);
-    if (action.times > kMaxTimes) {
-        fields.complain("times", "must be at most " + std::to_string(kMaxTimes));
+    readKind(fields, action);
+    if (auto* turn = action.as<actions::TurnTo>()) {
+        // Files from before there were aims turn people to the place that is given.
+        fields.read("place", turn->place);
+        turn->aim = turn->place != 0 ? ActionAim::Place : ActionAim::Sender;
     }
-    readWithin(fields, "weight", 0.0F, kMaxPayload, action.weight);
-    action.unknownMembers = fields.unknown();
+    fields.read("depth", action.depth);
+    readPart(fields, action);
 }
 
 Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
@@ -228,8 +174,8 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
         readCondition(std::move(item), rule.conditions.emplace_back());
     });
     fields.read("any", rule.isAnyEnough);
-    readObjects(fields, "do", where + ".", problem, [&](JsonFields item, const std::string& place) {
-        readAction(std::move(item), rule.actions.emplace_back(), place, problem);
+    readObjects(fields, "do", where + ".", problem, [&](JsonFields item, const std::string&) {
+        readAction(std::move(item), rule.actions.emplace_back());
     });
     settleDepths(rule.actions);
     readName(fields, "meeting", kMeetings, rule.meeting);

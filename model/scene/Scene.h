@@ -13,7 +13,7 @@
 
 #include "model/population/Population.h"
 #include "model/scene/Path.h"
-#include "model/scene/Rule.h"
+#include "model/rules/Rule.h"
 #include "model/scene/Stage.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"

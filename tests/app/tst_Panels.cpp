@@ -70,19 +70,32 @@ model::Rule ruleOfEverything()
 {
     model::Rule rule;
     rule.id = 1;
-    rule.trigger.kind = model::TriggerKind::TagNear;
-    for (int kind = 0; kind <= static_cast<int>(model::ConditionKind::Property); ++kind) {
+    rule.trigger = model::triggers::TagNear();
+    for (std::size_t kind = 0; kind < model::kindsOf<model::ConditionData>().size(); ++kind) {
         model::Condition& condition = rule.conditions.emplace_back();
-        condition.kind = static_cast<model::ConditionKind>(kind);
+        condition.begin(kind);
         condition.isNot = true;
-        condition.value = -12.5F;
+        std::visit(
+            [](auto& each) {
+                if constexpr (requires { each.value; }) {
+                    each.value = -12.5F;
+                }
+            },
+            condition.data);
     }
-    for (int kind = 0; kind <= static_cast<int>(model::ActionKind::OneOf); ++kind) {
+    for (std::size_t kind = 0; kind < model::kindsOf<model::ActionData>().size(); ++kind) {
         model::Action& action = rule.actions.emplace_back();
-        action.kind = static_cast<model::ActionKind>(kind);
-        action.choice = model::PlaceChoice::NearestFree;
-        action.reach = model::EventReach::Near;
-        action.aim = model::ActionAim::Tagged;
+        action.begin(kind);
+        std::visit(
+            [](auto& each) {
+                if constexpr (requires { each.choice; }) {
+                    each.choice = model::PlaceChoice::NearestFree;
+                }
+                if constexpr (requires { each.aim; }) {
+                    each.aim = model::ActionAim::Tagged;
+                }
+            },
+            action.data);
     }
     return rule;
 }
@@ -220,8 +233,8 @@ void PanelsTest::cueKeysWorkThoughTheRulesWereNeverShown()
     scene.cues.push_back({1, {}, "clap", 0.0F, "F3"});
     model::Rule rule;
     rule.id = 1;
-    rule.trigger.event = "clap";
-    rule.actions.emplace_back().kind = model::ActionKind::AddTag;
+    rule.trigger = model::triggers::Event{"clap"};
+    rule.actions.emplace_back(model::actions::AddTag());
     scene.rules = {rule};
     openScene(scene, QStringLiteral("a.crowd"));
     QVERIFY(m_window->docks()[7]->visibleRegion().isEmpty());

@@ -12,9 +12,11 @@
 /// People with clips to stand, walk, run, clap and sit with, for tests of sessions.
 namespace crowd::testing {
 
+namespace actions = model::actions;
+namespace conditions = model::conditions;
+namespace triggers = model::triggers;
 using behavior::Session;
 using model::Action;
-using model::ActionKind;
 using model::Rule;
 
 inline model::TemplateEntry actorTemplate()
@@ -71,16 +73,9 @@ inline Rule onEvent(const char* event, std::vector<Action> actions)
     Rule rule;
     rule.id = 1;
     rule.name = event;
-    rule.trigger.event = event;
+    rule.trigger = triggers::Event{event};
     rule.actions = std::move(actions);
     return rule;
-}
-
-inline Action action(ActionKind kind)
-{
-    Action made;
-    made.kind = kind;
-    return made;
 }
 
 inline std::uint16_t clipOf(const Session& session, std::size_t row)

@@ -12,24 +12,24 @@ namespace crowd::testing {
 
 inline Action tagWith(std::uint8_t tag)
 {
-    Action made = action(ActionKind::AddTag);
+    actions::AddTag made;
     made.tag = tag;
     return made;
 }
 
 inline Action sitDown()
 {
-    Action made = action(ActionKind::SitDown);
+    actions::SitDown made;
     made.metres = 0.0F; // however far
     return made;
 }
 
-inline Rule when(model::TriggerKind kind, std::vector<Action> actions, model::RuleId id = 1)
+inline Rule when(model::Trigger trigger, std::vector<Action> actions, model::RuleId id = 1)
 {
     Rule rule;
     rule.id = id;
     rule.name = "when";
-    rule.trigger.kind = kind;
+    rule.trigger = std::move(trigger);
     rule.actions = std::move(actions);
     return rule;
 }

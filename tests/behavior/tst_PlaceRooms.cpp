@@ -6,14 +6,13 @@
 
 #include <QtTest/QTest>
 
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "tests/behavior/RuleScenes.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::testing;
 using model::Condition;
-using model::ConditionKind;
 
 class TestPlaceRooms : public QObject
 {
@@ -35,22 +34,17 @@ void TestPlaceRooms::aFullPlaceIsFull()
     scene.places[0].capacity = 3;
     scene.places[1].capacity = 4;
     std::vector<Rule> rules;
-    const auto ask = [&](ConditionKind kind, model::PlaceId place, float value, std::uint8_t tag) {
-        Condition condition;
-        condition.kind = kind;
-        condition.place = place;
-        condition.comparison = model::Comparison::Equal;
-        condition.value = value;
+    const auto ask = [&](const Condition& condition, std::uint8_t tag) {
         Rule rule = onEvent("ask", {tagWith(tag)});
         rule.id = tag;
         rule.meeting = model::RuleMeeting::Queue;
         rule.conditions = {condition};
         rules.push_back(rule);
     };
-    ask(ConditionKind::IsFull, 1, 0.0F, 1);
-    ask(ConditionKind::IsFull, 2, 0.0F, 2);
-    ask(ConditionKind::PeopleIn, 1, 3.0F, 3);
-    ask(ConditionKind::PeopleIn, 2, 2.0F, 4);
+    ask(conditions::IsFull{1}, 1);
+    ask(conditions::IsFull{2}, 2);
+    ask(conditions::PeopleIn{1, model::Comparison::Equal, 3.0F}, 3);
+    ask(conditions::PeopleIn{2, model::Comparison::Equal, 2.0F}, 4);
     scene.rules = rules;
     Session session(scene);
     session.send("ask", 0.0F, {1});
@@ -83,7 +77,7 @@ void TestPlaceRooms::roomThatIsNotStatedIsThatOfTheArea()
     model::Scene scene = rowOf(9);
     scene.places = {{1, "hall", {8.0F, 0.0F, 6.0F}, 1.0F}};
     scene.places[0].capacity = capacity;
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.choice = static_cast<model::PlaceChoice>(choice);
     scene.rules = {onEvent("in", {go})};
     Session session(scene);
@@ -100,7 +94,7 @@ void TestPlaceRooms::freePlacesAreTakenByOneEach()
 {
     model::Scene scene = rowOf(6);
     addLine(scene, 4);
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.choice = model::PlaceChoice::NearestFree;
     go.path = 1;
     scene.rules = {onEvent("go", {go, tagWith(1)})};
@@ -121,7 +115,7 @@ void TestPlaceRooms::freePlacesAreTakenByOneEach()
     QCOMPARE(there, 4);
     QCOMPARE(places.size(), std::size_t{4});
     // One goes home: one of those who still wait takes his place.
-    scene.rules.push_back(onEvent("home", {action(ActionKind::LeaveScene)}));
+    scene.rules.push_back(onEvent("home", {actions::LeaveScene()}));
     scene.rules.back().id = 2;
     session.adopt(scene);
     for (std::uint32_t agent = 0; agent < 6; ++agent) {

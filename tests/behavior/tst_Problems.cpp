@@ -70,7 +70,7 @@ Problem ofRule(model::RuleId rule)
 
 Action tell(const char* event)
 {
-    Action made = action(ActionKind::SendEvent);
+    actions::SendEvent made;
     made.event = event;
     made.metres = 3.0F;
     return made;
@@ -163,7 +163,7 @@ void TestProblems::aRuleWithADeletedPathIsSaid()
     const std::vector<model::IndividualId> ids{1};
     const std::vector<model::PathId> paths{1};
     scene.population.setValues<model::PathId>(model::columns::path, ids, paths);
-    Action walk = action(ActionKind::FollowPath);
+    actions::FollowPath walk;
     walk.path = 12;
     scene.rules = {onEvent("go", {walk})};
     scene.rules[0].id = 5;
@@ -201,7 +201,7 @@ void TestProblems::eventsThatGoRoundAreSaid()
 void TestProblems::eventsThatAreSprayedAreNot()
 {
     model::Scene scene = rowOf(1);
-    scene.rules = {onEvent("go", {action(ActionKind::Stop)})};
+    scene.rules = {onEvent("go", {actions::Stop()})};
     Session session(scene);
     for (int i = 0; i < 100; ++i) {
         session.send("go", 0.0F, {1});
@@ -239,7 +239,7 @@ void TestProblems::tooManyForAPlaceAreSaid()
         const std::vector<model::PathId> paths(people, 1);
         scene.population.setValues<model::PathId>(model::columns::path, all, paths);
     }
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 4;
     scene.rules = {onEvent("go", {go})};
     Session session(scene);
@@ -295,7 +295,7 @@ void TestProblems::whoHasNoPositionIsLeftOut()
 void TestProblems::numbersOfEventsAreFinite()
 {
     model::Scene scene = rowOf(1);
-    Action speed = action(ActionKind::SetSpeed);
+    actions::SetSpeed speed;
     speed.value = 0.0F; // the event's
     scene.rules = {onEvent("go", {speed})};
     Session session(scene);

@@ -4,15 +4,13 @@
 #include <QtTest/QTest>
 
 #include "model/base/Parallel.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "tests/behavior/RuleScenes.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::testing;
 using model::Condition;
-using model::ConditionKind;
-using model::TriggerKind;
 
 class TestRuleActions : public QObject
 {
@@ -31,7 +29,7 @@ private Q_SLOTS:
 void TestRuleActions::waitingForAnEventEndsWithItOrInTime()
 {
     model::Scene scene = rowOf(3);
-    Action wait = action(ActionKind::WaitForEvent);
+    actions::WaitForEvent wait;
     wait.event = "now";
     wait.seconds = 2.0F;
     Rule timed = onEvent("begin", {wait, tagWith(1)});
@@ -61,14 +59,14 @@ void TestRuleActions::whoLeftComesBackWhereARuleSays()
     model::Scene scene = rowOf(2);
     scene.places = {{1, "gate", {0.0F, 0.0F, -20.0F}, 1.0F}, {2, "end", {0.0F, 0.0F, 9.0F}, 0.2F}};
     scene.paths = {{1, "way", model::PathKind::Simple, {2}}};
-    Action wait = action(ActionKind::Wait);
+    actions::Wait wait;
     wait.seconds = 2.0F;
-    Action appear = action(ActionKind::Appear);
+    actions::Appear appear;
     appear.place = 1;
-    Action follow = action(ActionKind::FollowPath);
+    actions::FollowPath follow;
     follow.path = 1;
-    Rule gone = onEvent("out", {action(ActionKind::LeaveScene)});
-    Rule late = onEvent("late", {action(ActionKind::LeaveScene), wait, appear, follow});
+    Rule gone = onEvent("out", {actions::LeaveScene()});
+    Rule late = onEvent("late", {actions::LeaveScene(), wait, appear, follow});
     late.id = 2;
     Rule back = onEvent("back", {appear});
     back.id = 3;
@@ -94,7 +92,7 @@ void TestRuleActions::leavingAtAPlaceGoesThereFirst()
 {
     model::Scene scene = rowOf(1);
     scene.places = {{1, "door", {0.0F, 0.0F, 5.0F}, 0.2F}};
-    Action leave = action(ActionKind::LeaveScene);
+    actions::LeaveScene leave;
     leave.place = 1;
     scene.rules = {onEvent("home", {leave})};
     Session session(scene);
@@ -140,13 +138,11 @@ void TestRuleActions::everythingIsTheSameForAnyNumberOfThreads()
     addLine(scene, 20);
     scene.numbers = {{1, "patience", 0.0F, 3.0F}};
     scene.rules = model::rulesOf(model::RuleSet::Queue, scene);
-    Action add = action(ActionKind::AddToNumber);
+    actions::AddToNumber add;
     add.number = 1;
     add.value = -0.5F;
-    Rule sit = when(TriggerKind::Every, {add, sitDown()});
-    sit.trigger.seconds = 2.0F;
-    Condition low;
-    low.kind = ConditionKind::Number;
+    Rule sit = when(triggers::Every{2.0F}, {add, sitDown()});
+    conditions::Number low;
     low.number = 1;
     low.comparison = model::Comparison::Less;
     low.value = 0.8F;
@@ -171,21 +167,23 @@ void TestRuleActions::everythingIsTheSameForAnyNumberOfThreads()
 
 void TestRuleActions::whatIsGoneIsSaidByName_data()
 {
-    QTest::addColumn<int>("kind");
-    QTest::newRow("a place to go to") << static_cast<int>(ActionKind::GoToPlace);
-    QTest::newRow("a place to appear at") << static_cast<int>(ActionKind::Appear);
-    QTest::newRow("a place to leave at") << static_cast<int>(ActionKind::LeaveScene);
-    QTest::newRow("a number to set") << static_cast<int>(ActionKind::SetNumber);
-    QTest::newRow("a number to add to") << static_cast<int>(ActionKind::AddToNumber);
+    QTest::addColumn<Action>("lost");
+    const auto row = [](const char* name, const Action& lost) { QTest::newRow(name) << lost; };
+    actions::GoToPlace go;
+    go.place = 77;
+    row("a place to go to", go);
+    row("a place to appear at", actions::Appear{77});
+    actions::LeaveScene leave;
+    leave.place = 77;
+    row("a place to leave at", leave);
+    row("a number to set", actions::SetNumber{77});
+    row("a number to add to", actions::AddToNumber{77});
 }
 
 void TestRuleActions::whatIsGoneIsSaidByName()
 {
-    QFETCH(const int, kind);
+    QFETCH(const Action, lost);
     model::Scene scene = rowOf(1);
-    Action lost = action(static_cast<ActionKind>(kind));
-    lost.place = 77;
-    lost.number = 77;
     scene.rules = {onEvent("lost", {lost, tagWith(1)})};
     Session session(scene);
     session.send("lost", 0.0F, {1});

@@ -10,25 +10,30 @@
 using namespace crowd;
 using namespace crowd::testing;
 using model::ActionAim;
-using model::TriggerKind;
 
 namespace {
 
 constexpr std::uint8_t kStar = 6;
 
-Action about(ActionKind kind, ActionAim aim, float seconds = 0.0F)
+/// About those with the star, or the place.
+template<class Kind>
+Kind about(ActionAim aim, float seconds = 0.0F)
 {
-    Action made = action(kind);
+    Kind made;
     made.aim = aim;
     made.tag = kStar;
-    made.seconds = seconds;
-    made.metres = 1.5F;
+    if constexpr (requires { made.seconds; }) {
+        made.seconds = seconds;
+    }
+    if constexpr (requires { made.metres; }) {
+        made.metres = 1.5F;
+    }
     return made;
 }
 
 Action marked(std::uint8_t tag)
 {
-    Action made = action(ActionKind::AddTag);
+    actions::AddTag made;
     made.tag = tag;
     return made;
 }
@@ -40,7 +45,7 @@ bool isMarked(Session& session, std::uint32_t agent, std::uint8_t tag)
 
 Action tellNear(const char* event)
 {
-    Action made = action(ActionKind::SendEvent);
+    actions::SendEvent made;
     made.event = event;
     made.metres = 100.0F;
     return made;
@@ -56,7 +61,7 @@ void tagOne(model::Scene& scene, model::IndividualId id)
 /// Person 1 walks 30 m along X when "go" reaches him.
 Rule walkOff()
 {
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
     Rule rule = onEvent("go", {tellNear("come"), go});
     return rule;
@@ -101,7 +106,7 @@ void TestRuleAims::whoSentTheEventIsFollowed()
 {
     model::Scene scene = rowOf(3);
     scene.places.push_back({1, "far", {4.0F, 0.0F, 30.0F}, 0.1F});
-    Rule come = onEvent("come", {about(ActionKind::Follow, ActionAim::Sender)});
+    Rule come = onEvent("come", {about<actions::Follow>(ActionAim::Sender)});
     come.id = 2;
     scene.rules = {walkOff(), come};
     Session session(scene);
@@ -126,13 +131,13 @@ void TestRuleAims::whoFallsBehindHurries()
     model::Scene scene = rowOf(2);
     scene.places.push_back({1, "far", {2.0F, 0.0F, 60.0F}, 0.1F});
     scene.places.push_back({2, "home", {0.0F, 0.0F, 0.0F}, 0.1F});
-    Action fast = action(ActionKind::SetSpeed);
+    actions::SetSpeed fast;
     fast.value = 2.5F;
     Rule off = walkOff();
     off.actions.insert(off.actions.begin(), fast);
-    Rule come = onEvent("come", {about(ActionKind::Follow, ActionAim::Sender)});
+    Rule come = onEvent("come", {about<actions::Follow>(ActionAim::Sender)});
     come.id = 2;
-    Action goHome = action(ActionKind::GoToPlace);
+    actions::GoToPlace goHome;
     goHome.place = 2;
     Rule home = onEvent("home", {goHome});
     home.id = 3;
@@ -156,7 +161,7 @@ void TestRuleAims::followingEndsInTime()
 {
     model::Scene scene = rowOf(2);
     scene.places.push_back({1, "far", {0.0F, 0.0F, 40.0F}, 0.1F});
-    Rule come = onEvent("come", {about(ActionKind::Follow, ActionAim::Sender, 5.0F), marked(1)});
+    Rule come = onEvent("come", {about<actions::Follow>(ActionAim::Sender, 5.0F), marked(1)});
     come.id = 2;
     scene.rules = {walkOff(), come};
     Session session(scene);
@@ -177,10 +182,10 @@ void TestRuleAims::theNearestTaggedOneIsFollowedAndKept()
     scene.places.push_back({1, "far", {2.0F, 0.0F, 20.0F}, 0.1F});
     tagOne(scene, 2);
     tagOne(scene, 6);
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
     Rule walk = onEvent("go", {go});
-    Rule follow = onEvent("follow", {about(ActionKind::Follow, ActionAim::Tagged)});
+    Rule follow = onEvent("follow", {about<actions::Follow>(ActionAim::Tagged)});
     follow.id = 2;
     scene.rules = {walk, follow};
     Session session(scene);
@@ -196,8 +201,8 @@ void TestRuleAims::theNearestTaggedOneIsFollowedAndKept()
 void TestRuleAims::nobodyToFollowIsSaid()
 {
     model::Scene scene = rowOf(2);
-    scene.rules = {onEvent("come", {about(ActionKind::Follow, ActionAim::Sender), marked(1)}),
-                   onEvent("seek", {about(ActionKind::Follow, ActionAim::Tagged), marked(2)})};
+    scene.rules = {onEvent("come", {about<actions::Follow>(ActionAim::Sender), marked(1)}),
+                   onEvent("seek", {about<actions::Follow>(ActionAim::Tagged), marked(2)})};
     scene.rules[1].id = 2;
     Session session(scene);
     session.send("come", 0.0F, {1});
@@ -213,7 +218,7 @@ void TestRuleAims::goingToSomebodyEndsBesideHim()
 {
     model::Scene scene = rowOf(5);
     tagOne(scene, 5);
-    scene.rules = {onEvent("meet", {about(ActionKind::GoToPerson, ActionAim::Tagged), marked(1)})};
+    scene.rules = {onEvent("meet", {about<actions::GoToPerson>(ActionAim::Tagged), marked(1)})};
     Session session(scene);
     session.send("meet", 0.0F, {1, 5});
     run(session, 30);
@@ -230,12 +235,11 @@ void TestRuleAims::whoNobodyCatchesIsGivenUp()
 {
     model::Scene scene = rowOf(2);
     scene.places.push_back({1, "far", {0.0F, 0.0F, 500.0F}, 0.1F});
-    Action fast = action(ActionKind::SetSpeed);
+    actions::SetSpeed fast;
     fast.value = 4.0F;
     Rule off = walkOff();
     off.actions.insert(off.actions.begin(), fast);
-    Rule meet =
-        onEvent("come", {about(ActionKind::GoToPerson, ActionAim::Sender, 6.0F), marked(1)});
+    Rule meet = onEvent("come", {about<actions::GoToPerson>(ActionAim::Sender, 6.0F), marked(1)});
     meet.id = 2;
     scene.rules = {off, meet};
     Session session(scene);
@@ -260,7 +264,7 @@ void TestRuleAims::lookingKeepsFacingWhoMoves()
     model::Scene scene = rowOf(2);
     scene.places.push_back({1, "there", {-6.0F, 0.0F, 20.0F}, 0.1F});
     tagOne(scene, 1);
-    Action look = about(ActionKind::LookAt, static_cast<ActionAim>(aim), 12.0F);
+    auto look = about<actions::LookAt>(static_cast<ActionAim>(aim), 12.0F);
     look.place = 1;
     Rule watch = onEvent("come", {look, marked(1)});
     watch.id = 2;
@@ -284,7 +288,7 @@ void TestRuleAims::lookingIsBrokenOffByAnotherRule()
 {
     model::Scene scene = rowOf(2);
     Rule wake = onEvent("wake", {marked(2)});
-    Rule watch = onEvent("look", {about(ActionKind::LookAt, ActionAim::Sender), marked(1)});
+    Rule watch = onEvent("look", {about<actions::LookAt>(ActionAim::Sender), marked(1)});
     watch.id = 2;
     scene.rules = {wake, watch};
     Session session(scene);
@@ -307,7 +311,7 @@ void TestRuleAims::fleeingRunsFromTheAim()
     model::Scene scene = rowOf(3);
     scene.places.push_back({1, "there", {6.0F, 0.0F, 0.0F}, 0.1F});
     tagOne(scene, 3);
-    Action flee = about(ActionKind::Flee, static_cast<ActionAim>(aim));
+    auto flee = about<actions::Flee>(static_cast<ActionAim>(aim));
     flee.place = 1;
     flee.metres = 5.0F;
     Rule shout = onEvent("shout", {tellNear("run")});
@@ -330,10 +334,10 @@ void TestRuleAims::isTheSameForAnyNumberOfThreads()
     for (const model::IndividualId id : {3U, 90U, 170U}) {
         tagOne(scene, id);
     }
-    scene.rules = {walkOff(), onEvent("come", {about(ActionKind::Follow, ActionAim::Tagged, 3.0F),
-                                               about(ActionKind::LookAt, ActionAim::Sender, 2.0F),
-                                               about(ActionKind::GoToPerson, ActionAim::Sender),
-                                               about(ActionKind::Flee, ActionAim::Tagged)})};
+    scene.rules = {walkOff(), onEvent("come", {about<actions::Follow>(ActionAim::Tagged, 3.0F),
+                                               about<actions::LookAt>(ActionAim::Sender, 2.0F),
+                                               about<actions::GoToPerson>(ActionAim::Sender),
+                                               about<actions::Flee>(ActionAim::Tagged)})};
     scene.rules[1].id = 2;
     std::vector<model::Population> ends;
     for (const int threads : {1, 2, 4}) {

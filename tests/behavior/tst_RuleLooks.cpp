@@ -10,16 +10,15 @@ using namespace crowd;
 using namespace crowd::testing;
 using model::ComparedProperty;
 using model::Condition;
-using model::ConditionKind;
 using model::SettableProperty;
 
 namespace keys = model::columns;
 
 namespace {
 
-Action setTo(SettableProperty property, float value = 0.0F)
+actions::SetProperty setTo(SettableProperty property, float value = 0.0F)
 {
-    Action made = action(ActionKind::SetProperty);
+    actions::SetProperty made;
     made.property = property;
     made.value = value;
     return made;
@@ -84,14 +83,15 @@ void TestRuleLooks::aSlotIsTinted()
 {
     model::Scene scene = rowOf(2);
     giveSlots(scene);
-    Action blush = setTo(SettableProperty::Tint);
+    actions::SetProperty blush = setTo(SettableProperty::Tint);
     blush.slot = "hair";
-    blush.tint = {200, 10, 20, 128};
+    blush.color = {200, 10, 20};
+    blush.strength = 128;
     scene.rules = {onEvent("blush", {blush})};
     Session session(scene);
     session.send("blush", 0.0F, {2});
     run(session, 2);
-    QVERIFY(shownOf(session, keys::tint(2), 1) == blush.tint);
+    QVERIFY(shownOf(session, keys::tint(2), 1) == blush.tint());
     QVERIFY(shownOf(session, keys::tint(1), 1) == model::Tint());
     QVERIFY(shownOf(session, keys::tint(2), 0) == model::Tint());
     QVERIFY(scene.population.column(keys::tint(2))[1] == model::Tint());
@@ -101,14 +101,14 @@ void TestRuleLooks::allSlotsAreThoseThatCanBe()
 {
     model::Scene scene = rowOf(1);
     giveSlots(scene);
-    const Action blush = setTo(SettableProperty::Tint);
+    const actions::SetProperty blush = setTo(SettableProperty::Tint);
     scene.rules = {onEvent("blush", {blush})};
     Session session(scene);
     session.send("blush", 0.0F, {1});
     run(session, 2);
     QVERIFY(shownOf(session, keys::tint(0), 0) == model::Tint()); // skin
-    QVERIFY(shownOf(session, keys::tint(1), 0) == blush.tint);
-    QVERIFY(shownOf(session, keys::tint(2), 0) == blush.tint);
+    QVERIFY(shownOf(session, keys::tint(1), 0) == blush.tint());
+    QVERIFY(shownOf(session, keys::tint(2), 0) == blush.tint());
     QVERIFY(shownOf(session, keys::tint(3), 0) == model::Tint()); // there is no such slot
 }
 
@@ -117,12 +117,11 @@ void TestRuleLooks::heightIsShownAndAskedFor()
     model::Scene scene = rowOf(3);
     Rule grow = onEvent("grow", {setTo(SettableProperty::Height, 1.25F)});
     grow.limit = 1;
-    Condition tall;
-    tall.kind = ConditionKind::Property;
+    conditions::Property tall;
     tall.property = ComparedProperty::Height;
     tall.comparison = model::Comparison::More;
     tall.value = 1.2F;
-    Action mark = action(ActionKind::AddTag);
+    actions::AddTag mark;
     mark.tag = 3;
     Rule look = onEvent("look", {mark});
     look.id = 2;
@@ -143,9 +142,9 @@ void TestRuleLooks::heightIsShownAndAskedFor()
 void TestRuleLooks::aClipIsTheirsFromNowOn()
 {
     model::Scene scene = rowOf(2);
-    Action sit = setTo(SettableProperty::Clip);
+    actions::SetProperty sit = setTo(SettableProperty::Clip);
     sit.clips = {{"sit", 1.0F}};
-    Action clap = action(ActionKind::PlayClip);
+    actions::PlayClip clap;
     clap.clips = {{"clap", 1.0F}};
     scene.rules = {onEvent("rest", {sit, clap})};
     Session session(scene);
@@ -217,13 +216,12 @@ void TestRuleLooks::propertiesAreCompared()
     scene.population.setValues<float>(keys::playbackSpeed, second, std::vector<float>{2.5F});
     scene.population.setValues<float>(keys::walkSpeed, second, std::vector<float>{1.75F});
     scene.population.setValues<std::uint16_t>(keys::clip, second, std::vector<std::uint16_t>{4});
-    Condition asked;
-    asked.kind = ConditionKind::Property;
+    conditions::Property asked;
     asked.property = static_cast<ComparedProperty>(property);
     asked.comparison = model::Comparison::Equal;
     asked.value = value;
     asked.clip = "sit";
-    Action mark = action(ActionKind::AddTag);
+    actions::AddTag mark;
     mark.tag = 1;
     Rule rule = onEvent("ask", {mark});
     rule.conditions = {asked};
@@ -254,7 +252,7 @@ void TestRuleLooks::whatTheArtistPaintsCountsAgain()
     session.adopt(scene);
     run(session, 2);
     QVERIFY(shownOf(session, keys::tint(1), 0) == painted);
-    QVERIFY(shownOf(session, keys::tint(2), 0) == Action().tint); // was not painted
+    QVERIFY(shownOf(session, keys::tint(2), 0) == actions::SetProperty().tint()); // was not painted
     QCOMPARE(shownOf(session, keys::height, 0), 0.8F);
     QCOMPARE(shownOf(session, keys::playbackSpeed, 0), 0.5F);
     QCOMPARE(shownOf(session, keys::height, 1), 2.0F);
@@ -264,7 +262,7 @@ void TestRuleLooks::whatTheArtistPaintsCountsAgain()
 void TestRuleLooks::tagsOfRulesSurviveTheTagBrush()
 {
     model::Scene scene = rowOf(1);
-    Action mark = action(ActionKind::AddTag);
+    actions::AddTag mark;
     mark.tag = 4;
     scene.rules = {onEvent("mark", {mark})};
     Session session(scene);

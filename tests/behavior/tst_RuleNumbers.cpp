@@ -9,7 +9,6 @@
 using namespace crowd;
 using namespace crowd::testing;
 using model::Condition;
-using model::ConditionKind;
 
 class TestRuleNumbers : public QObject
 {
@@ -24,18 +23,17 @@ void TestRuleNumbers::ownNumbersBeginDrawnAndAreChanged()
 {
     model::Scene scene = rowOf(200);
     scene.numbers = {{3, "patience", 2.0F, 4.0F}};
-    Action less = action(ActionKind::AddToNumber);
+    actions::AddToNumber less;
     less.number = 3;
     less.value = -1.0F;
     Rule lose = onEvent("push", {less});
-    Action set = action(ActionKind::SetNumber);
+    actions::SetNumber set;
     set.number = 3;
     set.value = 10.0F;
     Rule angry = onEvent("push", {tagWith(5), set});
     angry.id = 2;
     angry.meeting = model::RuleMeeting::Queue;
-    Condition low;
-    low.kind = ConditionKind::Number;
+    conditions::Number low;
     low.number = 3;
     low.comparison = model::Comparison::Less;
     low.value = 2.5F;
@@ -66,7 +64,7 @@ void TestRuleNumbers::numbersSurviveEdits()
 {
     model::Scene scene = rowOf(2);
     scene.numbers = {{1, "hunger", 0.0F, 0.0F}, {2, "money", 5.0F, 5.0F}};
-    Action more = action(ActionKind::AddToNumber);
+    actions::AddToNumber more;
     more.number = 1;
     more.value = 3.0F;
     scene.rules = {onEvent("later", {more})};

@@ -5,8 +5,8 @@
 #include <QtTest/QTest>
 
 #include "model/base/Parallel.h"
-#include "model/scene/RuleFlaws.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleFlaws.h"
+#include "model/rules/RuleSets.h"
 #include "tests/behavior/RuleScenes.h"
 #include "tests/program/Test.h"
 
@@ -169,7 +169,7 @@ void TestRuleQueue::whoStandsAroundTakesNoPlace()
 void TestRuleQueue::whoGivesUpWaitingHoldsNobodyUp()
 {
     model::Scene scene = queueScene(10);
-    Rule home = onEvent("home", {action(ActionKind::LeaveScene)});
+    Rule home = onEvent("home", {actions::LeaveScene()});
     home.id = 9;
     scene.rules.insert(scene.rules.begin(), home);
     Session session(scene);
@@ -194,7 +194,7 @@ void TestRuleQueue::withoutAPathItWaitsForOne()
     }
     scene.rules.push_back(onEvent("go", {}));
     scene.rules.back().id = 8;
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
     scene.rules.back().actions = {go};
     Session session(scene);

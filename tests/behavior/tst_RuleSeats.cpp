@@ -47,9 +47,7 @@ void TestRuleSeats::peopleSitOnTheNearestFreeSeats()
     }
     QCOMPARE(seats.size(), std::size_t{2});
     // Too far to notice.
-    Action near = sitDown();
-    near.metres = 2.0F;
-    scene.rules = {onEvent("sit", {near})};
+    scene.rules = {onEvent("sit", {actions::SitDown{2.0F}})};
     Session other(scene);
     other.send("sit", 0.0F, {1});
     run(other, 60);
@@ -72,9 +70,9 @@ void TestRuleSeats::standingUpFreesTheSeat()
     scene.population.setValues<glm::vec3>(model::columns::position, sitter, there);
     scene.population.setValues<std::uint16_t>(model::columns::clip, sitter, clip);
     Rule sit = onEvent("sit", {sitDown()});
-    Action away = action(ActionKind::Flee);
+    actions::Flee away;
     away.metres = 5.0F;
-    Rule stand = onEvent("stand", {action(ActionKind::StandUp), tagWith(1), away});
+    Rule stand = onEvent("stand", {actions::StandUp(), tagWith(1), away});
     stand.id = 2;
     scene.rules = {sit, stand};
     Session session(scene);
@@ -101,7 +99,7 @@ void TestRuleSeats::walkingOffFreesTheSeat()
     model::Scene scene = rowOf(2);
     addSeats(scene, 1);
     scene.places = {{1, "door", {0.0F, 0.0F, 12.0F}, 0.2F}};
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
     Rule sit = onEvent("sit", {sitDown()});
     Rule leave = onEvent("go", {go});

@@ -20,7 +20,7 @@ Action deeper(Action action, int depth)
 
 Action add(float value, int depth = 0, model::NumberId number = kCount)
 {
-    Action made = action(ActionKind::AddToNumber);
+    actions::AddToNumber made;
     made.number = number;
     made.value = value;
     return deeper(made, depth);
@@ -28,21 +28,21 @@ Action add(float value, int depth = 0, model::NumberId number = kCount)
 
 Action pause(float seconds, int depth = 0)
 {
-    Action made = action(ActionKind::Wait);
+    actions::Wait made;
     made.seconds = seconds;
     return deeper(made, depth);
 }
 
 Action repeat(std::uint32_t times, int depth = 0)
 {
-    Action made = action(ActionKind::Repeat);
+    actions::Repeat made;
     made.times = times;
     return deeper(made, depth);
 }
 
 Action oneOf(float weight, int depth = 0)
 {
-    Action made = action(ActionKind::OneOf);
+    actions::OneOf made;
     made.weight = weight;
     return deeper(made, depth);
 }
@@ -174,7 +174,7 @@ void TestRuleSequences::eachRoundIsDrawnAnew()
 /// A clip of 1.5 s three times is over after 135 steps.
 void TestRuleSequences::thingsHappenToTheStep()
 {
-    Action clap = action(ActionKind::PlayClip);
+    actions::PlayClip clap;
     clap.clips = {{"clap", 1.0F}};
     Session session(sceneWith(1, {repeat(3), add(1, 1), deeper(clap, 1), add(10)}));
     go(session, 1);
@@ -194,9 +194,9 @@ void TestRuleSequences::thingsHappenToTheStep()
 
 void TestRuleSequences::isTheSameForAnyNumberOfThreads()
 {
-    Action clap = action(ActionKind::PlayClip);
+    actions::PlayClip clap;
     clap.clips = {{"clap", 1.0F}, {"sit", 3.0F}};
-    Action stroll = action(ActionKind::Flee);
+    actions::Flee stroll;
     stroll.metres = 2.0F;
     const model::Scene scene = sceneWith(300, {repeat(0), oneOf(1, 1), deeper(clap, 2), oneOf(2, 1),
                                                deeper(stroll, 2), oneOf(1, 1), pause(0.5F, 2)});

@@ -7,7 +7,7 @@
 #include "behavior/surface/WalkSurface.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "tests/behavior/RuleScenes.h"
 #include "tests/program/Test.h"
 
@@ -339,18 +339,18 @@ void TestRuleSets::aGuideIsFollowedAndGetsOut()
     const std::vector<model::IndividualId> guide{13}; // in the middle
     scene.population.setValues<std::uint64_t>(model::columns::tags, guide,
                                               std::vector<std::uint64_t>{1});
-    Action follow = action(ActionKind::Follow);
+    actions::Follow follow;
     follow.aim = model::ActionAim::Tagged;
     follow.metres = 2.5F;
     follow.seconds = 0.0F;
-    Action walk = action(ActionKind::FollowPath);
+    actions::FollowPath walk;
     walk.path = 1;
     Rule others = onEvent("follow", {follow});
     Rule lead = onEvent("lead", {walk});
     lead.id = 2;
     scene.rules = {others, lead};
     for (const float metres : {2.5F, 1.5F}) { // also where they stand as near as they can
-        scene.rules[0].actions[0].metres = metres;
+        scene.rules[0].actions[0].as<actions::Follow>()->metres = metres;
         Session session(scene);
         std::vector<model::IndividualId> crowd = idsOf(scene);
         std::erase(crowd, model::IndividualId{13});

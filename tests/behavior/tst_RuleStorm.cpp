@@ -10,13 +10,12 @@
 
 using namespace crowd;
 using namespace crowd::testing;
-using model::TriggerKind;
 
 namespace {
 
 Action sendTo(model::EventReach reach, float metres = 3.0F)
 {
-    Action made = action(ActionKind::SendEvent);
+    actions::SendEvent made;
     made.event = "storm";
     made.reach = reach;
     made.metres = metres;
@@ -25,7 +24,7 @@ Action sendTo(model::EventReach reach, float metres = 3.0F)
 
 Action playOnce()
 {
-    Action made = action(ActionKind::PlayClip);
+    actions::PlayClip made;
     made.clips = {{"clap", 1.0F}};
     return made;
 }
@@ -80,7 +79,7 @@ void TestRuleStorm::aStormHoldsNoStepUp()
     model::Scene scene = rowOf(1500);
     std::vector<Action> actions;
     if (repeats > 0) {
-        Action repeat = action(ActionKind::Repeat);
+        actions::Repeat repeat;
         repeat.times = static_cast<std::uint32_t>(repeats);
         actions.push_back(repeat);
     }
@@ -106,11 +105,9 @@ void TestRuleStorm::whoComesLastInAStormComesInTheNextStep()
 {
     model::Scene scene = rowOf(2000);
     // More than a thousand things at once for each: more than there is room for in a step.
-    Action repeat = action(ActionKind::Repeat);
+    actions::Repeat repeat;
     repeat.times = 300;
-    Action stop = action(ActionKind::Stop);
-    stop.depth = 1;
-    scene.rules = {onEvent("go", {repeat, stop, tagWith(1)})};
+    scene.rules = {onEvent("go", {repeat, {actions::Stop(), 1}, tagWith(1)})};
     Session session(scene);
     session.send("go", 0.0F, allOf(scene));
     session.step();
@@ -127,7 +124,7 @@ void TestRuleStorm::isTheSameForAnyNumberOfThreads()
 {
     model::Scene scene = rowOf(1500);
     scene.places = {{1, "there", {10.0F, 0.0F, 9.0F}, 2.0F}};
-    Action flee = action(ActionKind::Flee);
+    actions::Flee flee;
     scene.rules = {onEvent("storm", {sendTo(model::EventReach::Everybody), flee})};
     std::vector<model::Population> ends;
     for (const int threads : {1, 4}) {
@@ -175,13 +172,11 @@ void TestRuleStorm::aClipThatEndsAsksConditionsPauseAndLimit()
     QFETCH(const std::uint32_t, limit);
     QFETCH(const std::uint64_t, times);
     model::Scene scene = rowOf(1);
-    Rule over = when(TriggerKind::ClipEnded, {tagWith(1)}, 2);
+    Rule over = when(triggers::ClipEnded(), {tagWith(1)}, 2);
     over.cooldownSeconds = pause;
     over.limit = limit;
     if (isConditional) {
-        model::Condition tagged;
-        tagged.tag = 9;
-        over.conditions = {tagged};
+        over.conditions = {conditions::HasTag{9}};
     }
     scene.rules = {onEvent("go", {playOnce()}), over};
     Session session(scene);
@@ -195,13 +190,10 @@ void TestRuleStorm::aClipThatEndsAsksConditionsPauseAndLimit()
 void TestRuleStorm::clipsThatEndQueueNoMoreThanTheLimit()
 {
     model::Scene scene = rowOf(1);
-    Action repeat = action(ActionKind::Repeat);
+    actions::Repeat repeat;
     repeat.times = 40;
-    Action clip = playOnce();
-    clip.isLooped = true;
-    clip.seconds = 0.1F;
-    clip.depth = 1;
-    Rule over = when(TriggerKind::ClipEnded, {action(ActionKind::Stop)}, 2);
+    const Action clip(actions::PlayClip{{{"clap", 1.0F}}, true, 0.1F}, 1);
+    Rule over = when(triggers::ClipEnded(), {actions::Stop()}, 2);
     scene.rules = {onEvent("go", {repeat, clip}), over};
     Session session(scene);
     session.send("go", 0.0F, {1});
@@ -214,7 +206,7 @@ void TestRuleStorm::clipsThatEndQueueNoMoreThanTheLimit()
 void TestRuleStorm::aLimitHoldsInTheQueueToo()
 {
     model::Scene scene = rowOf(1);
-    Rule later = onEvent("later", {action(ActionKind::Stop)});
+    Rule later = onEvent("later", {actions::Stop()});
     later.id = 2;
     later.meeting = model::RuleMeeting::Queue;
     later.limit = 1;

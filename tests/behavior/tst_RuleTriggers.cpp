@@ -9,8 +9,6 @@
 using namespace crowd;
 using namespace crowd::testing;
 using model::Condition;
-using model::ConditionKind;
-using model::TriggerKind;
 
 class TestRuleTriggers : public QObject
 {
@@ -29,8 +27,7 @@ void TestRuleTriggers::thePayloadCanBeAskedFor()
 {
     model::Scene scene = rowOf(2);
     Rule loud = onEvent("bang", {tagWith(1)});
-    Condition above;
-    above.kind = ConditionKind::Payload;
+    conditions::Payload above;
     above.value = 5.0F;
     loud.conditions = {above};
     scene.rules = {loud};
@@ -48,15 +45,12 @@ void TestRuleTriggers::aSpeedLimitIsNoticedOnceEachTime()
     scene.places = {{1, "far", {0.0F, 0.0F, 80.0F}, 0.1F}};
     scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
     letWalk(scene, 1);
-    Rule fast = when(TriggerKind::SpeedLimit, {tagWith(1)});
-    fast.trigger.metresPerSecond = 2.0F;
-    Rule slow = when(TriggerKind::SpeedLimit, {tagWith(2)}, 2);
-    slow.trigger.metresPerSecond = 0.5F;
-    slow.trigger.isAbove = false;
-    Action speed = action(ActionKind::SetSpeed);
+    Rule fast = when(triggers::SpeedLimit{true, 2.0F}, {tagWith(1)});
+    Rule slow = when(triggers::SpeedLimit{false, 0.5F}, {tagWith(2)}, 2);
+    actions::SetSpeed speed;
     Rule set = onEvent("speed", {speed});
     set.id = 3;
-    Rule stop = onEvent("stop", {action(ActionKind::Stop)});
+    Rule stop = onEvent("stop", {actions::Stop()});
     stop.id = 4;
     scene.rules = {set, stop, fast, slow};
     Session session(scene);
@@ -78,8 +72,7 @@ void TestRuleTriggers::standingTooLongIsNoticedOnce()
     scene.places = {{1, "there", {0.0F, 0.0F, 5.0F}, 0.1F}};
     scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
     letWalk(scene, 1);
-    Rule bored = when(TriggerKind::Waited, {tagWith(1)});
-    bored.trigger.seconds = 3.0F;
+    Rule bored = when(triggers::Waited{3.0F}, {tagWith(1)});
     scene.rules = {bored};
     Session session(scene);
     run(session, 150); // he has just arrived
@@ -108,7 +101,7 @@ void TestRuleTriggers::aRuleYieldsAsItSays()
     QFETCH(const bool, isBrokenByBelow);
     for (const bool isAbove : {true, false}) {
         model::Scene scene = rowOf(1);
-        Action wait = action(ActionKind::Wait);
+        actions::Wait wait;
         wait.seconds = 60.0F;
         Rule busy = onEvent("work", {wait});
         busy.yields = static_cast<model::RuleYield>(yields);
@@ -128,10 +121,9 @@ void TestRuleTriggers::whoArrivesIsFreeForTheRuleThatWaitsForIt()
 {
     model::Scene scene = rowOf(1);
     scene.places = {{1, "desk", {0.0F, 0.0F, 5.0F}, 0.3F}};
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
-    Rule arrived = when(TriggerKind::Arrived, {tagWith(3)}, 2);
-    arrived.trigger.place = 1;
+    Rule arrived = when(triggers::Arrived{1}, {tagWith(3)}, 2);
     arrived.meeting = model::RuleMeeting::Ignore;
     scene.rules = {onEvent("go", {go}), arrived};
     Session session(scene);

@@ -10,20 +10,19 @@ using namespace crowd;
 using namespace crowd::testing;
 using model::PlaceChoice;
 using model::PlaceRole;
-using model::TriggerKind;
 
 namespace {
 
 Action goTo(model::PlaceId place)
 {
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = place;
     return go;
 }
 
 Action leaveAt(PlaceChoice choice, model::PlaceId place = 0, model::PathId path = 0)
 {
-    Action leave = action(ActionKind::LeaveScene);
+    actions::LeaveScene leave;
     leave.choice = choice;
     leave.place = place;
     leave.path = path;
@@ -87,7 +86,7 @@ void TestRuleWalks::walksFollowEachOther()
 {
     model::Scene scene = rowOf(1);
     scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}, {2, "b", {8.0F, 0.0F, 6.0F}, 0.2F}};
-    scene.rules = {onEvent("go", {goTo(1), goTo(2), action(ActionKind::LeaveScene)})};
+    scene.rules = {onEvent("go", {goTo(1), goTo(2), actions::LeaveScene()})};
     Session session(scene);
     session.send("go", 0.0F, {1});
     run(session, 300);
@@ -101,7 +100,7 @@ void TestRuleWalks::goingToSomebodyAfterAWalkIsWalked()
 {
     model::Scene scene = rowOf(6); // the last one at x = 10
     scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}};
-    Action meet = action(ActionKind::GoToPerson);
+    actions::GoToPerson meet;
     meet.aim = model::ActionAim::Tagged;
     meet.tag = 4;
     meet.metres = 1.5F;
@@ -124,8 +123,7 @@ void TestRuleWalks::everyPlaceOnTheWayIsNoticed()
     scene.places = {{1, "a", {0.0F, 0.0F, 6.0F}, 0.2F}, {2, "b", {6.0F, 0.0F, 6.0F}, 0.2F}};
     scene.rules = {onEvent("go", {goTo(1), goTo(2)})};
     for (const model::PlaceId place : {1U, 2U}) {
-        Rule seen = when(TriggerKind::Arrived, {tagWith(static_cast<std::uint8_t>(place))});
-        seen.trigger.place = place;
+        Rule seen = when(triggers::Arrived{place}, {tagWith(static_cast<std::uint8_t>(place))});
         seen.meeting = model::RuleMeeting::Queue;
         seen.id = 1 + place;
         scene.rules.push_back(seen);
@@ -275,7 +273,7 @@ void TestRuleWalks::whoRunsToAnExitGetsOut()
         model::Scene scene = rowOf(1);
         scene.places = {{1, "exit", {0.0F, 0.0F, 30.0F}, 0.3F}};
         scene.places[0].role = PlaceRole::Exit;
-        Action pace = action(ActionKind::SetSpeed);
+        actions::SetSpeed pace;
         pace.value = speed;
         scene.rules = {onEvent("home", {pace, leaveAt(PlaceChoice::Nearest)})};
         Session session(scene);

@@ -4,30 +4,28 @@
 #include "behavior/session/Session.h"
 #include "behavior/session/SessionPlayer.h"
 #include "model/base/Parallel.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "tests/behavior/Actors.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
 using behavior::Session;
 using model::Action;
-using model::ActionKind;
 using model::Rule;
-using model::TriggerKind;
 using namespace crowd::testing;
 
 namespace {
 
 Action clap()
 {
-    Action made = action(ActionKind::PlayClip);
+    actions::PlayClip made;
     made.clips = {{"clap", 1.0F}};
     return made;
 }
 
 Action tell(const char* event, float metres, float secondsPerMetre)
 {
-    Action made = action(ActionKind::SendEvent);
+    actions::SendEvent made;
     made.event = event;
     made.reach = model::EventReach::Near;
     made.metres = metres;
@@ -108,13 +106,11 @@ void TestRules::conditionsAndLimitsHold()
     const std::vector<model::IndividualId> all(ids.begin(), ids.end());
     scene.population.setValues<std::uint64_t>(model::columns::tags, all, tags);
     Rule tagged = onEvent("go", {clap()});
-    tagged.conditions.emplace_back().tag = 5;
+    tagged.conditions = {conditions::HasTag{5}};
     tagged.limit = 2;
     Rule byChance = onEvent("go", {clap()});
     byChance.id = 2;
-    byChance.conditions.emplace_back().tag = 5;
-    byChance.conditions.back().isNot = true;
-    byChance.conditions.emplace_back().kind = model::ConditionKind::Chance;
+    byChance.conditions = {{conditions::HasTag{5}, true}, conditions::Chance()};
     scene.rules = {tagged, byChance};
     Session session(scene);
     for (int i = 0; i < 3; ++i) {
@@ -129,7 +125,7 @@ void TestRules::conditionsAndLimitsHold()
 void TestRules::laterRulesDoNotInterruptEarlierOnes()
 {
     model::Scene scene = rowOf(1);
-    Action longWait = action(ActionKind::Wait);
+    actions::Wait longWait;
     longWait.seconds = 4.0F;
     Rule first = onEvent("important", {longWait});
     Rule second = onEvent("small", {clap()});
@@ -154,7 +150,7 @@ void TestRules::aQueueWaitsForItsTurn()
 {
     model::Scene scene = rowOf(1);
     Rule first = onEvent("a", {clap()});
-    Action tag = action(ActionKind::AddTag);
+    actions::AddTag tag;
     tag.tag = 7;
     Rule second = onEvent("b", {tag});
     second.id = 2;
@@ -173,7 +169,7 @@ void TestRules::aQueueWaitsForItsTurn()
 void TestRules::aRuleThatRepeatsWithoutTimeIsEnded()
 {
     model::Scene scene = rowOf(1);
-    scene.rules = {onEvent("spin", {action(ActionKind::Stop), action(ActionKind::Again)})};
+    scene.rules = {onEvent("spin", {actions::Stop(), actions::Again()})};
     Session session(scene);
     session.send("spin", 0.0F, {1});
     run(session, 5);
@@ -195,9 +191,9 @@ void TestRules::eventsInACircleNeverCloseWithinOneStep()
 void TestRules::fleeingRunsFromWhereItCameFrom()
 {
     model::Scene scene = rowOf(2);
-    Action speed = action(ActionKind::SetSpeed);
+    actions::SetSpeed speed;
     speed.value = 3.0F;
-    Action flee = action(ActionKind::Flee);
+    actions::Flee flee;
     flee.metres = 6.0F;
     scene.rules = {onEvent("panic", {speed, flee})};
     Session session(scene);
@@ -211,9 +207,9 @@ void TestRules::goingToAPlaceAndLeaving()
 {
     model::Scene scene = rowOf(1);
     scene.places = {{1, "door", {0.0F, 0.0F, 5.0F}, 0.5F}};
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
-    scene.rules = {onEvent("out", {go, action(ActionKind::LeaveScene)})};
+    scene.rules = {onEvent("out", {go, actions::LeaveScene()})};
     Session session(scene);
     session.send("out", 0.0F, {1});
     run(session, 60);
@@ -262,23 +258,20 @@ void TestRules::placesAreNoticed()
     const std::vector<model::IndividualId> ids{1};
     const std::vector<model::PathId> path{1};
     scene.population.setValues<model::PathId>(model::columns::path, ids, path);
-    const auto rule = [&](TriggerKind kind, model::PlaceId place) {
+    const auto rule = [&](const model::Trigger& trigger) {
         Rule made;
         made.id = static_cast<model::RuleId>(scene.rules.size() + 1);
-        made.trigger.kind = kind;
-        made.trigger.place = place;
-        Action none = action(ActionKind::AddTag);
-        made.actions = {none};
+        made.trigger = trigger;
+        made.actions = {actions::AddTag()};
         scene.rules.push_back(made);
     };
-    rule(TriggerKind::Start, 0);
-    rule(TriggerKind::Entered, 3);
-    rule(TriggerKind::Left, 3);
-    rule(TriggerKind::Arrived, 2);
-    rule(TriggerKind::PathEnded, 0);
+    rule(triggers::Start());
+    rule(triggers::Entered{3});
+    rule(triggers::Left{3});
+    rule(triggers::Arrived{2});
+    rule(triggers::PathEnded());
     scene.rules.back().meeting = model::RuleMeeting::Queue; // it happens as he arrives
-    rule(TriggerKind::Every, 0);
-    scene.rules.back().trigger.seconds = 1.0F;
+    rule(triggers::Every{1.0F});
     Session session(scene);
     run(session, 300);
     for (model::RuleId id = 1; id <= 5; ++id) {
@@ -291,7 +284,7 @@ void TestRules::placesAreNoticed()
 void TestRules::deletedPathsAreSaidByTheRulesName()
 {
     model::Scene scene = rowOf(1);
-    Action follow = action(ActionKind::FollowPath);
+    actions::FollowPath follow;
     follow.path = 9;
     scene.rules = {onEvent("walk", {follow})};
     Session session(scene);

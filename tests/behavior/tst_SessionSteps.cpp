@@ -18,13 +18,13 @@ model::Scene walkAndClap(std::uint32_t stepsPerSecond)
     model::Scene scene = rowOf(1);
     scene.stepsPerSecond = stepsPerSecond;
     scene.places = {{1, "there", {0.0F, 0.0F, 12.0F}, 0.05F}};
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.place = 1;
-    Action clap = action(ActionKind::PlayClip);
+    actions::PlayClip clap;
     clap.clips = {{"clap", 1.0F}};
-    Action mark = action(ActionKind::AddTag);
+    actions::AddTag mark;
     Rule rule = onEvent("", {go, clap, mark});
-    rule.trigger.kind = model::TriggerKind::Start;
+    rule.trigger = triggers::Start();
     scene.rules = {rule};
     return scene;
 }
@@ -105,7 +105,7 @@ void TestSessionSteps::isTheSameForAnyNumberOfThreads()
     QFETCH(const std::uint32_t, rate);
     model::Scene scene = rowOf(200);
     scene.stepsPerSecond = rate;
-    Action flee = action(ActionKind::Flee);
+    actions::Flee flee;
     flee.metres = 6.0F;
     scene.rules = {onEvent("run", {flee})};
     std::vector<model::Population> ends;

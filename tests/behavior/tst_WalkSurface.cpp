@@ -200,9 +200,8 @@ void TestWalkSurface::aPlaceWiderThanItsLevelIsReachedThere()
     if (byRule) {
         model::Rule go;
         go.id = 1;
-        go.trigger.kind = model::TriggerKind::Start;
-        model::Action there;
-        there.kind = model::ActionKind::GoToPlace;
+        go.trigger = model::triggers::Start();
+        model::actions::GoToPlace there;
         there.place = 1;
         go.actions = {there};
         scene.rules = {go};

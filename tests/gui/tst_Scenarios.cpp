@@ -241,8 +241,9 @@ void TestScenarios::clappingSpreadsFromWhereItWasSprayed()
     const auto clapping = [&] {
         std::uint64_t fired = 0;
         for (const model::Rule& rule : scene.rules) {
-            fired +=
-                rule.trigger.event == "clap" ? editor.state().session().firedCount(rule.id) : 0;
+            const auto* event = rule.trigger.as<model::triggers::Event>();
+            const bool isClap = event != nullptr && event->event == "clap";
+            fired += isClap ? editor.state().session().firedCount(rule.id) : 0;
         }
         return fired;
     };

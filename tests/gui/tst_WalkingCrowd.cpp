@@ -4,7 +4,7 @@
 #include <QtTest/QTest>
 
 #include "model/project/ProjectWriter.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/state/Cues.h"

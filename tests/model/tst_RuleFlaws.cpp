@@ -3,45 +3,31 @@
 
 #include <QtTest/QTest>
 
-#include "model/scene/RuleFlaws.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleFlaws.h"
+#include "model/rules/RuleSets.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
 
 namespace {
 
-Action actionOf(ActionKind kind)
-{
-    Action made;
-    made.kind = kind;
-    return made;
-}
-
 Rule ruleOf(RuleId id, const char* event, std::vector<Action> actions)
 {
     Rule rule;
     rule.id = id;
     rule.name = "rule " + std::to_string(id);
-    rule.trigger.event = event;
+    rule.trigger = triggers::Event{event};
     rule.actions = std::move(actions);
     return rule;
 }
 
-Condition conditionOf(ConditionKind kind, bool isNot = false)
+template<class Kind>
+Condition compared(Comparison comparison, float value, bool isNot = false)
 {
-    Condition made;
-    made.kind = kind;
-    made.isNot = isNot;
-    return made;
-}
-
-Condition compared(ConditionKind kind, Comparison comparison, float value, bool isNot = false)
-{
-    Condition made = conditionOf(kind, isNot);
-    made.comparison = comparison;
-    made.value = value;
-    return made;
+    Kind kind;
+    kind.comparison = comparison;
+    kind.value = value;
+    return {kind, isNot};
 }
 
 Scene sceneOf(std::vector<Rule> rules)
@@ -78,41 +64,39 @@ void TestRuleFlaws::whatIsNotChosenIsSaid_data()
     const auto row = [](const char* name, const Rule& rule, RuleGap gap) {
         QTest::newRow(name) << rule << static_cast<int>(gap);
     };
-    const auto doing = [&](const char* name, ActionKind kind, RuleGap gap) {
-        row(name, ruleOf(1, "go", {actionOf(kind)}), gap);
+    const auto doing = [&](const char* name, const Action& action, RuleGap gap) {
+        row(name, ruleOf(1, "go", {action}), gap);
     };
-    const Action stop = actionOf(ActionKind::Stop);
+    const Action stop = actions::Stop();
     row("no event", ruleOf(1, "", {stop}), RuleGap::Event);
     row("nothing to do", ruleOf(1, "go", {}), RuleGap::Deed);
     Rule arrived = ruleOf(1, "", {stop});
-    arrived.trigger.kind = TriggerKind::Arrived;
-    arrived.trigger.place = kNotChosen;
+    arrived.trigger = triggers::Arrived{kNotChosen};
     row("a place to arrive at", arrived, RuleGap::Place);
     Rule ahead = ruleOf(1, "", {stop});
-    ahead.trigger.kind = TriggerKind::AheadFree;
-    ahead.trigger.path = kNotChosen;
+    ahead.trigger = triggers::AheadFree{kNotChosen};
     row("a path to move up on", ahead, RuleGap::Path);
-    doing("a clip to play", ActionKind::PlayClip, RuleGap::Clip);
-    doing("a path to walk", ActionKind::FollowPath, RuleGap::Path);
-    doing("a place to go to", ActionKind::GoToPlace, RuleGap::Place);
-    doing("a place to appear at", ActionKind::Appear, RuleGap::Place);
-    doing("an event to send", ActionKind::SendEvent, RuleGap::SentEvent);
-    doing("an event to wait for", ActionKind::WaitForEvent, RuleGap::AwaitedEvent);
-    doing("a number to set", ActionKind::SetNumber, RuleGap::Number);
-    Action turn = actionOf(ActionKind::TurnTo);
+    doing("a clip to play", actions::PlayClip(), RuleGap::Clip);
+    doing("a path to walk", actions::FollowPath(), RuleGap::Path);
+    doing("a place to go to", actions::GoToPlace(), RuleGap::Place);
+    doing("a place to appear at", actions::Appear(), RuleGap::Place);
+    doing("an event to send", actions::SendEvent(), RuleGap::SentEvent);
+    doing("an event to wait for", actions::WaitForEvent(), RuleGap::AwaitedEvent);
+    doing("a number to set", actions::SetNumber(), RuleGap::Number);
+    actions::TurnTo turn;
     turn.aim = ActionAim::Place;
     row("a place to turn to", ruleOf(1, "go", {stop, turn}), RuleGap::Place);
-    Action leave = actionOf(ActionKind::LeaveScene);
+    actions::LeaveScene leave;
     leave.place = kNotChosen;
     row("a place to leave at", ruleOf(1, "go", {leave}), RuleGap::Place);
-    Action lineUp = actionOf(ActionKind::GoToPlace);
+    actions::GoToPlace lineUp;
     lineUp.choice = PlaceChoice::FirstFree;
     lineUp.path = kNotChosen;
     row("a path to line up on", ruleOf(1, "go", {lineUp}), RuleGap::Path);
     Rule inPlace = ruleOf(1, "go", {stop});
-    inPlace.conditions = {conditionOf(ConditionKind::InPlace)};
+    inPlace.conditions = {conditions::InPlace()};
     row("a place to be in", inPlace, RuleGap::Place);
-    inPlace.conditions = {conditionOf(ConditionKind::OfTemplate)};
+    inPlace.conditions = {conditions::OfTemplate()};
     row("a template", inPlace, RuleGap::Template);
 }
 
@@ -130,14 +114,14 @@ void TestRuleFlaws::whatIsNotChosenIsSaid()
 void TestRuleFlaws::whatIsChosenIsComplete_data()
 {
     QTest::addColumn<Rule>("rule");
-    QTest::newRow("leave where they are") << ruleOf(1, "go", {actionOf(ActionKind::LeaveScene)});
-    Action nearest = actionOf(ActionKind::GoToPlace);
+    QTest::newRow("leave where they are") << ruleOf(1, "go", {actions::LeaveScene()});
+    actions::GoToPlace nearest;
     nearest.choice = PlaceChoice::Nearest;
     QTest::newRow("the nearest of all places") << ruleOf(1, "go", {nearest});
-    Rule any = ruleOf(1, "", {actionOf(ActionKind::Stop)});
-    any.trigger.kind = TriggerKind::Arrived;
+    Rule any = ruleOf(1, "", {actions::Stop()});
+    any.trigger = triggers::Arrived();
     QTest::newRow("at any place") << any;
-    Action gone = actionOf(ActionKind::GoToPlace);
+    actions::GoToPlace gone;
     gone.place = 77;
     QTest::newRow("a place that is gone is said while it runs") << ruleOf(1, "go", {gone});
 }
@@ -158,39 +142,35 @@ void TestRuleFlaws::conditionsThatExcludeEachOtherAreSaid_data()
                         bool isAnyEnough = false) {
         QTest::newRow(name) << std::move(conditions) << isAnyEnough << isSaid;
     };
-    using Kind = ConditionKind;
-    const Condition seated = conditionOf(Kind::IsSeated);
-    const Condition standing = conditionOf(Kind::IsSeated, true);
+    using conditions::Payload;
+    using conditions::Speed;
+    const Condition seated = conditions::IsSeated();
+    const Condition standing(conditions::IsSeated(), true);
     row("seated and not", {seated, standing}, true);
     row("seated or not", {seated, standing}, false, true);
     row("seated twice", {seated, seated}, false);
-    const Condition fast = compared(Kind::Speed, Comparison::More, 2.0F);
-    const Condition slow = compared(Kind::Speed, Comparison::Less, 2.0F);
+    const Condition fast = compared<Speed>(Comparison::More, 2.0F);
+    const Condition slow = compared<Speed>(Comparison::Less, 2.0F);
     row("above and below the same", {fast, slow}, true);
-    row("above 1, below 2", {compared(Kind::Speed, Comparison::More, 1.0F), slow}, false);
+    row("above 1, below 2", {compared<Speed>(Comparison::More, 1.0F), slow}, false);
     row("not below and not above",
-        {compared(Kind::Speed, Comparison::Less, 2.0F, true),
-         compared(Kind::Speed, Comparison::More, 2.0F, true)},
+        {compared<Speed>(Comparison::Less, 2.0F, true),
+         compared<Speed>(Comparison::More, 2.0F, true)},
         false);
     row("at 1 and at 2",
-        {compared(Kind::Payload, Comparison::Equal, 1.0F),
-         compared(Kind::Payload, Comparison::Equal, 2.0F)},
+        {compared<Payload>(Comparison::Equal, 1.0F), compared<Payload>(Comparison::Equal, 2.0F)},
         true);
-    row("a speed below 0", {compared(Kind::Speed, Comparison::Less, 0.0F)}, true);
-    row("a payload below 0", {compared(Kind::Payload, Comparison::Less, 0.0F)}, false);
-    Condition man = conditionOf(Kind::OfTemplate);
-    man.templateId = 1;
-    Condition woman = man;
-    woman.templateId = 2;
+    row("a speed below 0", {compared<Speed>(Comparison::Less, 0.0F)}, true);
+    row("a payload below 0", {compared<Payload>(Comparison::Less, 0.0F)}, false);
+    const Condition man = conditions::OfTemplate{1};
+    const Condition woman = conditions::OfTemplate{2};
     row("of two templates", {man, woman}, true);
     Condition notWoman = woman;
     notWoman.isNot = true;
     row("of one and not of the other", {man, notWoman}, false);
-    Condition never = conditionOf(Kind::Chance);
-    never.chance = 0.0F;
-    row("no chance", {never}, true);
-    const Condition chance = conditionOf(Kind::Chance);
-    const Condition except = conditionOf(Kind::Chance, true);
+    row("no chance", {conditions::Chance{0.0F}}, true);
+    const Condition chance = conditions::Chance();
+    const Condition except(conditions::Chance(), true);
     row("two draws", {chance, except}, false);
 }
 
@@ -199,7 +179,7 @@ void TestRuleFlaws::conditionsThatExcludeEachOtherAreSaid()
     QFETCH(const std::vector<Condition>, conditions);
     QFETCH(const bool, isAnyEnough);
     QFETCH(const bool, isSaid);
-    Rule rule = ruleOf(1, "go", {actionOf(ActionKind::Stop)});
+    Rule rule = ruleOf(1, "go", {actions::Stop()});
     rule.conditions = conditions;
     rule.isAnyEnough = isAnyEnough;
     const std::vector<RuleFlaw> flaws = flawsOf(sceneOf({rule}));
@@ -209,8 +189,8 @@ void TestRuleFlaws::conditionsThatExcludeEachOtherAreSaid()
 
 void TestRuleFlaws::whatNeverComesIsSaid()
 {
-    const Rule upper = ruleOf(1, "go", {actionOf(ActionKind::Stop)});
-    Rule lower = ruleOf(2, "go", {actionOf(ActionKind::Wait)});
+    const Rule upper = ruleOf(1, "go", {actions::Stop()});
+    Rule lower = ruleOf(2, "go", {actions::Wait()});
     const auto flaws = [&] { return flawsOf(sceneOf({upper, lower})); };
     QCOMPARE(flaws(), (std::vector<RuleFlaw>{{2, RuleFlawKind::Hidden, {}, 1}}));
     QVERIFY(englishOf(flaws()[0], sceneOf({upper, lower})).find("rule \"rule 1\" above it") !=
@@ -218,42 +198,41 @@ void TestRuleFlaws::whatNeverComesIsSaid()
     lower.meeting = RuleMeeting::Queue;
     QVERIFY(flaws().empty());
     lower.meeting = RuleMeeting::Interrupt;
-    lower.trigger.event = "other";
+    lower.trigger = triggers::Event{"other"};
     QVERIFY(flaws().empty());
     // One for those who sit and one for the others.
     Rule seated = upper;
-    seated.conditions = {conditionOf(ConditionKind::IsSeated)};
-    lower.trigger.event = "go";
-    lower.conditions = {conditionOf(ConditionKind::IsSeated, true)};
+    seated.conditions = {conditions::IsSeated()};
+    lower.trigger = triggers::Event{"go"};
+    lower.conditions = {{conditions::IsSeated(), true}};
     QVERIFY(flawsOf(sceneOf({seated, lower})).empty());
 }
 
 void TestRuleFlaws::whatIsBrokenOffAtOnceIsSaid()
 {
-    Rule upper = ruleOf(1, "go", {actionOf(ActionKind::Wait)});
+    Rule upper = ruleOf(1, "go", {actions::Wait()});
     upper.yields = RuleYield::Anybody;
-    const Rule lower = ruleOf(2, "go", {actionOf(ActionKind::Stop)});
+    const Rule lower = ruleOf(2, "go", {actions::Stop()});
     QCOMPARE(flawsOf(sceneOf({upper, lower})),
              (std::vector<RuleFlaw>{{1, RuleFlawKind::BrokenOff, {}, 2}}));
 }
 
 void TestRuleFlaws::whatIsUndoneIsSaid()
 {
-    const Rule add = ruleOf(1, "go", {actionOf(ActionKind::AddTag)});
-    Rule remove = ruleOf(2, "go", {actionOf(ActionKind::RemoveTag)});
+    const Rule add = ruleOf(1, "go", {actions::AddTag()});
+    Rule remove = ruleOf(2, "go", {actions::RemoveTag()});
     remove.meeting = RuleMeeting::Queue;
     QCOMPARE(flawsOf(sceneOf({add, remove})),
              (std::vector<RuleFlaw>{{2, RuleFlawKind::Undone, {}, 1}}));
-    remove.actions[0].tag = 3;
+    remove.actions = {actions::RemoveTag{3}};
     QVERIFY(flawsOf(sceneOf({add, remove})).empty());
 }
 
 void TestRuleFlaws::seatsAndExitsThatAreMissingAreSaid()
 {
-    Action leave = actionOf(ActionKind::LeaveScene);
+    actions::LeaveScene leave;
     leave.choice = PlaceChoice::Nearest;
-    Scene scene =
-        sceneOf({ruleOf(1, "sit", {actionOf(ActionKind::SitDown)}), ruleOf(2, "home", {leave})});
+    Scene scene = sceneOf({ruleOf(1, "sit", {actions::SitDown()}), ruleOf(2, "home", {leave})});
     QCOMPARE(flawsOf(scene),
              (std::vector<RuleFlaw>{{1, RuleFlawKind::NoSeats}, {2, RuleFlawKind::NoExit}}));
     auto asset = std::make_shared<StageAsset>();

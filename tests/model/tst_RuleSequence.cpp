@@ -2,7 +2,7 @@
 #include <QtTest/QTest>
 
 #include "model/base/Random.h"
-#include "model/scene/RuleSequence.h"
+#include "model/rules/RuleSequence.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
@@ -15,25 +15,23 @@ Actions linesOf(const char* text)
 {
     Actions actions;
     std::uint8_t depth = 0;
-    const auto add = [&](ActionKind kind, char name) {
-        Action action;
-        action.kind = kind;
+    const auto add = [&](Action action, char name) {
         action.depth = depth;
-        action.event = name;
+        action.unknownMembers = name;
         actions.push_back(action);
     };
     for (const char* c = text; *c != 0; ++c) {
         if (*c == '{') {
-            actions.back().kind = ActionKind::Repeat;
+            actions.back().data = actions::Repeat();
             ++depth;
         } else if (*c == '}' || *c == '>') {
             --depth;
         } else if (*c == '<' || *c == '|') {
             depth = static_cast<std::uint8_t>(depth - (*c == '|' ? 1 : 0));
-            add(ActionKind::OneOf, '?');
+            add(actions::OneOf(), '?');
             ++depth;
         } else if (*c != ' ') {
-            add(ActionKind::Wait, *c);
+            add(actions::Wait(), *c);
         }
     }
     return actions;
@@ -41,7 +39,7 @@ Actions linesOf(const char* text)
 
 std::size_t lineOf(const Actions& actions, char name)
 {
-    const auto found = std::ranges::find(actions, std::string(1, name), &Action::event);
+    const auto found = std::ranges::find(actions, std::string(1, name), &Action::unknownMembers);
     return static_cast<std::size_t>(found - actions.begin());
 }
 
@@ -49,7 +47,8 @@ QString textOf(const Actions& actions)
 {
     QString text;
     for (const Action& action : actions) {
-        text += QString(action.depth, QLatin1Char('.')) + QString::fromStdString(action.event);
+        text +=
+            QString(action.depth, QLatin1Char('.')) + QString::fromStdString(action.unknownMembers);
     }
     return text;
 }
@@ -136,13 +135,13 @@ void TestRuleSequence::linesAreAddedInsideAndBeside()
 {
     Actions actions = linesOf("a{ b } c");
     Action added;
-    added.event = "x";
+    added.unknownMembers = "x";
     addInside(actions, 0, added);
     QCOMPARE(textOf(actions), textOf(linesOf("a{ b x } c")));
     actions = linesOf("< a | b > c");
     addAlternative(actions, 0);
     QCOMPARE(actions.size(), std::size_t{6});
-    QVERIFY(actions[4].kind == ActionKind::OneOf && actions[4].depth == 0);
+    QVERIFY(actions[4].is<actions::OneOf>() && actions[4].depth == 0);
     QCOMPARE(alternativesOf(actions, 0).size(), std::size_t{3});
 }
 
@@ -150,7 +149,7 @@ void TestRuleSequence::depthsSettle()
 {
     Actions actions = linesOf("a b c d");
     actions[0].depth = 5;
-    actions[1].kind = ActionKind::Repeat;
+    actions[1].data = actions::Repeat();
     actions[2].depth = 200;
     actions[3].depth = 2;
     settleDepths(actions);

@@ -51,10 +51,8 @@ model::Scene squareScene()
     model::Rule rule;
     rule.id = 1;
     rule.name = "run";
-    rule.trigger.kind = model::TriggerKind::Event;
-    rule.trigger.event = "run";
-    model::Action run;
-    run.kind = model::ActionKind::SetSpeed;
+    rule.trigger = model::triggers::Event{"run"};
+    model::actions::SetSpeed run;
     run.value = 3.0F;
     rule.actions = {run};
     scene.rules = {rule};

@@ -215,11 +215,11 @@ void TestBehaviourDocks::whatIsNotChosenYetIsNotGone()
 {
     const model::Scene scene;
     model::Rule rule;
-    rule.trigger.event = "go";
-    rule.actions.emplace_back().kind = model::ActionKind::GoToPlace;
+    rule.trigger = model::triggers::Event{"go"};
+    rule.actions.emplace_back(model::actions::GoToPlace());
     QVERIFY(ruleProblem(scene, rule).contains(QStringLiteral("choose a place")));
     QVERIFY(!ruleSentence(scene, rule).contains(QStringLiteral("any place")));
-    rule.actions[0].place = 5;
+    rule.actions[0].as<model::actions::GoToPlace>()->place = 5;
     QVERIFY(ruleProblem(scene, rule).contains(QStringLiteral("not there any more")));
 }
 
@@ -228,39 +228,38 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
 {
     Desk<RulesDock> desk;
     QVERIFY(desk.isReady());
-    QVERIFY(triggerNames().size() == static_cast<int>(model::TriggerKind::AheadFree) + 1);
-    QVERIFY(conditionNames().size() == static_cast<int>(model::ConditionKind::Property) + 1);
-    QVERIFY(actionNames().size() == static_cast<int>(model::ActionKind::OneOf) + 1);
-    QVERIFY(choiceNames().size() == static_cast<int>(model::PlaceChoice::Ahead) + 1);
-    QVERIFY(yieldNames().size() == static_cast<int>(model::RuleYield::Nobody) + 1);
     model::Rule rule;
     rule.id = 1;
-    for (int kind = 0; kind < conditionNames().size(); ++kind) {
-        rule.conditions.emplace_back().kind = static_cast<model::ConditionKind>(kind);
+    for (std::size_t kind = 0; kind < model::kindsOf<model::ConditionData>().size(); ++kind) {
+        rule.conditions.emplace_back().begin(kind);
     }
-    for (int kind = 0; kind < actionNames().size(); ++kind) {
-        rule.actions.emplace_back().kind = static_cast<model::ActionKind>(kind);
+    for (std::size_t kind = 0; kind < model::kindsOf<model::ActionData>().size(); ++kind) {
+        rule.actions.emplace_back().begin(kind);
     }
-    for (int property = 0; property < settableNames().size(); ++property) {
-        rule.actions.emplace_back().kind = model::ActionKind::SetProperty;
-        rule.actions.back().property = static_cast<model::SettableProperty>(property);
-        rule.actions.back().clips = {{"sit", 1.0F}, {"sit_clap", 2.0F}};
+    for (std::size_t property = 0; property < model::kSettableProperties.size(); ++property) {
+        model::actions::SetProperty set;
+        set.property = static_cast<model::SettableProperty>(property);
+        set.clips = {{"sit", 1.0F}, {"sit_clap", 2.0F}};
+        rule.actions.emplace_back(set);
     }
-    for (int property = 0; property < comparedNames().size(); ++property) {
-        rule.conditions.emplace_back().kind = model::ConditionKind::Property;
-        rule.conditions.back().property = static_cast<model::ComparedProperty>(property);
+    for (std::size_t property = 0; property < model::kComparedProperties.size(); ++property) {
+        model::conditions::Property asked;
+        asked.property = static_cast<model::ComparedProperty>(property);
+        rule.conditions.emplace_back(asked);
     }
-    for (int aim = 0; aim < aimNames().size(); ++aim) {
-        rule.actions.emplace_back().kind = model::ActionKind::LookAt;
-        rule.actions.back().aim = static_cast<model::ActionAim>(aim);
+    for (std::size_t aim = 0; aim < model::rulefields::kAims.size(); ++aim) {
+        model::actions::LookAt look;
+        look.aim = static_cast<model::ActionAim>(aim);
+        rule.actions.emplace_back(look);
     }
-    for (int choice = 0; choice < choiceNames().size(); ++choice) {
-        rule.actions.emplace_back().kind = model::ActionKind::GoToPlace;
-        rule.actions.back().choice = static_cast<model::PlaceChoice>(choice);
+    for (std::size_t choice = 0; choice < model::actions::GoToPlace::kChoices.size(); ++choice) {
+        model::actions::GoToPlace go;
+        go.choice = static_cast<model::PlaceChoice>(choice);
+        rule.actions.emplace_back(go);
     }
     auto* list = desk.dock->findChild<QListWidget*>();
-    for (int kind = 0; kind < triggerNames().size(); ++kind) {
-        rule.trigger.kind = static_cast<model::TriggerKind>(kind);
+    for (std::size_t kind = 0; kind < model::kindsOf<model::TriggerData>().size(); ++kind) {
+        rule.trigger.begin(kind);
         auto edit = desk.document.beginEdit();
         edit->setRules({rule});
         edit->commit(QStringLiteral("Rule"));
@@ -312,8 +311,8 @@ void TestBehaviourDocks::aCueSaysThatTheGroundIsStillSought()
     {
         const auto edit = desk.document.beginEdit();
         model::Rule rule;
-        rule.trigger.event = "run";
-        rule.actions.emplace_back().kind = model::ActionKind::Flee;
+        rule.trigger = model::triggers::Event{"run"};
+        rule.actions.emplace_back(model::actions::Flee());
         edit->setRules({rule});
         edit->setCues({cue});
         edit->commit(QStringLiteral("Rules"));

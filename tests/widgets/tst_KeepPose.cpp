@@ -31,20 +31,21 @@ model::Scene changeable()
     scene.templates.front().path = "builtin:templates/actor.glb"; // to be written
     scene.nextId = 4;
     scene.numbers = {{kHunger, "hunger", 1.0F, 1.0F}, {3, "thirst", 0.0F, 5.0F}};
-    Action tint = action(ActionKind::SetProperty);
-    tint.tint = {10, 20, 30, 200};
-    Action height = action(ActionKind::SetProperty);
+    actions::SetProperty tint;
+    tint.color = {10, 20, 30};
+    tint.strength = 200;
+    actions::SetProperty height;
     height.property = model::SettableProperty::Height;
     height.value = 1.5F;
-    Action speed = action(ActionKind::SetProperty);
+    actions::SetProperty speed;
     speed.property = model::SettableProperty::PlaybackSpeed;
     speed.value = 2.0F;
-    Action sit = action(ActionKind::SetProperty);
+    actions::SetProperty sit;
     sit.property = model::SettableProperty::Clip;
     sit.clips = {{"sit", 1.0F}};
-    Action tag = action(ActionKind::AddTag);
+    actions::AddTag tag;
     tag.tag = 9;
-    Action more = action(ActionKind::AddToNumber);
+    actions::AddToNumber more;
     more.number = kHunger;
     more.value = 2.5F;
     scene.rules = {onEvent("change", {tint, height, speed, sit, tag, more})};

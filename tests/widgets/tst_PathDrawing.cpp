@@ -325,8 +325,7 @@ void TestPathDrawing::labelsSayWhatPanelsAndRulesSay()
     }
     scene.paths = {pathOver(1, {1, 2}, kOrange), pathOver(2, {3, 4}, kBlue)};
     model::Rule rule;
-    rule.trigger.kind = model::TriggerKind::Arrived;
-    rule.trigger.place = 4;
+    rule.trigger = model::triggers::Arrived{4};
     scene.rules = {rule};
     document.replaceScene(std::move(scene), {});
     const model::View view(model::Camera::lookingAt({2.0F, 10.0F, 8.0F}, {2.0F, 0.0F, 0.0F}),

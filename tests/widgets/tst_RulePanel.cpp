@@ -15,9 +15,11 @@
 using namespace crowd;
 using namespace crowd::widgets;
 using crowd::testing::Desk;
-using model::ActionKind;
 
 namespace {
+
+namespace actions = model::actions;
+namespace triggers = model::triggers;
 
 using RulesDesk = Desk<RulesDock>;
 
@@ -64,18 +66,11 @@ void giveRule(RulesDesk& desk, const model::Rule& rule)
     list->setCurrentRow(0);
 }
 
-model::Action actionOf(ActionKind kind)
-{
-    model::Action action;
-    action.kind = kind;
-    return action;
-}
-
 model::Rule ruleOf(std::vector<model::Action> actions)
 {
     model::Rule rule;
     rule.id = 1;
-    rule.trigger.event = "go";
+    rule.trigger = triggers::Event{"go"};
     rule.actions = std::move(actions);
     return rule;
 }
@@ -146,12 +141,12 @@ void TestRulePanel::blocksAreBuiltWithButtons()
 {
     RulesDesk desk;
     QVERIFY(desk.isReady());
-    giveRule(desk, ruleOf({actionOf(ActionKind::Repeat), actionOf(ActionKind::Stop)}));
-    const auto actions = [&] { return desk.document.scene().rules[0].actions; };
+    giveRule(desk, ruleOf({actions::Repeat(), actions::Stop()}));
+    const auto lines = [&] { return desk.document.scene().rules[0].actions; };
     QTRY_VERIFY(shown<QToolButton>(desk, "addInside") != nullptr);
     press(desk, "addInside");
-    QCOMPARE(actions().size(), std::size_t{3});
-    QVERIFY(actions()[1].kind == ActionKind::Wait && actions()[1].depth == 1);
+    QCOMPARE(lines().size(), std::size_t{3});
+    QVERIFY(lines()[1].is<actions::Wait>() && lines()[1].depth == 1);
     // The last line up: into the repeat.
     const auto arrows = [&] {
         QList<QToolButton*> up;
@@ -165,21 +160,21 @@ void TestRulePanel::blocksAreBuiltWithButtons()
     QTRY_COMPARE(arrows().size(), 3);
     QVERIFY(!arrows()[0]->isEnabled());
     QTest::mouseClick(arrows()[2], Qt::LeftButton);
-    QVERIFY(actions()[2].kind == ActionKind::Stop && actions()[2].depth == 1);
+    QVERIFY(lines()[2].is<actions::Stop>() && lines()[2].depth == 1);
     desk.document.undoStack().undo();
-    QCOMPARE(int{actions()[2].depth}, 0);
-    giveRule(desk, ruleOf({actionOf(ActionKind::OneOf)}));
+    QCOMPARE(int{lines()[2].depth}, 0);
+    giveRule(desk, ruleOf({actions::OneOf()}));
     QTRY_VERIFY(shown<QToolButton>(desk, "addAlternative") != nullptr);
     press(desk, "addAlternative");
-    QCOMPARE(actions().size(), std::size_t{2});
-    QVERIFY(actions()[1].kind == ActionKind::OneOf && actions()[1].depth == 0);
+    QCOMPARE(lines().size(), std::size_t{2});
+    QVERIFY(lines()[1].is<actions::OneOf>() && lines()[1].depth == 0);
 }
 
 void TestRulePanel::weightsOfClipsAreEdited()
 {
     RulesDesk desk;
     QVERIFY(desk.isReady());
-    model::Action play = actionOf(ActionKind::PlayClip);
+    actions::PlayClip play;
     play.clips = {{"clap", 1.0F}, {"cheer", 2.0F}};
     giveRule(desk, ruleOf({play}));
     const auto weights = [&] {
@@ -194,16 +189,18 @@ void TestRulePanel::weightsOfClipsAreEdited()
     QTRY_COMPARE(weights().size(), 2);
     QCOMPARE(weights()[1]->value(), 2.0);
     weights()[1]->setValue(5.0);
-    QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 5.0F);
+    QCOMPARE(desk.document.scene().rules[0].actions[0].as<actions::PlayClip>()->clips[1].weight,
+             5.0F);
     desk.document.undoStack().undo();
-    QCOMPARE(desk.document.scene().rules[0].actions[0].clips[1].weight, 2.0F);
+    QCOMPARE(desk.document.scene().rules[0].actions[0].as<actions::PlayClip>()->clips[1].weight,
+             2.0F);
 }
 
 void TestRulePanel::clipsAreTickedOneAfterTheOther()
 {
     RulesDesk desk;
     QVERIFY(desk.isReady());
-    model::Action play = actionOf(ActionKind::PlayClip);
+    actions::PlayClip play;
     play.clips = {{"clap", 1.0F}, {"cheer", 2.0F}};
     giveRule(desk, ruleOf({play}));
     QMenu* menu = nullptr;
@@ -227,19 +224,20 @@ void TestRulePanel::clipsAreTickedOneAfterTheOther()
     tick("clap");
     QVERIFY(menu->isVisible());
     const auto& rules = desk.document.scene().rules;
-    QCOMPARE(rules[0].actions[0].clips.size(), std::size_t{2}); // until it closes
+    QCOMPARE(rules[0].actions[0].as<actions::PlayClip>()->clips.size(),
+             std::size_t{2}); // until it closes
     menu->close();
-    QTRY_COMPARE(rules[0].actions[0].clips.size(), std::size_t{1});
-    QCOMPARE(rules[0].actions[0].clips[0].clip, std::string("clap"));
+    QTRY_COMPARE(rules[0].actions[0].as<actions::PlayClip>()->clips.size(), std::size_t{1});
+    QCOMPARE(rules[0].actions[0].as<actions::PlayClip>()->clips[0].clip, std::string("clap"));
     desk.document.undoStack().undo();
-    QVERIFY(rules[0].actions[0].clips == play.clips);
+    QVERIFY(rules[0].actions[0].as<actions::PlayClip>()->clips == play.clips);
 }
 
 void TestRulePanel::countsAreWholeNumbers()
 {
     RulesDesk desk;
     QVERIFY(desk.isReady());
-    giveRule(desk, ruleOf({actionOf(ActionKind::Repeat), actionOf(ActionKind::Stop)}));
+    giveRule(desk, ruleOf({actions::Repeat(), actions::Stop()}));
     const auto shows = [&desk](const QString& text) {
         return std::ranges::any_of(desk.all<QDoubleSpinBox>(),
                                    [&](const QDoubleSpinBox* box) { return box->text() == text; });
@@ -250,20 +248,12 @@ void TestRulePanel::countsAreWholeNumbers()
 void TestRulePanel::sentencesTellWhatRepeatsAndWhatIsDrawn()
 {
     model::Scene scene;
-    model::Action repeat = actionOf(ActionKind::Repeat);
-    repeat.times = 3;
-    model::Action often = actionOf(ActionKind::OneOf);
-    often.depth = 1;
-    often.weight = 3.0F;
-    model::Action seldom = often;
-    seldom.weight = 1.0F;
-    model::Action wait = actionOf(ActionKind::Wait);
-    wait.seconds = 2.0F;
-    wait.depth = 2;
-    model::Action stop = actionOf(ActionKind::Stop);
-    stop.depth = 2;
-    const model::Rule rule =
-        ruleOf({repeat, often, wait, seldom, stop, actionOf(ActionKind::GoOn)});
+    const model::Rule rule = ruleOf({actions::Repeat{3},
+                                     {actions::OneOf{3.0F}, 1},
+                                     {actions::Wait{2.0F}, 2},
+                                     {actions::OneOf{1.0F}, 1},
+                                     {actions::Stop(), 2},
+                                     actions::GoOn()});
     QCOMPARE(
         ruleSentence(scene, rule),
         QStringLiteral("When “go” reaches someone: repeat 3 × (either (wait about 2 s) 75 % or "
@@ -273,21 +263,21 @@ void TestRulePanel::sentencesTellWhatRepeatsAndWhatIsDrawn()
 void TestRulePanel::blocksSayWhatIsMissing()
 {
     const model::Scene scene;
-    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::Repeat)}))
+    QVERIFY(ruleProblem(scene, ruleOf({actions::Repeat()}))
                 .contains(QStringLiteral("nothing to repeat")));
-    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::OneOf)}))
+    QVERIFY(ruleProblem(scene, ruleOf({actions::OneOf()}))
                 .contains(QStringLiteral("only one to choose")));
-    model::Action never = actionOf(ActionKind::OneOf);
+    actions::OneOf never;
     never.weight = 0.0F;
     QVERIFY(ruleProblem(scene, ruleOf({never, never})).contains(QStringLiteral("ever comes")));
-    model::Action after = actionOf(ActionKind::Follow);
+    actions::Follow after;
     after.aim = model::ActionAim::Place;
     QVERIFY(ruleProblem(scene, ruleOf({after})).contains(QStringLiteral("nobody to go after")));
-    model::Action look = actionOf(ActionKind::LookAt);
+    actions::LookAt look;
     look.aim = model::ActionAim::Place;
     look.place = 9;
     QVERIFY(ruleProblem(scene, ruleOf({look})).contains(QStringLiteral("not there any more")));
-    QVERIFY(ruleProblem(scene, ruleOf({actionOf(ActionKind::LookAt)})).isEmpty());
+    QVERIFY(ruleProblem(scene, ruleOf({actions::LookAt()})).isEmpty());
 }
 
 /// Whoever tabs from one field to the next types into that, also though both were made anew.

@@ -27,7 +27,7 @@ struct RulesListDesk : crowd::testing::Desk<RulesDock>
         std::vector<model::Rule> rules(3);
         for (std::size_t i = 0; i < rules.size(); ++i) {
             rules[i].id = static_cast<model::RuleId>(i + 1);
-            rules[i].trigger.event = "event" + std::to_string(i + 1);
+            rules[i].trigger = model::triggers::Event{"event" + std::to_string(i + 1)};
         }
         auto edit = document.beginEdit();
         edit->setRules(std::move(rules));
@@ -195,41 +195,40 @@ void TestRulesList::theListHasKeys()
 
 void TestRulesList::conditionsReadAsSentences_data()
 {
-    using model::ConditionKind;
-    QTest::addColumn<int>("kind");
-    QTest::addColumn<bool>("isNot");
+    using namespace model::conditions;
+    QTest::addColumn<model::Condition>("condition");
     QTest::addColumn<QString>("text");
-    const auto add = [](ConditionKind kind, const char* yes, const char* no) {
-        QTest::newRow(yes) << static_cast<int>(kind) << false << QString::fromUtf8(yes);
-        QTest::newRow(no) << static_cast<int>(kind) << true << QString::fromUtf8(no);
+    const auto add = [](const model::Condition& condition, const char* yes, const char* no) {
+        model::Condition negated = condition;
+        negated.isNot = true;
+        QTest::newRow(yes) << condition << QString::fromUtf8(yes);
+        QTest::newRow(no) << negated << QString::fromUtf8(no);
     };
-    add(ConditionKind::HasTag, "tagged 1", "not tagged 1");
-    add(ConditionKind::FollowsPath, "walking any path", "not walking any path");
-    add(ConditionKind::IsSeated, "seated", "not seated");
-    add(ConditionKind::Chance, "by chance in 50 % of cases", "except by chance in 50 % of cases");
-    add(ConditionKind::Number, "a number above 3", "a number not above 3");
-    add(ConditionKind::Speed, "speed above 3", "speed not above 3");
-    add(ConditionKind::Payload, "the event’s number above 3", "the event’s number not above 3");
+    const auto above = [](auto kind) {
+        kind.value = 3.0F;
+        return kind;
+    };
+    add(HasTag(), "tagged 1", "not tagged 1");
+    add(FollowsPath(), "walking any path", "not walking any path");
+    add(IsSeated(), "seated", "not seated");
+    add(Chance(), "by chance in 50 % of cases", "except by chance in 50 % of cases");
+    add(above(Number()), "a number above 3", "a number not above 3");
+    add(above(Speed()), "speed above 3", "speed not above 3");
+    add(above(Payload()), "the event’s number above 3", "the event’s number not above 3");
     // Of a place that is still to be chosen.
-    add(ConditionKind::IsFull, "… full", "… not full");
-    add(ConditionKind::PeopleIn, "characters in … above 3", "characters in … not above 3");
-    add(ConditionKind::Property, "height above 3", "height not above 3");
+    add(IsFull(), "… full", "… not full");
+    add(above(PeopleIn()), "characters in … above 3", "characters in … not above 3");
+    add(above(Property()), "height above 3", "height not above 3");
 }
 
 void TestRulesList::conditionsReadAsSentences()
 {
-    QFETCH(const int, kind);
-    QFETCH(const bool, isNot);
+    QFETCH(const model::Condition, condition);
     QFETCH(const QString, text);
     model::Rule rule;
-    rule.trigger.event = "go";
-    model::Condition& condition = rule.conditions.emplace_back();
-    condition.kind = static_cast<model::ConditionKind>(kind);
-    condition.isNot = isNot;
-    condition.chance = 0.5F;
-    condition.comparison = model::Comparison::More;
-    condition.value = 3.0F;
-    rule.actions.emplace_back().kind = model::ActionKind::Stop;
+    rule.trigger = model::triggers::Event{"go"};
+    rule.conditions = {condition};
+    rule.actions = {model::actions::Stop()};
     QCOMPARE(ruleSentence({}, rule),
              QStringLiteral("When “go” reaches someone, %1: stop").arg(text));
 }
@@ -265,23 +264,25 @@ void TestRulesList::leavingReadsAsASentence()
     scene.places = {{1, "gate", {}, 1.0F}};
     scene.paths = {{1, "way", model::PathKind::Simple, {1}}};
     model::Rule rule;
-    rule.trigger.event = "go";
-    model::Action& leave = rule.actions.emplace_back();
-    leave.kind = model::ActionKind::LeaveScene;
+    rule.trigger = model::triggers::Event{"go"};
+    model::actions::LeaveScene leave;
     leave.choice = static_cast<model::PlaceChoice>(choice);
     leave.place = place;
     leave.path = path;
+    rule.actions = {leave};
     QCOMPARE(ruleSentence(scene, rule), QStringLiteral("When “go” reaches someone: %1").arg(text));
 }
 
 void TestRulesList::whatLastsSaysHowLong()
 {
     model::Rule rule;
-    rule.trigger.event = "go";
-    rule.actions.emplace_back().kind = model::ActionKind::Follow;
-    rule.actions[0].seconds = 0.0F;
+    rule.trigger = model::triggers::Event{"go"};
+    model::actions::Follow follow;
+    follow.seconds = 0.0F;
+    rule.actions = {follow};
     QVERIFY(ruleSentence({}, rule).endsWith(QStringLiteral("until something else comes")));
-    rule.actions[0].seconds = 5.0F;
+    follow.seconds = 5.0F;
+    rule.actions = {follow};
     QVERIFY(ruleSentence({}, rule).endsWith(QStringLiteral("for 5 s")));
 }
 
@@ -292,7 +293,7 @@ void TestRulesList::countingMovesNothing()
     QVERIFY(desk.begin());
     std::vector<model::Rule> rules = desk.document.scene().rules;
     for (model::Rule& rule : rules) {
-        rule.actions.emplace_back().kind = model::ActionKind::Stop;
+        rule.actions.emplace_back(model::actions::Stop());
     }
     auto edit = desk.document.beginEdit();
     edit->setRules(std::move(rules));
@@ -331,8 +332,8 @@ void TestRulesList::theLogOfAnotherSceneIsForgotten()
     QVERIFY(desk.begin());
     auto* log = desk.dock->findChild<QPlainTextEdit*>(QStringLiteral("ruleLog"));
     std::vector<model::Rule> rules = desk.document.scene().rules;
-    rules[0].trigger.kind = model::TriggerKind::Start;
-    rules[0].actions.emplace_back().kind = model::ActionKind::Stop;
+    rules[0].trigger = model::triggers::Start();
+    rules[0].actions.emplace_back(model::actions::Stop());
     auto edit = desk.document.beginEdit();
     edit->setRules(std::move(rules));
     edit->commit(QStringLiteral("Rules"));

@@ -170,10 +170,9 @@ void TestWheelInPanels::scrollingTheRulesChangesNone()
     desk.window.resize(300, 300);
     model::Rule rule;
     rule.id = 1;
-    rule.trigger.event = "go";
-    rule.actions.emplace_back().kind = model::ActionKind::Wait;
-    rule.actions.back().seconds = 0.3F;
-    rule.conditions.emplace_back().kind = model::ConditionKind::Chance;
+    rule.trigger = model::triggers::Event{"go"};
+    rule.actions = {model::actions::Wait{0.3F}};
+    rule.conditions.emplace_back(model::conditions::Chance());
     auto edit = desk.document.beginEdit();
     edit->setRules({rule});
     edit->commit(QStringLiteral("Rule"));

@@ -10,7 +10,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "widgets/docks/CueForm.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"

@@ -11,7 +11,7 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/WrapRow.h"

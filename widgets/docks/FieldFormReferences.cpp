@@ -8,8 +8,8 @@
 
 #include "model/brush/BrushSettings.h"
 #include "model/brush/ClipChoice.h"
+#include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
-#include "model/scene/RuleSets.h"
 #include "model/scene/Scene.h"
 #include "widgets/docks/ClipMix.h"
 #include "widgets/docks/FieldForm.h"

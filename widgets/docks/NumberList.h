@@ -5,7 +5,7 @@
 
 #include <QtCore/QString>
 
-#include "model/scene/Rule.h"
+#include "model/rules/Rule.h"
 
 namespace crowd::widgets {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/RuleEditor.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <QtWidgets/QHBoxLayout>
@@ -8,35 +10,41 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/WrapRow.h"
 
 namespace crowd::widgets {
 
+using model::Action;
 using model::Condition;
-using model::ConditionKind;
 using model::Rule;
 using model::Trigger;
-using model::TriggerKind;
 
 namespace {
 
 constexpr int kIndent = 14; ///< logical pixels
 
 /// Something that stands before the verb: "speed is above 1 m/s", not "is speed".
-bool isComparison(const Condition& condition)
+bool isComparison(const model::RuleKind& kind)
 {
-    switch (condition.kind) {
-    case ConditionKind::Number:
-    case ConditionKind::Speed:
-    case ConditionKind::Payload:
-    case ConditionKind::PeopleIn:
-    case ConditionKind::Property:
-        return true;
-    default:
-        return false;
+    return std::ranges::any_of(kind.fields, [](const model::FieldInfo& field) {
+        return std::string_view(field.meta.key) == "compare";
+    });
+}
+
+/// Index of a kind in the order of a menu, with lines between groups.
+std::vector<std::vector<int>> groupsOf(std::span<const model::RuleKind> kinds)
+{
+    std::vector<std::vector<int>> groups(1);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i].text.beginsGroup) {
+            groups.emplace_back();
+        }
+        groups.back().push_back(static_cast<int>(i));
     }
+    return groups;
 }
 
 } // namespace
@@ -103,19 +111,21 @@ void RuleEditor::addTextButton(QHBoxLayout* row, const char* name, const QString
     connect(button, &QToolButton::clicked, this, [this, change] { m_apply(change); });
 }
 
-void RuleEditor::setTrigger(const std::function<void(Trigger&)>& change)
+template<class Part>
+PartRows RuleEditor::rowsFor(QVBoxLayout* layout, std::function<Part&(Rule&)> partOf)
 {
-    m_apply([&](Rule& each) { change(each.trigger); });
-}
-
-void RuleEditor::setCondition(std::size_t index, const std::function<void(Condition&)>& change)
-{
-    m_apply([&](Rule& each) { change(each.conditions[index]); });
-}
-
-void RuleEditor::setAction(std::size_t index, const std::function<void(model::Action&)>& change)
-{
-    m_apply([&](Rule& each) { change(each.actions[index]); });
+    Rule shown = m_rule;
+    const std::size_t kind = partOf(shown).data.index();
+    const auto change = [this, partOf, kind](const model::FieldInfo& field,
+                                             const model::FieldValue& value) {
+        m_apply([&](Rule& each) {
+            Part& part = partOf(each);
+            if (part.data.index() == kind) { // else this editor is about to go
+                field.set(part.object(), value);
+            }
+        });
+    };
+    return {m_scene, layout, [this, layout] { return indentedRowIn(layout); }, change};
 }
 
 void RuleEditor::addMore(QVBoxLayout* layout)
@@ -124,7 +134,7 @@ void RuleEditor::addMore(QVBoxLayout* layout)
     addTextButton(row, "addCondition", tr("+ only if…"), tr("Adds a condition"),
                   [](Rule& each) { each.conditions.emplace_back(); });
     addTextButton(row, "addAction", tr("+ then…"), tr("Adds something to do"),
-                  [](Rule& each) { each.actions.emplace_back().kind = model::ActionKind::Wait; });
+                  [](Rule& each) { each.actions.emplace_back(model::actions::Wait()); });
     row->addStretch(1);
 }
 
@@ -132,67 +142,15 @@ void RuleEditor::addTrigger(QVBoxLayout* layout)
 {
     QHBoxLayout* row = rowIn(layout);
     row->addWidget(new QLabel(tr("When")));
-    addChoiceField(row, triggerNames(), static_cast<int>(m_rule.trigger.kind), [this](int index) {
-        setTrigger([&](Trigger& each) { each.kind = static_cast<TriggerKind>(index); });
-    });
-    if (m_rule.trigger.kind != TriggerKind::Start &&
-        m_rule.trigger.kind != TriggerKind::ClipEnded) {
-        addTriggerFields(indentedRowIn(layout));
-    }
-}
-
-void RuleEditor::addTriggerFields(QHBoxLayout* row)
-{
     const Trigger& trigger = m_rule.trigger;
-    const auto addFloat = [&](float Trigger::*member, double low, double high,
-                              const QString& suffix) {
-        addNumberField(row, static_cast<double>(trigger.*member), low, high, suffix,
-                       [this, member](double value) {
-                           setTrigger(
-                               [&](Trigger& each) { each.*member = static_cast<float>(value); });
-                       });
-    };
-    switch (trigger.kind) {
-    case TriggerKind::Event:
-        addTextField(row, QString::fromStdString(trigger.event), tr("event"),
-                     [this](const QString& text) {
-                         setTrigger([&](Trigger& each) { each.event = text.toStdString(); });
-                     });
-        break;
-    case TriggerKind::Arrived:
-    case TriggerKind::Entered:
-    case TriggerKind::Left:
-        addPlaceField(row, m_scene, trigger.place, tr("any place"), [this](model::PlaceId place) {
-            setTrigger([&](Trigger& each) { each.place = place; });
+    addChoiceField(
+        row, kindNames(model::kindsOf<model::TriggerData>()),
+        static_cast<int>(trigger.data.index()), [this](int kind) {
+            m_apply([kind](Rule& each) { each.trigger.change(static_cast<std::size_t>(kind)); });
         });
-        break;
-    case TriggerKind::PathEnded:
-    case TriggerKind::AheadFree:
-        addPathField(row, m_scene, trigger.path, tr("any path"), [this](model::PathId path) {
-            setTrigger([&](Trigger& each) { each.path = path; });
-        });
-        break;
-    case TriggerKind::Every:
-    case TriggerKind::Waited:
-        addFloat(&Trigger::seconds, 0.1, 3600.0, tr(" s"));
-        break;
-    case TriggerKind::TagNear:
-        addTagField(row, m_scene, trigger.tag, [this](std::uint8_t tag) {
-            setTrigger([&](Trigger& each) { each.tag = tag; });
-        });
-        row->addWidget(new QLabel(tr("within")));
-        addFloat(&Trigger::metres, 0.1, 100.0, tr(" m"));
-        break;
-    case TriggerKind::SpeedLimit:
-        addChoiceField(
-            row, {tr("slower than"), tr("faster than")}, trigger.isAbove ? 1 : 0,
-            [this](int index) { setTrigger([&](Trigger& each) { each.isAbove = index == 1; }); });
-        addFloat(&Trigger::metresPerSecond, 0.0, 20.0, tr(" m/s"));
-        break;
-    case TriggerKind::Start:
-    case TriggerKind::ClipEnded:
-        break;
-    }
+    rowsFor<Trigger>(layout, [](Rule& each) -> Trigger& {
+        return each.trigger;
+    }).add(trigger.kind().fields, trigger.object());
 }
 
 void RuleEditor::addCondition(QVBoxLayout* layout, std::size_t index)
@@ -206,151 +164,74 @@ void RuleEditor::addCondition(QVBoxLayout* layout, std::size_t index)
             m_apply([&](Rule& each) { each.isAnyEnough = choice == 1; });
         });
     }
-    const bool isCompared = isComparison(condition);
+    const bool isCompared = isComparison(condition.kind());
     if (!isCompared) {
         addNegation(row, index);
     }
-    addChoiceField(
-        row, conditionNames(), static_cast<int>(condition.kind), [this, index](int kind) {
-            setCondition(index,
-                         [&](Condition& each) { each.kind = static_cast<ConditionKind>(kind); });
-        });
-    if (isCompared) {
-        addSubject(row, index);
+    addChoiceField(row, kindNames(model::kindsOf<model::ConditionData>()),
+                   static_cast<int>(condition.data.index()), [this, index](int kind) {
+                       m_apply([&](Rule& each) {
+                           each.conditions[index].change(static_cast<std::size_t>(kind));
+                       });
+                   });
+    PartRows rows = rowsFor<Condition>(
+        layout, [index](Rule& each) -> Condition& { return each.conditions[index]; });
+    std::span<const model::FieldInfo> fields = condition.kind().fields;
+    if (isCompared && std::string_view(fields.front().meta.key) != "compare") {
+        rows.addField(row, fields.front(), condition.object()); // what exactly is compared
+        fields = fields.subspan(1);
     }
     addRemoveButton(row, tr("Remove this condition"), [this, index] {
         m_apply([&](Rule& each) {
             each.conditions.erase(each.conditions.begin() + static_cast<std::ptrdiff_t>(index));
         });
     });
-    if (condition.kind != ConditionKind::IsSeated) {
-        addConditionFields(indentedRowIn(layout), index);
+    if (isCompared) { // "is below 3", "is at 3", "is above 3"
+        QHBoxLayout* verb = indentedRowIn(layout);
+        addNegation(verb, index);
+        rows.newRow = [verb] { return verb; };
     }
+    rows.add(fields, condition.object());
 }
 
 /// "is", "is not", or what suits better.
 void RuleEditor::addNegation(QHBoxLayout* row, std::size_t index)
 {
     const Condition& condition = m_rule.conditions[index];
-    addChoiceField(row, verbsOf(condition.kind), condition.isNot ? 1 : 0,
+    const model::KindText& text = condition.kind().text;
+    addChoiceField(row, {ruleText(text.yes), ruleText(text.no)}, condition.isNot ? 1 : 0,
                    [this, index](int choice) {
-                       setCondition(index, [&](Condition& each) { each.isNot = choice == 1; });
+                       m_apply([&](Rule& each) { each.conditions[index].isNot = choice == 1; });
                    });
 }
 
-void RuleEditor::addConditionPlace(QHBoxLayout* row, std::size_t index)
+void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
 {
-    addPlaceField(row, m_scene, m_rule.conditions[index].place, {},
-                  [this, index](model::PlaceId place) {
-                      setCondition(index, [&](Condition& each) { each.place = place; });
-                  });
-}
-
-/// What exactly is compared.
-void RuleEditor::addSubject(QHBoxLayout* row, std::size_t index)
-{
-    const Condition& condition = m_rule.conditions[index];
-    if (condition.kind == ConditionKind::Number) {
-        addArtistNumberField(row, m_scene, condition.number, [this, index](model::NumberId number) {
-            setCondition(index, [&](Condition& each) { each.number = number; });
-        });
-    } else if (condition.kind == ConditionKind::PeopleIn) {
-        addConditionPlace(row, index);
-    } else if (condition.kind == ConditionKind::Property) {
-        addChoiceField(row, comparedNames(), static_cast<int>(condition.property),
-                       [this, index](int property) {
-                           setCondition(index, [&](Condition& each) {
-                               each.property = static_cast<model::ComparedProperty>(property);
-                           });
-                       });
+    const Action& action = m_rule.actions[index];
+    m_depth = action.depth;
+    QHBoxLayout* row = rowIn(layout);
+    row->addWidget(new QLabel(wordBefore(index)));
+    const std::span<const model::RuleKind> kinds = model::kindsOf<model::ActionData>();
+    addGroupedField(row, kindNames(kinds), groupsOf(kinds), static_cast<int>(action.data.index()),
+                    [this, index](int kind) {
+                        m_apply([&](Rule& each) {
+                            each.actions[index].change(static_cast<std::size_t>(kind));
+                            model::settleDepths(each.actions); // nothing may belong to it now
+                        });
+                    });
+    if (m_rule.actions.size() > 1) {
+        addMoveButtons(row, index);
     }
-}
-
-void RuleEditor::addTemplate(QHBoxLayout* row, std::size_t index)
-{
-    QStringList names;
-    int chosen = -1;
-    for (const model::TemplateEntry& entry : m_scene.templates) {
-        chosen = entry.id == m_rule.conditions[index].templateId ? static_cast<int>(names.size())
-                                                                 : chosen;
-        names << QString::fromStdString(entry.name);
+    addRemoveButton(
+        row, model::isHead(action) ? tr("Remove this and what is in it") : tr("Remove this"),
+        [this, index] { m_apply([&](Rule& each) { model::removeLine(each.actions, index); }); });
+    const PartRows rows =
+        rowsFor<Action>(layout, [index](Rule& each) -> Action& { return each.actions[index]; });
+    QHBoxLayout* last = rows.add(action.kind().fields, action.object());
+    if (model::isHead(action)) {
+        addBlockButtons(last == nullptr ? indentedRowIn(layout) : last, index);
     }
-    addChoiceField(row, names, chosen, [this, index](int choice) {
-        const model::TemplateId id = m_scene.templates[static_cast<std::size_t>(choice)].id;
-        setCondition(index, [&](Condition& each) { each.templateId = id; });
-    });
-}
-
-/// "is below 3", "is at 3", "is above 3".
-void RuleEditor::addComparison(QHBoxLayout* row, std::size_t index, const QString& suffix)
-{
-    const Condition& condition = m_rule.conditions[index];
-    addNegation(row, index);
-    addChoiceField(row, comparisonNames(), static_cast<int>(condition.comparison),
-                   [this, index](int choice) {
-                       setCondition(index, [&](Condition& each) {
-                           each.comparison = static_cast<model::Comparison>(choice);
-                       });
-                   });
-    addNumberField(
-        row, static_cast<double>(condition.value), -1e6, 1e6, suffix, [this, index](double value) {
-            setCondition(index, [&](Condition& each) { each.value = static_cast<float>(value); });
-        });
-}
-
-void RuleEditor::addConditionFields(QHBoxLayout* row, std::size_t index)
-{
-    const Condition& condition = m_rule.conditions[index];
-    switch (condition.kind) {
-    case ConditionKind::HasTag:
-        addTagField(row, m_scene, condition.tag, [this, index](std::uint8_t tag) {
-            setCondition(index, [&](Condition& each) { each.tag = tag; });
-        });
-        break;
-    case ConditionKind::OfTemplate:
-        addTemplate(row, index);
-        break;
-    case ConditionKind::InPlace:
-    case ConditionKind::IsFull:
-        addConditionPlace(row, index);
-        break;
-    case ConditionKind::FollowsPath:
-        addPathField(row, m_scene, condition.path, tr("any path"),
-                     [this, index](model::PathId path) {
-                         setCondition(index, [&](Condition& each) { each.path = path; });
-                     });
-        break;
-    case ConditionKind::Chance:
-        row->addWidget(new QLabel(tr("in")));
-        addNumberField(row, static_cast<double>(condition.chance) * 100.0, 0.0, 100.0,
-                       tr(" % of cases"), [this, index](double value) {
-                           setCondition(index, [&](Condition& each) {
-                               each.chance = static_cast<float>(value / 100.0);
-                           });
-                       });
-        break;
-    case ConditionKind::Speed:
-        addComparison(row, index, tr(" m/s"));
-        break;
-    case ConditionKind::Number:
-    case ConditionKind::Payload:
-    case ConditionKind::PeopleIn:
-        addComparison(row, index, {});
-        break;
-    case ConditionKind::Property:
-        if (condition.property == model::ComparedProperty::Clip) {
-            addNegation(row, index);
-            addOneClipField(row, m_scene, condition.clip, [this, index](const std::string& clip) {
-                setCondition(index, [&](Condition& each) { each.clip = clip; });
-            });
-        } else {
-            const bool isPace = condition.property == model::ComparedProperty::WalkSpeed;
-            addComparison(row, index, isPace ? tr(" m/s") : tr(" ×"));
-        }
-        break;
-    case ConditionKind::IsSeated:
-        break;
-    }
+    m_depth = 0;
 }
 
 void RuleEditor::addMeeting(QVBoxLayout* layout)

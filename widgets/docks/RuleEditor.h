@@ -6,6 +6,7 @@
 #include <QtWidgets/QWidget>
 
 #include "model/scene/Scene.h"
+#include "widgets/docks/RulePartRows.h"
 
 class QHBoxLayout;
 class QVBoxLayout;
@@ -35,33 +36,18 @@ private:
     void addTextButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
                        const Change& change);
     void addTrigger(QVBoxLayout* layout);
-    void addTriggerFields(QHBoxLayout* row);
-    void addConditions(QVBoxLayout* layout);
     void addCondition(QVBoxLayout* layout, std::size_t index);
-    void addConditionFields(QHBoxLayout* row, std::size_t index);
     void addNegation(QHBoxLayout* row, std::size_t index);
-    void addConditionPlace(QHBoxLayout* row, std::size_t index);
-    void addSubject(QHBoxLayout* row, std::size_t index);
-    void addActions(QVBoxLayout* layout);
     void addAction(QVBoxLayout* layout, std::size_t index);
+    void addMoveButtons(QHBoxLayout* row, std::size_t index);
     [[nodiscard]] QString wordBefore(std::size_t index) const;
-    void addBlockFields(QVBoxLayout* layout, std::size_t index);
-    void addActionFields(QVBoxLayout* layout, std::size_t index);
-    void addLeaveFields(QVBoxLayout* layout, std::size_t index);
-    void addSendFields(QVBoxLayout* layout, std::size_t index);
-    void addGoFields(QVBoxLayout* layout, std::size_t index);
-    void addPropertyFields(QVBoxLayout* layout, std::size_t index);
-    void addAimFields(QVBoxLayout* layout, std::size_t index, bool canBePlace);
+    void addBlockButtons(QHBoxLayout* row, std::size_t index);
     void addMore(QVBoxLayout* layout);
     void addMeeting(QVBoxLayout* layout);
-    void addTemplate(QHBoxLayout* row, std::size_t index);
-    void addComparison(QHBoxLayout* row, std::size_t index, const QString& suffix);
-    void setTrigger(const std::function<void(model::Trigger&)>& change);
-    void setCondition(std::size_t index, const std::function<void(model::Condition&)>& change);
-    void setAction(std::size_t index, const std::function<void(model::Action&)>& change);
-    /// A number of an action; at 0 it says `zero` where that is given.
-    void addNumber(QHBoxLayout* row, std::size_t index, float model::Action::*member, double low,
-                   double high, const QString& suffix, const QString& zero = {});
+    /// Rows of a part's fields. `partOf` finds it in a rule, where it may be of another kind by
+    /// now.
+    template<class Part>
+    [[nodiscard]] PartRows rowsFor(QVBoxLayout* layout, std::function<Part&(model::Rule&)> partOf);
 
     const model::Scene& m_scene;
     const model::Rule m_rule;

@@ -2,7 +2,6 @@
 #include "widgets/docks/RuleFields.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QMouseEvent>
@@ -149,22 +148,24 @@ void addTextField(QHBoxLayout* row, const QString& text, const QString& placehol
     });
 }
 
-void addPlaceField(QHBoxLayout* row, const model::Scene& scene, model::PlaceId place,
-                   const QString& any, const std::function<void(model::PlaceId)>& changed)
+void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::FieldRole role,
+                       std::uint32_t id, const QString& any,
+                       const std::function<void(std::uint32_t)>& changed)
 {
-    addEntryField(row, scene.places, place, any, changed);
-}
-
-void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId path,
-                  const QString& any, const std::function<void(model::PathId)>& changed)
-{
-    addEntryField(row, scene.paths, path, any, changed);
-}
-
-void addArtistNumberField(QHBoxLayout* row, const model::Scene& scene, model::NumberId number,
-                          const std::function<void(model::NumberId)>& changed)
-{
-    addEntryField(row, scene.numbers, number, {}, changed);
+    switch (role) {
+    case model::FieldRole::Place:
+        addEntryField(row, scene.places, id, any, changed);
+        break;
+    case model::FieldRole::Path:
+        addEntryField(row, scene.paths, id, any, changed);
+        break;
+    case model::FieldRole::Template:
+        addEntryField(row, scene.templates, id, any, changed);
+        break;
+    default:
+        addEntryField(row, scene.numbers, id, any, changed);
+        break;
+    }
 }
 
 void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
@@ -351,32 +352,26 @@ void addSlotField(QHBoxLayout* row, const model::Scene& scene, const std::string
     addNameField(row, std::move(names), slot, RuleFieldsText::tr("all that can be"), changed);
 }
 
-void addTintField(QHBoxLayout* row, const model::Tint& tint,
-                  const std::function<void(const model::Tint&)>& changed)
+void addColorField(QHBoxLayout* row, const model::PaintColor& color, const QString& tip,
+                   const std::function<void(const model::PaintColor&)>& changed)
 {
+    const QColor shown(color[0], color[1], color[2]);
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("ruleColor"));
     QPixmap pixmap(28, 14);
-    pixmap.fill(QColor(tint.red, tint.green, tint.blue));
+    pixmap.fill(shown);
     button->setIcon(pixmap);
     button->setIconSize(pixmap.size());
-    button->setToolTip(RuleFieldsText::tr("The colour; how much of it beside"));
+    button->setToolTip(tip);
     row->addWidget(button);
-    QObject::connect(button, &QToolButton::clicked, button, [button, tint, changed] {
-        const QColor chosen =
-            QColorDialog::getColor(QColor(tint.red, tint.green, tint.blue), button);
+    QObject::connect(button, &QToolButton::clicked, button, [button, shown, changed] {
+        const QColor chosen = QColorDialog::getColor(shown, button);
         if (chosen.isValid()) {
             changed({static_cast<std::uint8_t>(chosen.red()),
                      static_cast<std::uint8_t>(chosen.green()),
-                     static_cast<std::uint8_t>(chosen.blue()), tint.strength});
+                     static_cast<std::uint8_t>(chosen.blue())});
         }
     });
-    addNumberField(row, tint.strength / 2.55, 0.0, 100.0, RuleFieldsText::tr(" %"),
-                   [tint, changed](double percent) {
-                       model::Tint other = tint;
-                       other.strength = static_cast<std::uint8_t>(std::lround(percent * 2.55));
-                       changed(other);
-                   });
 }
 
 void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed)

@@ -27,16 +27,13 @@ void addCountField(QHBoxLayout* row, std::uint32_t value, std::uint32_t most, co
                    const std::function<void(std::uint32_t)>& changed, const QString& zero);
 void addTextField(QHBoxLayout* row, const QString& text, const QString& placeholder,
                   const std::function<void(const QString&)>& changed);
-/// Places of the scene, with "any" for 0 where that is allowed.
-void addPlaceField(QHBoxLayout* row, const model::Scene& scene, model::PlaceId place,
-                   const QString& any, const std::function<void(model::PlaceId)>& changed);
-void addPathField(QHBoxLayout* row, const model::Scene& scene, model::PathId path,
-                  const QString& any, const std::function<void(model::PathId)>& changed);
+/// Places, paths, templates or an artist's numbers of the scene, with "any" for 0 where that is
+/// allowed.
+void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::FieldRole role,
+                       std::uint32_t id, const QString& any,
+                       const std::function<void(std::uint32_t)>& changed);
 void addTagField(QHBoxLayout* row, const model::Scene& scene, std::uint8_t tag,
                  const std::function<void(std::uint8_t)>& changed);
-/// The artist's own numbers.
-void addArtistNumberField(QHBoxLayout* row, const model::Scene& scene, model::NumberId number,
-                          const std::function<void(model::NumberId)>& changed);
 /// Clips of the scene's templates, ticked in a menu.
 void addClipField(QHBoxLayout* row, const model::Scene& scene,
                   const std::vector<model::ClipWeight>& clips,
@@ -50,8 +47,8 @@ void addOneClipField(QHBoxLayout* row, const model::Scene& scene, const std::str
 /// Slots of the scene's templates by name, and all of them.
 void addSlotField(QHBoxLayout* row, const model::Scene& scene, const std::string& slot,
                   const std::function<void(const std::string&)>& changed);
-void addTintField(QHBoxLayout* row, const model::Tint& tint,
-                  const std::function<void(const model::Tint&)>& changed);
+void addColorField(QHBoxLayout* row, const model::PaintColor& color, const QString& tip,
+                   const std::function<void(const model::PaintColor&)>& changed);
 /// Of the buttons beside a field, logical pixels.
 inline constexpr int kSmallButton = 20;
 void addRemoveButton(QHBoxLayout* row, const QString& tip, const std::function<void()>& pressed);

@@ -3,8 +3,8 @@
 
 #include <QtCore/QCoreApplication>
 
-#include "model/scene/RuleFlaws.h"
-#include "model/scene/RuleSequence.h"
+#include "model/rules/RuleFlaws.h"
+#include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleTexts.h"
 
 /// What is wrong with rules as they stand.
@@ -21,15 +21,15 @@ struct RuleProblemsText
 
 QString blockProblem(const Actions& actions, std::size_t line)
 {
-    if (actions[line].kind == ActionKind::Repeat && endOf(actions, line) == line + 1) {
+    if (actions[line].is<actions::Repeat>() && endOf(actions, line) == line + 1) {
         return RuleProblemsText::tr("There is nothing to repeat: press “+ in it”.");
     }
-    if (actions[line].kind != ActionKind::OneOf) {
+    if (!actions[line].is<actions::OneOf>()) {
         return {};
     }
     const std::vector<std::size_t> lines = alternativesOf(actions, line);
-    const bool isAny =
-        std::ranges::any_of(lines, [&](std::size_t each) { return actions[each].weight > 0.0F; });
+    const bool isAny = std::ranges::any_of(
+        lines, [&](std::size_t each) { return actions[each].as<actions::OneOf>()->weight > 0.0F; });
     if (lines.size() < 2) {
         return RuleProblemsText::tr("There is only one to choose: press “+ or…” for another.");
     }
@@ -37,9 +37,11 @@ QString blockProblem(const Actions& actions, std::size_t line)
                  : RuleProblemsText::tr("None of them ever comes: let one come more often.");
 }
 
-bool hasNumber(const Scene& scene, NumberId id)
+/// An id that names one of the entries, or nothing.
+template<class Entry>
+bool isThere(const std::vector<Entry>& entries, std::int64_t id)
 {
-    return std::ranges::find(scene.numbers, id, &NumberName::id) != scene.numbers.end();
+    return id == 0 || std::ranges::find(entries, id, &Entry::id) != entries.end();
 }
 
 bool hasSlot(const Scene& scene, const std::string& name)
@@ -49,68 +51,67 @@ bool hasSlot(const Scene& scene, const std::string& name)
     });
 }
 
-/// Whether an action names a place that must be there.
-bool needsPlace(const Action& action)
+bool hasAnyOf(const Scene& scene, const std::vector<ClipWeight>& clips)
 {
-    switch (action.kind) {
-    case ActionKind::GoToPlace:
-        return action.choice == PlaceChoice::Given || (action.path == 0 && action.place != 0);
-    case ActionKind::Appear:
-        return true;
-    case ActionKind::Flee:
-    case ActionKind::TurnTo:
-    case ActionKind::LookAt:
-        return action.aim == ActionAim::Place;
-    case ActionKind::LeaveScene:
-        return action.path == 0 && action.place != 0;
-    default:
-        return false;
-    }
+    return std::ranges::any_of(clips, [&](const ClipWeight& clip) {
+        return std::ranges::any_of(scene.templates, [&](const TemplateEntry& entry) {
+            return std::ranges::find(entry.clipNames, clip.clip) != entry.clipNames.end();
+        });
+    });
 }
 
-bool needsPath(const Action& action)
+/// Of a field that names something of the scene which is not there.
+QString missingText(const Scene& scene, const FieldMeta& meta, const FieldValue& value)
 {
-    return action.kind == ActionKind::FollowPath ||
-           ((action.kind == ActionKind::GoToPlace || action.kind == ActionKind::LeaveScene) &&
-            action.choice != PlaceChoice::Given && action.path != 0);
+    const auto* id = std::get_if<std::int64_t>(&value);
+    const auto* text = std::get_if<std::string>(&value);
+    const auto* clips = std::get_if<std::vector<ClipWeight>>(&value);
+    if (meta.role == FieldRole::Place && !isThere(scene.places, *id)) {
+        return RuleProblemsText::tr("The place is not there any more: choose another one.");
+    }
+    if (meta.role == FieldRole::Path && !isThere(scene.paths, *id)) {
+        return RuleProblemsText::tr("The path is not there any more: choose another one.");
+    }
+    if (meta.role == FieldRole::ArtistNumber && !isThere(scene.numbers, *id)) {
+        return RuleProblemsText::tr(
+            "The number is not there: make one below, under “Tags and numbers”.");
+    }
+    if (meta.role == FieldRole::Template && !isThere(scene.templates, *id)) {
+        return RuleProblemsText::tr(
+            "A condition asks for something that is not there: choose again.");
+    }
+    if (meta.role == FieldRole::Slot && !text->empty() && !hasSlot(scene, *text)) {
+        return RuleProblemsText::tr("Nobody has a slot of that name: choose one.");
+    }
+    return clips != nullptr && !hasAnyOf(scene, *clips)
+               ? RuleProblemsText::tr("Nobody has a clip to play: choose one.")
+               : QString();
+}
+
+/// What a part of a rule names and the scene has not.
+template<class Data>
+QString missingText(const Scene& scene, const RulePart<Data>& part)
+{
+    for (const FieldInfo& field : part.kind().fields) {
+        const QString text = isShown(field, part.object())
+                                 ? missingText(scene, field.meta, field.get(part.object()))
+                                 : QString();
+        if (!text.isEmpty()) {
+            return text;
+        }
+    }
+    return {};
 }
 
 QString actionProblem(const Scene& scene, const Action& action)
 {
-    if (needsPlace(action) && scene.findPlace(action.place) == nullptr) {
-        return RuleProblemsText::tr("The place is not there any more: choose another one.");
-    }
-    if (needsPath(action) && scene.findPath(action.path) == nullptr) {
-        return RuleProblemsText::tr("The path is not there any more: choose another one.");
-    }
-    const bool isOnNumber =
-        action.kind == ActionKind::SetNumber || action.kind == ActionKind::AddToNumber;
-    if (isOnNumber && !hasNumber(scene, action.number)) {
-        return RuleProblemsText::tr(
-            "The number is not there: make one below, under “Tags and numbers”.");
-    }
-    const bool isToPerson =
-        action.kind == ActionKind::GoToPerson || action.kind == ActionKind::Follow;
-    if (isToPerson && action.aim == ActionAim::Place) {
+    const auto isToPlace = [](const auto* each) {
+        return each != nullptr && each->aim == ActionAim::Place;
+    };
+    if (isToPlace(action.as<actions::GoToPerson>()) || isToPlace(action.as<actions::Follow>())) {
         return RuleProblemsText::tr("A place is nobody to go after: choose whom.");
     }
-    if (action.kind == ActionKind::SetProperty && action.property == SettableProperty::Tint &&
-        !action.slot.empty() && !hasSlot(scene, action.slot)) {
-        return RuleProblemsText::tr("Nobody has a slot of that name: choose one.");
-    }
-    const bool isClip =
-        action.kind == ActionKind::SetProperty && action.property == SettableProperty::Clip;
-    if (action.kind == ActionKind::PlayClip || isClip) {
-        const bool isAny = std::ranges::any_of(action.clips, [&](const ClipWeight& clip) {
-            return std::ranges::any_of(scene.templates, [&](const TemplateEntry& entry) {
-                return std::ranges::find(entry.clipNames, clip.clip) != entry.clipNames.end();
-            });
-        });
-        if (!isAny) {
-            return RuleProblemsText::tr("Nobody has a clip to play: choose one.");
-        }
-    }
-    return {};
+    return missingText(scene, action);
 }
 
 /// What is still to be chosen, so that it does nothing yet.
@@ -187,34 +188,14 @@ QString otherFlaw(const Scene& scene, const Rule& rule)
 
 QString ruleProblem(const Scene& scene, const Rule& rule)
 {
-    const Trigger& trigger = rule.trigger;
     if (const std::optional<RuleGap> gap = gapOf(rule)) {
         return gapText(*gap);
     }
-    const bool isPlace = trigger.kind == TriggerKind::Arrived ||
-                         trigger.kind == TriggerKind::Entered || trigger.kind == TriggerKind::Left;
-    if (isPlace && trigger.place != 0 && scene.findPlace(trigger.place) == nullptr) {
-        return RuleProblemsText::tr("The place is not there any more: choose another one.");
-    }
-    const bool isOfPath =
-        trigger.kind == TriggerKind::PathEnded || trigger.kind == TriggerKind::AheadFree;
-    if (isOfPath && trigger.path != 0 && scene.findPath(trigger.path) == nullptr) {
-        return RuleProblemsText::tr("The path is not there any more: choose another one.");
+    if (const QString missing = missingText(scene, rule.trigger); !missing.isEmpty()) {
+        return missing;
     }
     for (const Condition& condition : rule.conditions) {
-        const bool isOfPlace = condition.kind == ConditionKind::InPlace ||
-                               condition.kind == ConditionKind::IsFull ||
-                               condition.kind == ConditionKind::PeopleIn;
-        const bool isGone =
-            (isOfPlace && scene.findPlace(condition.place) == nullptr) ||
-            (condition.kind == ConditionKind::Number && !hasNumber(scene, condition.number)) ||
-            (condition.kind == ConditionKind::FollowsPath && condition.path != 0 &&
-             scene.findPath(condition.path) == nullptr) ||
-            (condition.kind == ConditionKind::Property &&
-             condition.property == ComparedProperty::Clip && condition.clip.empty()) ||
-            (condition.kind == ConditionKind::OfTemplate &&
-             scene.findTemplate(condition.templateId) == nullptr);
-        if (isGone) {
+        if (!missingText(scene, condition).isEmpty()) {
             return RuleProblemsText::tr(
                 "A condition asks for something that is not there: choose again.");
         }

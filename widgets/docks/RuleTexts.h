@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include <QtCore/QStringList>
 
 #include "behavior/base/Problem.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "model/scene/Scene.h"
 
 /// Rules as sentences in the artist's language.
 namespace crowd::widgets {
 
-[[nodiscard]] QStringList triggerNames(); ///< by TriggerKind
-[[nodiscard]] QStringList conditionNames();
-/// What stands before it, or is compared: yes and no.
-[[nodiscard]] QStringList verbsOf(model::ConditionKind kind); ///< by ConditionKind
-[[nodiscard]] QStringList actionNames();                      ///< by ActionKind
-[[nodiscard]] QStringList reachNames();                       ///< by EventReach
-[[nodiscard]] QStringList meetingNames();                     ///< by RuleMeeting
-[[nodiscard]] QStringList yieldNames();                       ///< by RuleYield
-[[nodiscard]] QStringList comparisonNames();                  ///< by Comparison
-[[nodiscard]] QStringList choiceNames();                      ///< by PlaceChoice
-[[nodiscard]] QStringList cueReachNames();                    ///< by CueReach
-[[nodiscard]] QStringList aimNames();                         ///< by ActionAim
-[[nodiscard]] QStringList comparedNames();                    ///< by ComparedProperty
-[[nodiscard]] QStringList settableNames();                    ///< by SettableProperty
+/// A text of a description of rules, in the artist's language.
+[[nodiscard]] QString ruleText(const char* text);
+/// As menus name the kinds, by index.
+[[nodiscard]] QStringList kindNames(std::span<const model::RuleKind> kinds);
+[[nodiscard]] QStringList meetingNames();  ///< by RuleMeeting
+[[nodiscard]] QStringList yieldNames();    ///< by RuleYield
+[[nodiscard]] QStringList cueReachNames(); ///< by CueReach
 [[nodiscard]] QString ruleSetName(model::RuleSet set);
 [[nodiscard]] QString tagText(const model::Scene& scene, std::uint8_t tag);
 

@@ -5,7 +5,7 @@
 
 #include <QtCore/QTimer>
 
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/RuleLog.h"
 #include "widgets/state/EditorState.h"

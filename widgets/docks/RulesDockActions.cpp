@@ -15,7 +15,6 @@
 namespace crowd::widgets {
 
 using model::Rule;
-using model::TriggerKind;
 
 namespace {
 
@@ -139,9 +138,9 @@ void RulesDock::addSet(model::RuleSet set)
     model::giveIds(made, m_state.scene());
     m_current = made.front().id;
     // The event brush is ready for it.
-    if (made.front().trigger.kind == TriggerKind::Event) {
+    if (const auto* event = made.front().trigger.as<model::triggers::Event>()) {
         model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
-        brush.as<model::EventSettings>().name = made.front().trigger.event;
+        brush.as<model::EventSettings>().name = event->event;
         m_state.setBrush(brush);
     }
     std::vector<Rule> rules = m_state.scene().rules;
@@ -205,7 +204,8 @@ void RulesDock::moveDown()
 void RulesDock::tryRule()
 {
     const Rule* rule = current();
-    if (rule == nullptr || rule->trigger.kind != TriggerKind::Event) {
+    const auto* trigger = rule != nullptr ? rule->trigger.as<model::triggers::Event>() : nullptr;
+    if (trigger == nullptr) {
         m_state.showStatus(tr("Choose a rule that begins with an event to try it."));
         return;
     }
@@ -216,7 +216,7 @@ void RulesDock::tryRule()
     const auto all = m_state.scene().population.ids();
     const auto ids = m_state.selection().isEmpty() ? all : m_state.selection().ids();
     model::EventSettings event = m_state.brush(model::BrushKind::Event).as<model::EventSettings>();
-    event.name = rule->trigger.event;
+    event.name = trigger->event;
     m_state.session().send(event, ids);
 }
 

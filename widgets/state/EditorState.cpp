@@ -7,7 +7,7 @@
 #include <QtCore/QMetaObject>
 
 #include "model/scene/NearestPath.h"
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 
 namespace crowd::widgets {
 

@@ -30,13 +30,8 @@ bool hasWalks(const model::Scene& scene)
     }
     return std::ranges::any_of(scene.rules, [](const model::Rule& rule) {
         return std::ranges::any_of(rule.actions, [](const model::Action& action) {
-            return action.kind == model::ActionKind::FollowPath ||
-                   action.kind == model::ActionKind::GoToPlace ||
-                   action.kind == model::ActionKind::GoToPerson ||
-                   action.kind == model::ActionKind::Follow ||
-                   action.kind == model::ActionKind::SitDown ||
-                   (action.kind == model::ActionKind::LeaveScene && action.place != 0) ||
-                   action.kind == model::ActionKind::Flee;
+            const auto* leave = action.as<model::actions::LeaveScene>();
+            return action.kind().text.isWalk && (leave == nullptr || leave->place != 0);
         });
     });
 }

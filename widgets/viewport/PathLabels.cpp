@@ -17,13 +17,8 @@ std::vector<model::PlaceId> placesOfRules(const model::Scene& scene)
 {
     std::vector<model::PlaceId> named;
     for (const model::Rule& rule : scene.rules) {
-        named.push_back(rule.trigger.place);
-        for (const model::Condition& condition : rule.conditions) {
-            named.push_back(condition.place);
-        }
-        for (const model::Action& action : rule.actions) {
-            named.push_back(action.place);
-        }
+        const auto ids = model::idsNamedIn(rule, model::FieldRole::Place);
+        named.insert(named.end(), ids.begin(), ids.end());
     }
     std::ranges::sort(named);
     return named;

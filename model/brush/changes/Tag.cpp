@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "model/brush/ColumnWriting.h"
-#include "model/scene/Rule.h"
+#include "model/rules/RuleNames.h"
 
 namespace crowd::model {
 

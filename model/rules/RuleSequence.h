@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/scene/Rule.h"
+#include "model/rules/Rule.h"
 
 /// A rule's actions are lines with depths, like an indented text: the deeper ones below a Repeat or
 /// a OneOf belong to it. OneOf lines of the same depth, each right after what belongs to the one

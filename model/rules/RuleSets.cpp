@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene/RuleSets.h"
+#include "model/rules/RuleSets.h"
 
 #include <algorithm>
 #include <string_view>
@@ -43,48 +43,52 @@ Rule onEvent(const char* event, const QString& name)
 {
     Rule rule;
     rule.name = named(name);
-    rule.trigger.kind = TriggerKind::Event;
-    rule.trigger.event = event;
+    rule.trigger = triggers::Event{event};
     return rule;
 }
 
 Action play(std::vector<ClipWeight> clips, float seconds)
 {
-    Action action;
-    action.kind = ActionKind::PlayClip;
-    action.clips = std::move(clips);
-    action.isLooped = true;
-    action.seconds = seconds;
-    return action;
+    return actions::PlayClip{std::move(clips), true, seconds};
 }
 
-Action action(ActionKind kind, float value = 0.0F)
+Action wait(float seconds)
 {
-    Action made;
-    made.kind = kind;
-    made.value = value;
-    made.metres = value;
-    made.seconds = value;
-    return made;
+    return actions::Wait{seconds};
+}
+
+Action setSpeed(float metresPerSecond)
+{
+    return actions::SetSpeed{metresPerSecond};
+}
+
+Action flee(float metres)
+{
+    actions::Flee flee;
+    flee.metres = metres;
+    return flee;
 }
 
 Action passOn(const char* event, float metres, float secondsPerMetre)
 {
-    Action made;
-    made.kind = ActionKind::SendEvent;
-    made.event = event;
-    made.reach = EventReach::Near;
-    made.metres = metres;
-    made.secondsPerMetre = secondsPerMetre;
-    return made;
+    actions::SendEvent send;
+    send.event = event;
+    send.metres = metres;
+    send.secondsPerMetre = secondsPerMetre;
+    return send;
 }
 
 Condition chance(float share)
 {
-    Condition condition;
-    condition.kind = ConditionKind::Chance;
-    condition.chance = share;
-    return condition;
+    return conditions::Chance{share};
+}
+
+/// At where they are, or at the nearest exit.
+Action leave(PlaceChoice choice = PlaceChoice::Given)
+{
+    actions::LeaveScene leave;
+    leave.choice = choice;
+    return leave;
 }
 
 /// One rule for those who sit and one for those who stand.
@@ -93,11 +97,8 @@ std::vector<Rule> reaction(const Scene& scene, const char* event, const QString&
     std::vector<Rule> rules;
     for (const bool isSeated : {true, false}) {
         Rule rule = onEvent(event, isSeated ? Names::tr("%1, seated").arg(name) : name);
-        Condition seated;
-        seated.kind = ConditionKind::IsSeated;
-        seated.isNot = !isSeated;
-        rule.conditions = {seated, chance(0.85F)};
-        rule.actions = {passOn(event, kOverAnAisle, 0.35F), action(ActionKind::Wait, 0.3F),
+        rule.conditions = {{conditions::IsSeated(), !isSeated}, chance(0.85F)};
+        rule.actions = {passOn(event, kOverAnAisle, 0.35F), wait(0.3F),
                         play(clipsLike(scene, event, isSeated), 6.0F)};
         rule.cooldownSeconds = 8.0F;
         rule.meeting = RuleMeeting::Ignore;
@@ -123,19 +124,16 @@ std::vector<Rule> wave(const Scene& scene)
 std::vector<Rule> pedestrians()
 {
     Rule run = onEvent("run", Names::tr("Run at the number's speed"));
-    run.actions = {action(ActionKind::GoOn), action(ActionKind::SetSpeed)};
+    run.actions = {actions::GoOn(), setSpeed(0.0F)};
     Rule walk = onEvent("walk", Names::tr("Walk on"));
-    walk.actions = {action(ActionKind::GoOn), action(ActionKind::SetSpeed, kUsualWalkingSpeed)};
+    walk.actions = {actions::GoOn(), setSpeed(kUsualWalkingSpeed)};
     Rule stop = onEvent("stop", Names::tr("Stop until told to walk"));
-    stop.actions = {action(ActionKind::Stop)};
+    stop.actions = {actions::Stop()};
     Rule look;
     look.name = named(Names::tr("Some stop and look around"));
-    look.trigger.kind = TriggerKind::Every;
-    look.trigger.seconds = 20.0F;
-    look.trigger.jitter = 0.5F;
+    look.trigger = triggers::Every{20.0F, 0.5F};
     look.conditions = {chance(0.15F)};
-    look.actions = {action(ActionKind::Stop), action(ActionKind::Wait, 3.0F),
-                    action(ActionKind::GoOn)};
+    look.actions = {actions::Stop(), wait(3.0F), actions::GoOn()};
     look.meeting = RuleMeeting::Ignore;
     return {run, walk, stop, look};
 }
@@ -143,12 +141,9 @@ std::vector<Rule> pedestrians()
 std::vector<Rule> panic()
 {
     Rule rule = onEvent("panic", Names::tr("Flee, tell others, leave"));
-    rule.actions = {passOn("panic", 3.0F, 0.15F), action(ActionKind::SetSpeed, 3.0F),
-                    action(ActionKind::Flee, 8.0F)};
+    rule.actions = {passOn("panic", 3.0F, 0.15F), setSpeed(3.0F), flee(8.0F),
+                    leave(PlaceChoice::Nearest)};
     rule.limit = 1;
-    Action leave = action(ActionKind::LeaveScene); // at an exit that is painted later, too
-    leave.choice = PlaceChoice::Nearest;
-    rule.actions.push_back(leave);
     return {rule};
 }
 
@@ -156,21 +151,18 @@ std::vector<Rule> flock()
 {
     Rule wander;
     wander.name = named(Names::tr("Wander about"));
-    wander.trigger.kind = TriggerKind::Every;
-    wander.trigger.seconds = 9.0F;
-    wander.trigger.jitter = 0.7F;
-    wander.actions = {action(ActionKind::SetSpeed, 0.8F), action(ActionKind::Flee, 4.0F)};
+    wander.trigger = triggers::Every{9.0F, 0.7F};
+    wander.actions = {setSpeed(0.8F), flee(4.0F)};
     wander.meeting = RuleMeeting::Ignore;
     Rule startle = onEvent("startle", Names::tr("Run from what startles"));
-    startle.actions = {passOn("startle", 4.0F, 0.1F), action(ActionKind::SetSpeed, 4.0F),
-                       action(ActionKind::Flee, 14.0F)};
+    startle.actions = {passOn("startle", 4.0F, 0.1F), setSpeed(4.0F), flee(14.0F)};
     startle.cooldownSeconds = 6.0F;
     return {startle, wander};
 }
 
 Action goTo(PlaceChoice choice, PathId path)
 {
-    Action go = action(ActionKind::GoToPlace);
+    actions::GoToPlace go;
     go.choice = choice;
     go.path = path;
     return go;
@@ -187,19 +179,16 @@ std::vector<Rule> queue(const Scene& scene)
     join.meeting = RuleMeeting::Ignore;
     Rule serve;
     serve.name = named(Names::tr("Be served, then leave"));
-    serve.trigger.kind = TriggerKind::Arrived;
-    serve.trigger.place = line != scene.paths.end() ? line->places.front() : kNotChosen;
-    serve.actions = {action(ActionKind::Wait, 4.0F), action(ActionKind::LeaveScene)};
-    const auto exit = std::ranges::find(scene.places, PlaceRole::Exit, &Place::role);
-    if (exit != scene.places.end()) {
-        serve.actions.back().choice = PlaceChoice::Nearest;
-    }
+    serve.trigger =
+        triggers::Arrived{line != scene.paths.end() ? line->places.front() : kNotChosen};
+    const bool hasExit =
+        std::ranges::find(scene.places, PlaceRole::Exit, &Place::role) != scene.places.end();
+    serve.actions = {wait(4.0F), leave(hasExit ? PlaceChoice::Nearest : PlaceChoice::Given)};
     serve.yields = RuleYield::Nobody;
     Rule moveUp;
     moveUp.name = named(Names::tr("Move up"));
-    moveUp.trigger.kind = TriggerKind::AheadFree;
-    moveUp.trigger.path = path;
-    moveUp.actions = {action(ActionKind::Wait, 0.5F), goTo(PlaceChoice::Ahead, path)};
+    moveUp.trigger = triggers::AheadFree{path};
+    moveUp.actions = {wait(0.5F), goTo(PlaceChoice::Ahead, path)};
     moveUp.meeting = RuleMeeting::Ignore;
     return {join, serve, moveUp};
 }
@@ -235,9 +224,9 @@ std::vector<std::string> eventsOf(const Scene& scene)
 {
     std::vector<std::string> events;
     for (const Rule& rule : scene.rules) {
-        if (rule.trigger.kind == TriggerKind::Event &&
-            std::ranges::find(events, rule.trigger.event) == events.end()) {
-            events.push_back(rule.trigger.event);
+        const auto* event = rule.trigger.as<triggers::Event>();
+        if (event != nullptr && std::ranges::find(events, event->event) == events.end()) {
+            events.push_back(event->event);
         }
     }
     return events;

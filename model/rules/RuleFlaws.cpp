@@ -1,150 +1,104 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene/RuleFlaws.h"
+#include "model/rules/RuleFlaws.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "model/scene/RuleSequence.h"
+#include "model/rules/RuleSequence.h"
 
 namespace crowd::model {
 
 namespace {
 
-bool isOpen(std::uint32_t id)
+/// What a field that is shown still lacks. Who reads it says what an event that has no name is for.
+std::optional<RuleGap> gapOf(const FieldInfo& field, const void* object)
 {
-    return id == 0 || id == kNotChosen;
+    const FieldValue value = field.get(object);
+    const bool mayBeNone = *field.meta.zero != 0;
+    if (const auto* id = std::get_if<std::int64_t>(&value)) {
+        const bool isOpen = *id == std::int64_t{kNotChosen} || (*id == 0 && !mayBeNone);
+        switch (field.meta.role) {
+        case FieldRole::Place:
+            return isOpen ? std::optional(RuleGap::Place) : std::nullopt;
+        case FieldRole::Path:
+            return isOpen ? std::optional(RuleGap::Path) : std::nullopt;
+        case FieldRole::ArtistNumber:
+            return isOpen ? std::optional(RuleGap::Number) : std::nullopt;
+        case FieldRole::Template:
+            return isOpen ? std::optional(RuleGap::Template) : std::nullopt;
+        default:
+            return std::nullopt;
+        }
+    }
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        return !text->empty() || mayBeNone           ? std::nullopt
+               : field.meta.role == FieldRole::Event ? std::optional(RuleGap::Event)
+               : field.meta.role == FieldRole::Clip  ? std::optional(RuleGap::Clip)
+                                                     : std::nullopt;
+    }
+    const auto* clips = std::get_if<std::vector<ClipWeight>>(&value);
+    return clips != nullptr && clips->empty() ? std::optional(RuleGap::Clip) : std::nullopt;
 }
 
-std::optional<RuleGap> gapOf(const Trigger& trigger)
+template<class Data>
+std::optional<RuleGap> gapOf(const RulePart<Data>& part)
 {
-    const bool isOfPath =
-        trigger.kind == TriggerKind::PathEnded || trigger.kind == TriggerKind::AheadFree;
-    const bool isOfPlace = trigger.kind == TriggerKind::Arrived ||
-                           trigger.kind == TriggerKind::Entered ||
-                           trigger.kind == TriggerKind::Left;
-    if (trigger.kind == TriggerKind::Event && trigger.event.empty()) {
-        return RuleGap::Event;
+    for (const FieldInfo& field : part.kind().fields) {
+        if (isShown(field, part.object())) {
+            if (const std::optional<RuleGap> gap = gapOf(field, part.object())) {
+                return gap;
+            }
+        }
     }
-    if (isOfPlace && trigger.place == kNotChosen) {
-        return RuleGap::Place;
-    }
-    return isOfPath && trigger.path == kNotChosen ? std::optional(RuleGap::Path) : std::nullopt;
-}
-
-std::optional<RuleGap> gapOf(const Condition& condition)
-{
-    switch (condition.kind) {
-    case ConditionKind::OfTemplate:
-        return condition.templateId == 0 ? std::optional(RuleGap::Template) : std::nullopt;
-    case ConditionKind::InPlace:
-    case ConditionKind::IsFull:
-    case ConditionKind::PeopleIn:
-        return isOpen(condition.place) ? std::optional(RuleGap::Place) : std::nullopt;
-    case ConditionKind::Number:
-        return condition.number == 0 ? std::optional(RuleGap::Number) : std::nullopt;
-    case ConditionKind::Property:
-        return condition.property == ComparedProperty::Clip && condition.clip.empty()
-                   ? std::optional(RuleGap::Clip)
-                   : std::nullopt;
-    default:
-        return std::nullopt;
-    }
-}
-
-std::optional<RuleGap> placeGapOf(const Action& action)
-{
-    const bool isGiven = action.choice == PlaceChoice::Given;
-    switch (action.kind) {
-    case ActionKind::GoToPlace:
-        return (isGiven && isOpen(action.place)) || action.place == kNotChosen
-                   ? std::optional(RuleGap::Place)
-               : !isGiven && action.path == kNotChosen ? std::optional(RuleGap::Path)
-                                                       : std::nullopt;
-    case ActionKind::LeaveScene:
-        return action.place == kNotChosen || action.path == kNotChosen
-                   ? std::optional(RuleGap::Place)
-                   : std::nullopt;
-    case ActionKind::Appear:
-        return isOpen(action.place) ? std::optional(RuleGap::Place) : std::nullopt;
-    case ActionKind::Flee:
-    case ActionKind::TurnTo:
-    case ActionKind::LookAt:
-        return action.aim == ActionAim::Place && isOpen(action.place)
-                   ? std::optional(RuleGap::Place)
-                   : std::nullopt;
-    default:
-        return std::nullopt;
-    }
+    return std::nullopt;
 }
 
 std::optional<RuleGap> gapOf(const Action& action)
 {
-    switch (action.kind) {
-    case ActionKind::PlayClip:
-        return action.clips.empty() ? std::optional(RuleGap::Clip) : std::nullopt;
-    case ActionKind::SetProperty:
-        return action.property == SettableProperty::Clip && action.clips.empty()
-                   ? std::optional(RuleGap::Clip)
-                   : std::nullopt;
-    case ActionKind::FollowPath:
-        return isOpen(action.path) ? std::optional(RuleGap::Path) : std::nullopt;
-    case ActionKind::SendEvent:
-        return action.event.empty() ? std::optional(RuleGap::SentEvent) : std::nullopt;
-    case ActionKind::WaitForEvent:
-        return action.event.empty() ? std::optional(RuleGap::AwaitedEvent) : std::nullopt;
-    case ActionKind::SetNumber:
-    case ActionKind::AddToNumber:
-        return action.number == 0 ? std::optional(RuleGap::Number) : std::nullopt;
-    default:
-        return placeGapOf(action);
-    }
+    const std::optional<RuleGap> gap = gapOf<ActionData>(action);
+    return gap != RuleGap::Event                ? gap
+           : action.is<actions::WaitForEvent>() ? RuleGap::AwaitedEvent
+                                                : RuleGap::SentEvent;
+}
+
+/// What a condition compares with a value; both null: nothing.
+struct Compared
+{
+    const Comparison* comparison = nullptr;
+    const float* value = nullptr;
+};
+
+Compared comparedBy(const Condition& condition)
+{
+    return std::visit(
+        [](const auto& each) -> Compared {
+            if constexpr (requires { each.isClip(); }) {
+                return each.isClip() ? Compared() : Compared{&each.comparison, &each.value};
+            } else if constexpr (requires { each.comparison; }) {
+                return {&each.comparison, &each.value};
+            } else {
+                return {};
+            }
+        },
+        condition.data);
 }
 
 /// Whether two conditions ask for the same thing, one way or the other.
 bool isSameQuestion(const Condition& a, const Condition& b)
 {
-    if (a.kind != b.kind) {
-        return false;
+    if (a.data.index() != b.data.index() || a.is<conditions::Chance>()) {
+        return false; // each chance is a draw of its own
     }
-    switch (a.kind) {
-    case ConditionKind::HasTag:
-        return a.tag == b.tag;
-    case ConditionKind::OfTemplate:
-        return a.templateId == b.templateId;
-    case ConditionKind::InPlace:
-    case ConditionKind::IsFull:
-    case ConditionKind::PeopleIn:
-        return a.place == b.place;
-    case ConditionKind::FollowsPath:
-        return a.path == b.path;
-    case ConditionKind::Number:
-        return a.number == b.number;
-    case ConditionKind::Property:
-        return a.property == b.property &&
-               (a.property != ComparedProperty::Clip || a.clip == b.clip);
-    case ConditionKind::Chance:
-        return false; // each is a draw of its own
-    case ConditionKind::IsSeated:
-    case ConditionKind::Speed:
-    case ConditionKind::Payload:
-        return true;
-    }
-    return false;
+    return std::ranges::all_of(a.kind().fields, [&](const FieldInfo& field) {
+        const std::string_view key(field.meta.key);
+        const bool isAsked = key != "compare" && key != "value" && isShown(field, a.object());
+        return !isAsked || field.get(a.object()) == field.get(b.object());
+    });
 }
 
 bool isCompared(const Condition& condition)
 {
-    switch (condition.kind) {
-    case ConditionKind::Number:
-    case ConditionKind::Speed:
-    case ConditionKind::Payload:
-    case ConditionKind::PeopleIn:
-        return true;
-    case ConditionKind::Property:
-        return condition.property != ComparedProperty::Clip;
-    default:
-        return false;
-    }
+    return comparedBy(condition).comparison != nullptr;
 }
 
 /// Numbers for which a comparison holds; ends that are not part of it are left out by `isOpen`.
@@ -160,8 +114,9 @@ struct Range
 std::optional<Range> rangeOf(const Condition& condition)
 {
     Range range;
-    const float value = condition.value;
-    switch (condition.comparison) {
+    const Compared compared = comparedBy(condition);
+    const float value = *compared.value;
+    switch (*compared.comparison) {
     case Comparison::Equal:
         range.low = value;
         range.high = value;
@@ -197,24 +152,26 @@ bool excludes(const Condition& a, const Condition& b)
         const std::optional<Range> right = rangeOf(b);
         return left && right && areApart(*left, *right);
     }
-    if (a.kind != b.kind || a.isNot || b.isNot) {
+    if (a.data.index() != b.data.index() || a.isNot || b.isNot) {
         return false;
     }
-    const bool areClips = a.kind == ConditionKind::Property &&
-                          a.property == ComparedProperty::Clip && b.property == a.property;
-    return a.kind == ConditionKind::OfTemplate || areClips ||
-           (a.kind == ConditionKind::FollowsPath && a.path != 0 && b.path != 0);
+    if (const auto* path = a.as<conditions::FollowsPath>()) {
+        return path->path != 0 && b.as<conditions::FollowsPath>()->path != 0;
+    }
+    if (const auto* property = a.as<conditions::Property>()) {
+        return property->isClip() && b.as<conditions::Property>()->isClip();
+    }
+    return a.is<conditions::OfTemplate>();
 }
 
 /// What can be for nobody at any time.
 bool isImpossible(const Condition& condition)
 {
-    if (condition.kind == ConditionKind::Chance) {
-        return condition.isNot ? condition.chance >= 1.0F : condition.chance <= 0.0F;
+    if (const auto* chance = condition.as<conditions::Chance>()) {
+        return condition.isNot ? chance->chance >= 1.0F : chance->chance <= 0.0F;
     }
-    const bool isNeverBelowZero = isCompared(condition) &&
-                                  condition.kind != ConditionKind::Number &&
-                                  condition.kind != ConditionKind::Payload;
+    const bool isNeverBelowZero = isCompared(condition) && !condition.is<conditions::Number>() &&
+                                  !condition.is<conditions::Payload>();
     const std::optional<Range> range = isCompared(condition) ? rangeOf(condition) : std::nullopt;
     return isNeverBelowZero && range &&
            areApart(*range, {0.0F, std::numeric_limits<float>::infinity()});
@@ -248,39 +205,14 @@ bool excludes(const Rule& a, const Rule& b)
 /// Whether two triggers always come together.
 bool isSameOccasion(const Trigger& a, const Trigger& b)
 {
-    if (a.kind != b.kind) {
-        return false;
-    }
-    switch (a.kind) {
-    case TriggerKind::Event:
-        return a.event == b.event;
-    case TriggerKind::Arrived:
-    case TriggerKind::Entered:
-    case TriggerKind::Left:
-        return a.place == b.place;
-    case TriggerKind::PathEnded:
-    case TriggerKind::AheadFree:
-        return a.path == b.path;
-    case TriggerKind::Waited:
-        return a.seconds == b.seconds;
-    case TriggerKind::TagNear:
-        return a.tag == b.tag && a.metres == b.metres;
-    case TriggerKind::SpeedLimit:
-        return a.isAbove == b.isAbove && a.metresPerSecond == b.metresPerSecond;
-    case TriggerKind::Every:
-        return false; // each has a clock of its own
-    case TriggerKind::Start:
-    case TriggerKind::ClipEnded:
-        return true;
-    }
-    return false;
+    return a.data == b.data && !a.is<triggers::Every>(); // of which each has a clock of its own
 }
 
 /// Whether one comes wherever the other does.
 bool comesWherever(const Rule& rule, const Rule& other)
 {
-    const bool hasChance = std::ranges::find(rule.conditions, ConditionKind::Chance,
-                                             &Condition::kind) != rule.conditions.end();
+    const bool hasChance = std::ranges::any_of(
+        rule.conditions, [](const Condition& each) { return each.is<conditions::Chance>(); });
     const bool isAsWide =
         rule.conditions.empty() || (rule.conditions == other.conditions && !hasChance &&
                                     rule.isAnyEnough == other.isAnyEnough);
@@ -288,14 +220,22 @@ bool comesWherever(const Rule& rule, const Rule& other)
            rule.meeting == RuleMeeting::Interrupt;
 }
 
+template<class One, class Other>
+bool isPair(const Action& a, const Action& b)
+{
+    return (a.is<One>() && b.is<Other>()) || (a.is<Other>() && b.is<One>());
+}
+
 bool areOpposite(const Action& a, const Action& b)
 {
-    const auto isPair = [&](ActionKind one, ActionKind other) {
-        return (a.kind == one && b.kind == other) || (a.kind == other && b.kind == one);
-    };
-    return (isPair(ActionKind::AddTag, ActionKind::RemoveTag) && a.tag == b.tag) ||
-           isPair(ActionKind::Stop, ActionKind::GoOn) ||
-           isPair(ActionKind::SitDown, ActionKind::StandUp);
+    using namespace actions;
+    if (isPair<AddTag, RemoveTag>(a, b)) {
+        const auto tagOf = [](const Action& each) {
+            return each.is<AddTag>() ? each.as<AddTag>()->tag : each.as<RemoveTag>()->tag;
+        };
+        return tagOf(a) == tagOf(b);
+    }
+    return isPair<Stop, GoOn>(a, b) || isPair<SitDown, StandUp>(a, b);
 }
 
 bool undoes(const Rule& a, const Rule& b)
@@ -328,14 +268,15 @@ void addOwnFlaws(const Scene& scene, const Rule& rule, bool hasSeats, std::vecto
     if (isNeverTrue(rule)) {
         flaws.push_back({rule.id, RuleFlawKind::NeverTrue});
     }
-    const bool sits =
-        std::ranges::find(rule.actions, ActionKind::SitDown, &Action::kind) != rule.actions.end();
+    const bool sits = std::ranges::any_of(
+        rule.actions, [](const Action& action) { return action.is<actions::SitDown>(); });
     if (sits && !hasSeats) {
         flaws.push_back({rule.id, RuleFlawKind::NoSeats});
     }
     const bool needsExit = std::ranges::any_of(rule.actions, [](const Action& action) {
-        return action.kind == ActionKind::LeaveScene && action.choice != PlaceChoice::Given &&
-               action.place == 0 && action.path == 0;
+        const auto* leave = action.as<actions::LeaveScene>();
+        return leave != nullptr && leave->choice != PlaceChoice::Given && leave->place == 0 &&
+               leave->path == 0;
     });
     if (needsExit &&
         std::ranges::find(scene.places, PlaceRole::Exit, &Place::role) == scene.places.end()) {

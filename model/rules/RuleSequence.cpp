@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene/RuleSequence.h"
+#include "model/rules/RuleSequence.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,14 +34,14 @@ std::size_t siblingBefore(const Actions& actions, std::size_t line)
 
 bool areAlternatives(const Action& a, const Action& b)
 {
-    return a.kind == ActionKind::OneOf && b.kind == ActionKind::OneOf;
+    return a.is<actions::OneOf>() && b.is<actions::OneOf>();
 }
 
 } // namespace
 
 bool isHead(const Action& action)
 {
-    return action.kind == ActionKind::Repeat || action.kind == ActionKind::OneOf;
+    return action.kind().text.hasParts;
 }
 
 std::size_t endOf(const Actions& actions, std::size_t line)
@@ -158,9 +158,7 @@ void addInside(Actions& actions, std::size_t line, Action added)
 
 void addAlternative(Actions& actions, std::size_t line)
 {
-    Action added;
-    added.kind = ActionKind::OneOf;
-    added.depth = actions[line].depth;
+    const Action added(actions::OneOf(), actions[line].depth);
     const std::size_t last = alternativesOf(actions, line).back();
     actions.insert(actions.begin() + at(endOf(actions, last)), added);
 }

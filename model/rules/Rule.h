@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/rules/Actions.h"
+#include "model/rules/Conditions.h"
+#include "model/rules/RuleKind.h"
+#include "model/rules/RuleNames.h"
+#include "model/rules/Triggers.h"
+
+/// Rules as data: "when this happens, and these conditions hold, do this sequence". What they mean
+/// is behavior's affair. Metres, seconds. The parts are made of what they hold:
+/// rule.actions = {actions::Stop(), actions::SetSpeed{2.0F}}.
+namespace crowd::model {
+
+struct Trigger : RulePart<TriggerData>
+{
+    Trigger() : RulePart(triggers::Event()) {}
+    template<KindOf<TriggerData> Kind>
+    Trigger(Kind kind) : RulePart(std::move(kind)) // NOLINT(google-explicit-constructor)
+    {
+    }
+    friend bool operator==(const Trigger&, const Trigger&) = default;
+};
+
+struct Condition : RulePart<ConditionData>
+{
+    bool isNot = false;
+
+    Condition() = default;
+    template<KindOf<ConditionData> Kind>
+    Condition(Kind kind, bool isNegated = false) // NOLINT(google-explicit-constructor)
+        : RulePart(std::move(kind)), isNot(isNegated)
+    {
+    }
+    friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+struct Action : RulePart<ActionData>
+{
+    std::uint8_t depth = 0; ///< deeper ones belong to a Repeat or OneOf above; see RuleSequence.h
+
+    Action() = default;
+    template<KindOf<ActionData> Kind>
+    Action(Kind kind, std::uint8_t howDeep = 0) // NOLINT(google-explicit-constructor)
+        : RulePart(std::move(kind)), depth(howDeep)
+    {
+    }
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+/// What happens to somebody who is busy with another rule.
+enum class RuleMeeting : std::uint8_t { Interrupt, Queue, Ignore };
+
+/// Which rules may break off what a rule lets somebody do.
+enum class RuleYield : std::uint8_t {
+    FurtherUp, ///< rules above it in the list, and itself
+    Anybody,
+    Nobody
+};
+
+struct Rule
+{
+    RuleId id = 0;
+    std::string name;
+    bool isEnabled = true;
+    Trigger trigger;
+    std::vector<Condition> conditions;
+    bool isAnyEnough = false; ///< one of the conditions, else all
+    std::vector<Action> actions;
+    RuleMeeting meeting = RuleMeeting::Interrupt;
+    RuleYield yields = RuleYield::FurtherUp;
+    float cooldownSeconds = 0.0F; ///< for the same individual
+    std::uint32_t limit = 0;      ///< so often for the same individual; 0: as often as it comes
+    std::string unknownMembers;   ///< see Scene::unknownMembers
+    friend bool operator==(const Rule&, const Rule&) = default;
+};
+
+/// Calls act(kind, object) for the trigger, each condition and each action.
+template<class Act>
+void forEachPart(const Rule& rule, const Act& act)
+{
+    act(rule.trigger.kind(), rule.trigger.object());
+    for (const Condition& condition : rule.conditions) {
+        act(condition.kind(), condition.object());
+    }
+    for (const Action& action : rule.actions) {
+        act(action.kind(), action.object());
+    }
+}
+
+/// Ids of the places, the paths and so on that a rule names, as often as it does; 0 and kNotChosen
+/// are among them.
+[[nodiscard]] std::vector<std::uint32_t> idsNamedIn(const Rule& rule, FieldRole role);
+
+} // namespace crowd::model
