@@ -1756,6 +1756,54 @@
         <source>Another material for each slot of a character</source>
         <translation>Ein anderes Material für jeden Slot einer Figur</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Sitz</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Change group</source>
+        <translation>Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Gehtempo</translation>
+    </message>
+    <message>
+        <source>Metres per second; 0: the usual speed</source>
+        <translation>Meter je Sekunde; 0: das übliche Tempo</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>Change character</source>
+        <translation>Figur ändern</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -5134,42 +5182,6 @@ Verworfen ist sie fort.</translation>
         <translation>Meter entlang %1</translation>
     </message>
     <message>
-        <source>Position</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>Heading °</source>
-        <translation>Richtung °</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>Girth</source>
-        <translation>Umfang</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>Clip</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>Seat</source>
-        <translation>Sitz</translation>
-    </message>
-    <message>
         <source>Nobody is selected. Press V and click somebody.</source>
         <translation>Niemand ist ausgewählt. V drücken und jemanden anklicken.</translation>
     </message>
@@ -5196,14 +5208,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Tint of %1</source>
         <translation>Tönung von %1</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Vorlage</translation>
-    </message>
-    <message>
-        <source>Tags</source>
-        <translation>Marken</translation>
     </message>
     <message>
         <source>Number of the seat</source>
@@ -5249,10 +5253,6 @@ Verworfen ist sie fort.</translation>
         <translation>Vorlage wechseln</translation>
     </message>
     <message>
-        <source>Change group</source>
-        <translation>Gruppe ändern</translation>
-    </message>
-    <message>
         <source>Change tags</source>
         <translation>Marken ändern</translation>
     </message>
@@ -5294,10 +5294,6 @@ Verworfen ist sie fort.</translation>
             <numerusform>&lt;b&gt;%n Figur&lt;/b&gt;</numerusform>
             <numerusform>&lt;b&gt;%n Figuren&lt;/b&gt;</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Change character</source>
-        <translation>Figur ändern</translation>
     </message>
     <message>
         <source>Multiply</source>

@@ -17,6 +17,7 @@
 #include <QtCore/QJsonObject>
 
 #include "model/document/SceneEdit.h"
+#include "model/population/Properties.h"
 
 namespace crowd::app {
 
@@ -115,11 +116,8 @@ std::vector<std::pair<ColumnId, std::vector<std::byte>>> vectorsOf(const py::dic
             }
             continue;
         }
-        for (std::size_t c = 0; c < kColumnCount; ++c) {
-            if (columnInfo(static_cast<ColumnId>(c)).name == name) {
-                vectors.emplace_back(static_cast<ColumnId>(c),
-                                     std::vector<std::byte>(from, from + array.nbytes()));
-            }
+        if (const PropertyInfo* property = findProperty(name)) {
+            vectors.emplace_back(property->id, std::vector<std::byte>(from, from + array.nbytes()));
         }
     }
     return vectors;

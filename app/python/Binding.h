@@ -17,6 +17,7 @@
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
 #include "model/describe/Field.h"
+#include "model/population/PropertyValues.h"
 
 /// What the parts of the Python module share.
 namespace crowd::app {
@@ -162,6 +163,8 @@ inline constexpr bool kIsBound<model::Camera> = true;
 template<>
 inline constexpr bool kIsBound<model::Lighting> = true;
 template<>
+inline constexpr bool kIsBound<model::PropertyInfo> = true;
+template<>
 inline constexpr bool kIsBound<model::StrokeOutcome> = true;
 template<>
 inline constexpr bool kIsBound<PythonBrush> = true;
@@ -180,6 +183,7 @@ void speakOfArguments(py::module_& module);
 
 void bindTemplates(py::module_& module);
 void bindBrushes(py::module_& module);
+void bindProperties(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
 /// Brushes that scripts bring along; after the brushes.
 void bindScriptBrushes(py::module_& module);

@@ -37,20 +37,20 @@ namespace {
 std::string knownColumns()
 {
     std::string names = "id, tint";
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        names += ", " + std::string(columnInfo(static_cast<ColumnId>(c)).name);
+    for (const PropertyInfo& property : properties()) {
+        names += ", " + std::string(property.column.name);
     }
     return names;
 }
 
 ColumnId columnNamed(const std::string& name)
 {
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        if (columnInfo(static_cast<ColumnId>(c)).name == name) {
-            return static_cast<ColumnId>(c);
-        }
+    const PropertyInfo* property = findProperty(name);
+    if (property == nullptr) {
+        throw ScriptError("There is no column \"" + name + "\". There are: " + knownColumns() +
+                          ".");
     }
-    throw ScriptError("There is no column \"" + name + "\". There are: " + knownColumns() + ".");
+    return property->id;
 }
 
 /// What a column's values look like in NumPy: an item type and how many a row.
@@ -331,6 +331,20 @@ py::array columnArray(Population population, const std::string& name)
     std::vector<py::ssize_t> extents{static_cast<py::ssize_t>(population.size())};
     extents.insert(extents.end(), shape.extents.begin(), shape.extents.end());
     return copied(shape.type, std::move(extents), population.columnBytes(column));
+}
+
+std::string valueTypeText(ColumnType type)
+{
+    const RowShape shape = shapeOf(type);
+    const auto item = shape.type.attr("name").cast<std::string>();
+    return shape.extents.empty() ? item : std::to_string(shape.extents.front()) + " × " + item;
+}
+
+py::object initialValue(const PropertyInfo& property)
+{
+    const RowShape shape = shapeOf(property.column.type);
+    const auto bytes = std::span(property.initial).first(property.column.stride);
+    return copied(shape.type, shape.extents, bytes).attr("tolist")();
 }
 
 GivenColumns columnsFrom(const ScenePtr& scene, const py::kwargs& arguments,

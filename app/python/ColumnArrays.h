@@ -14,6 +14,11 @@ namespace crowd::app {
 /// for "choices". "id" is a column too. Unknown names raise.
 [[nodiscard]] py::array columnArray(model::Population population, const std::string& name);
 
+/// One value as NumPy holds it: "float32", "3 × float32".
+[[nodiscard]] std::string valueTypeText(model::ColumnType type);
+/// The default: a number or a list of them.
+[[nodiscard]] py::object initialValue(const model::PropertyInfo& property);
+
 /// Whatever NumPy makes an array of. Raises where it cannot, and where some of it is masked.
 [[nodiscard]] py::array arrayOf(const std::string& name, const py::object& given);
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
+#include "model/describe/FieldChecks.h"
+#include "model/population/PropertyValues.h"
 
 namespace crowd::app {
 
@@ -37,71 +37,23 @@ Error refused(ColumnId column, std::size_t index, const std::string& why)
     return Error{std::string(columnInfo(column).name) + "[" + std::to_string(index) + "] " + why};
 }
 
-/// What makes sense of a column of numbers; a project file may hold anything finite.
-struct Limits
+/// Written by scripts at all, and within its legal range; a project file may hold anything finite.
+Result<void> checkColumn(const ColumnValues& values)
 {
-    float low;
-    float high;
-    const char* meaning;
-};
-
-Limits limitsOf(ColumnId column)
-{
-    constexpr float kFarthest = 1e6F;
-    constexpr float kMostTurned = 1e6F;
-    constexpr float kFastest = 100.0F;
-    switch (column) {
-    case ColumnId::Position:
-        return {-kFarthest, kFarthest, "in metres"};
-    case ColumnId::Heading:
-        return {-kMostTurned, kMostTurned, "in radians"};
-    case ColumnId::Height:
-    case ColumnId::Girth:
-        return {0.01F, 100.0F, "a scale"};
-    case ColumnId::Phase:
-        return {0.0F, 1.0F, "a phase"};
-    case ColumnId::PlaybackSpeed:
-        return {-kFastest, kFastest, "a playback speed"};
-    case ColumnId::WalkSpeed:
-        return {0.0F, kMaxWalkingSpeed, "in m/s"};
-    default:
-        return {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max(),
-                "a number"};
+    const PropertyInfo& property = propertyInfo(values.column);
+    if (!property.isWrittenBy(kWrittenByScript)) {
+        return Error{std::string(property.column.name) + " is not for scripts to write."};
     }
-}
-
-std::string numberText(float value)
-{
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << value;
-    return text.str();
-}
-
-Result<void> checkNumbers(const ColumnValues& values)
-{
-    const ColumnInfo& info = columnInfo(values.column);
-    if (info.type != ColumnType::Float && info.type != ColumnType::Vec3) {
+    const auto illegal = firstIllegal(property, values.bytes);
+    if (!illegal) {
         return {};
     }
-    const Limits limits = limitsOf(values.column);
-    const auto numbers = itemsOf<float>(values);
-    bool areRight = true; // also false where one is not a number; no branch, for whole columns
-    for (const float each : numbers) {
-        areRight &= static_cast<bool>(static_cast<int>(each >= limits.low) &
-                                      static_cast<int>(each <= limits.high));
-    }
-    if (areRight) {
-        return {};
-    }
-    const auto wrong = std::ranges::find_if(
-        numbers, [&](float each) { return !(each >= limits.low && each <= limits.high); });
-    const std::size_t width = info.stride / sizeof(float);
-    return refused(values.column, static_cast<std::size_t>(wrong - numbers.begin()) / width,
-                   "is " + numberText(*wrong) +
-                       (std::isfinite(*wrong) ? "" : ", not a finite number") + "; it is " +
-                       limits.meaning + " and must lie from " + numberText(limits.low) + " to " +
-                       numberText(limits.high) + ".");
+    return refused(values.column, illegal->row,
+                   "is " + shortNumber(static_cast<double>(illegal->value)) +
+                       (std::isfinite(illegal->value) ? "" : ", not a finite number") + "; it is " +
+                       property.traits.meaning + " and must lie from " +
+                       shortNumber(property.meta.low) + " to " + shortNumber(property.meta.high) +
+                       ".");
 }
 
 /// What a template suggests for those created from it.
@@ -258,7 +210,7 @@ Result<void> checkCommon(std::size_t n, std::span<const ColumnValues> values)
                          std::to_string(each.bytes.size() / info.stride) + " values for " +
                          std::to_string(n) + " individuals: give one each, or one for all."};
         }
-        if (auto valid = checkNumbers(each); !valid) {
+        if (auto valid = checkColumn(each); !valid) {
             return valid;
         }
     }

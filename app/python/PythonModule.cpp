@@ -27,6 +27,7 @@ void registerModule(py::module_& module)
                    "Y is up and characters face +Z at heading 0. Columns are NumPy arrays.";
     py::register_exception<ScriptError>(module, "Error", PyExc_RuntimeError);
     bindTemplates(module);
+    bindProperties(module);
     bindBrushes(module);
     bindScriptBrushes(module);
     bindScene(module);

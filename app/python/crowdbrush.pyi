@@ -92,6 +92,38 @@ class Template:
     def __hash__(self) -> int: ...
 
 
+class Property:
+    """What there is to know of a column."""
+    @property
+    def name(self) -> str:
+        """As Scene.column takes it."""
+    @property
+    def type(self) -> str:
+        """Of a value in NumPy."""
+    @property
+    def low(self) -> Optional[float]:
+        """The lowest legal number; None: any of its type."""
+    @property
+    def high(self) -> Optional[float]:
+        """The highest legal number; None: any of its type."""
+    @property
+    def default(self) -> Any:
+        """Of those who are created without it, where neither template nor seat suggest another:
+        a number or a list of them."""
+    @property
+    def kind(self) -> str:
+        """number, angle, colour, choice, set or reference."""
+    @property
+    def blend(self) -> str:
+        """What lies between two values: step, linear, turn, cycle or colour."""
+    @property
+    def writers(self) -> List[str]:
+        """Who may write it: brush, panel, script, rule, session."""
+    @property
+    def doc(self) -> str:
+        """What it is."""
+
+
 class BrushKind:
     """What a brush does."""
     CREATE: ClassVar[BrushKind]
@@ -977,6 +1009,10 @@ class Session:
         people stand or sit another way than before."""
     def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., look: str = ...) -> Picture:
         """As Scene.render, but as everybody is after the last step."""
+
+
+def properties() -> List[Property]:
+    """All properties that individuals have, in the order of their columns."""
 
 
 def register_brush(brush: _B, name: Optional[str] = ...) -> _B:

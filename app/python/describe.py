@@ -254,28 +254,38 @@ those who play in the window.
 `scene.column(name)` gives a copy, rows by ascending id; `scene.create` and `scene.change` take the
 same names as keywords.
 
-| column | an individual | |
-|---|---|---|
-| `id` | uint32 | never used again while the scene lives; for reading |
-| `template` | uint16 | the id of a template, or a `Template` |
-| `position` | 3 × float32 | metres, world frame, Y up: the foot point |
-| `heading` | float32 | radians, 0 faces +Z, grows towards +X |
-| `height`, `girth` | float32 | scales, above zero |
-| `tint` | 8 × 4 uint8 | of each slot: red, green, blue (sRGB), strength; one colour for all slots where it is written |
-| `tint0` … `tint7` | 4 × uint8 | of one slot |
-| `tintReplaces` | uint16 | bit i: the tint of slot i is the colour itself; else it multiplies the material's |
-| `choices` | 8 × uint8 | the material of each slot |
-| `parts` | uint32 | bit i shows part i of the template |
-| `clip` | uint16 | counts in `Template.clip_names`; names are taken too |
-| `phase` | float32 | 0 to 1 of the clip at time 0 |
-| `speed` | float32 | of playback |
-| `seat` | uint32 | one of `scene.seats["id"]`; 0xFFFFFFFF: none |
-| `tags` | uint64 | bits |
-| `group`, `seed` | uint32 | |
-| `path` | uint32 | the id of a path in `scene.environment`; 0: none |
-| `walkSpeed` | float32 | m/s; 0: the usual one |
-| `walkStyle` | uint16 | the clip to walk with, counted from 1 in `Template.clip_names`; 0: the one that fits the speed |
+| column | an individual | range | |
+|---|---|---|---|
+{columns}
 """
+
+
+# Columns that are made of others, and before which of them they stand.
+MADE_COLUMNS = {
+    "template": "| `id` | uint32 | | never used again while the scene lives; for reading |",
+    "tint0": "| `tint` | 8 × 4 × uint8 | | of all slots; one colour for all of them where it is written |",
+}
+
+
+def column_names(names):
+    if len(names) > 2:
+        return f"`{names[0]}` … `{names[-1]}`"
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def columns():
+    """A row for each property; neighbours that differ in nothing but their names share one."""
+    rows = []
+    for each in crowdbrush.properties():
+        if each.name in MADE_COLUMNS:
+            rows.append(([], MADE_COLUMNS[each.name]))
+        span = "" if each.low is None else f" {each.low:g} to {each.high:g}".replace("e+0", "e")
+        facts = f" | {each.type} |{span} | {each.doc} |"
+        if rows and rows[-1][0] and rows[-1][1] == facts:
+            rows[-1][0].append(each.name)
+        else:
+            rows.append(([each.name], facts))
+    return "\n".join(f"| {column_names(names)}{facts}" if names else facts for names, facts in rows)
 
 
 def manual_class(name, cls):
@@ -307,7 +317,7 @@ def manual_class(name, cls):
 
 def manual():
     classes, functions = public()
-    lines = [INTRODUCTION.format(doc=crowdbrush.__doc__).rstrip(), "", "## Functions", ""]
+    lines = [INTRODUCTION.format(doc=crowdbrush.__doc__, columns=columns()).rstrip(), "", "## Functions", ""]
     for name, value in functions:
         function = Function("", name, value)
         lines.append(f"- `{name}({', '.join(function.arguments)})` → `{function.result}` – " +

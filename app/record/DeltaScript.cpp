@@ -2,7 +2,6 @@
 #include "app/record/DeltaScript.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <numeric>
 
 #include "app/record/ScriptText.h"
+#include "model/population/Properties.h"
 #include "model/project/EnvironmentText.h"
 
 namespace crowd::app {
@@ -19,10 +19,6 @@ using namespace model;
 namespace {
 
 constexpr std::size_t kWidth = 92;
-/// Columns that a created individual gets from its template, its seat or its number where a script
-/// does not say.
-constexpr std::array kAlwaysSaid{ColumnId::Template, ColumnId::Position, ColumnId::Heading,
-                                 ColumnId::Clip,     ColumnId::Parts,    ColumnId::Seed};
 
 /// Arguments of a call, "name=value" each.
 class Call
@@ -71,10 +67,10 @@ void addColumn(Call& call, ColumnId column, const std::vector<std::byte>& bytes)
     call.add(std::string(info.name), pythonColumn(column, folded(bytes, info.stride), 2 * kIndent));
 }
 
-/// Whether the seat of an added one would tell more than its absence.
+/// Whether to say it of those who are added: it is suggested otherwise, or not the usual value.
 bool isSaid(ColumnId column, const IndividualRows& rows, const IndividualRows& usual)
 {
-    return std::ranges::find(kAlwaysSaid, column) != kAlwaysSaid.end() ||
+    return propertyInfo(column).traits.isSuggested ||
            rows.bytes[static_cast<std::size_t>(column)] !=
                usual.bytes[static_cast<std::size_t>(column)];
 }
@@ -126,13 +122,14 @@ std::string creations(const SceneDelta& delta, const Scene& after)
 {
     std::string text;
     IndividualId next = delta.nextIdBefore;
-    const auto& ids = delta.added.ids;
+    const IndividualRows added = delta.added.unpacked();
+    const std::vector<IndividualId>& ids = added.ids;
     for (std::size_t from = 0; from < ids.size();) {
         std::size_t to = from + 1;
         while (to < ids.size() && ids[to] == ids[to - 1] + 1) {
             ++to;
         }
-        text += spentIds(next, ids[from], after) + createCall(slice(delta.added, from, to));
+        text += spentIds(next, ids[from], after) + createCall(slice(added, from, to));
         next = ids[to - 1] + 1;
         from = to;
     }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/session/PoseKeeping.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
+
+#include "model/population/PropertyValues.h"
 
 namespace crowd::behavior {
 
@@ -12,65 +16,97 @@ namespace {
 
 constexpr float kHasLeftBelow = -1e4F; ///< metres
 
-/// Ids with a value each, for one column.
-template<class T>
-struct Kept
+/// Values of one property, one for each id.
+class Kept
 {
-    std::vector<model::IndividualId> ids;
-    std::vector<T> values;
+public:
+    explicit Kept(const model::PropertyInfo& property) : m_property(property) {}
 
-    void add(model::IndividualId id, const T& value)
+    void add(model::IndividualId id, std::span<const std::byte> value)
     {
-        ids.push_back(id);
-        values.push_back(value);
+        m_ids.push_back(id);
+        m_values.insert(m_values.end(), value.begin(), value.end());
     }
-    void write(model::SceneEdit& edit, model::ColumnKey<T> key) const
-    {
-        edit.setColumn(key, ids, std::span<const T>(values));
-    }
+    void write(model::SceneEdit& edit) const { edit.setColumn(m_property.id, m_ids, m_values); }
+    [[nodiscard]] const std::vector<model::IndividualId>& ids() const { return m_ids; }
+
+private:
+    const model::PropertyInfo& m_property;
+    std::vector<model::IndividualId> m_ids; ///< ascending
+    std::vector<std::byte> m_values;
 };
 
-/// How many people are elsewhere, or look another way.
-int keepPlaces(model::SceneEdit& edit, const model::Population& shown)
+std::span<const std::byte> valueIn(const model::Population& people,
+                                   const model::PropertyInfo& property, std::size_t row)
 {
-    const model::Population before = edit.scene().population;
-    Kept<glm::vec3> positions;
-    Kept<float> headings;
-    Kept<model::SeatId> seats;
-    Kept<std::uint16_t> clips;
-    for (std::size_t row = 0; row < shown.size(); ++row) {
-        const glm::vec3 position = shown.column(keys::position)[row];
-        const float heading = shown.column(keys::heading)[row];
-        const model::IndividualId id = shown.ids()[row];
-        const std::size_t then = before.rowOf(id); // npos: removed since it was shown
-        if (position.y < kHasLeftBelow || then == model::Population::npos) {
-            continue;
-        }
-        if (position != before.column(keys::position)[then] ||
-            heading != before.column(keys::heading)[then]) {
-            positions.add(id, position);
-            headings.add(id, heading);
-        }
-        const model::SeatId seat = shown.column(keys::seat)[row];
-        if (seat != before.column(keys::seat)[then]) {
-            seats.add(id, seat);
-            clips.add(id, shown.column(keys::clip)[row]);
-        }
-    }
-    positions.write(edit, keys::position);
-    headings.write(edit, keys::heading);
-    seats.write(edit, keys::seat);
-    clips.write(edit, keys::clip);
-    return static_cast<int>(positions.ids.size());
+    const std::size_t stride = property.column.stride;
+    return people.columnBytes(property.id).subspan(row * stride, stride);
 }
 
+/// Somebody who is still there: his rows in what is shown and in the scene.
+struct Present
+{
+    model::IndividualId id = 0;
+    std::size_t shown = 0;
+    std::size_t before = 0;
+};
+
+std::vector<Present> stillPresent(const model::Population& before, const model::Population& shown)
+{
+    std::vector<Present> present;
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        const std::size_t then = before.rowOf(shown.ids()[row]); // npos: removed since it was shown
+        if (shown.column(keys::position)[row].y >= kHasLeftBelow &&
+            then != model::Population::npos) {
+            present.push_back({shown.ids()[row], row, then});
+        }
+    }
+    return present;
+}
+
+/// What sessions write as people go about. How many people are elsewhere, or look another way.
+int keepShown(model::SceneEdit& edit, const model::Population& shown)
+{
+    const model::Population before = edit.scene().population;
+    const std::vector<Present> present = stillPresent(before, shown);
+    std::vector<model::IndividualId> moved;
+    for (const model::PropertyInfo& property : model::properties()) {
+        if (!property.isWrittenBy(model::kWrittenBySession)) {
+            continue;
+        }
+        Kept kept(property);
+        Kept clips(model::propertyInfo(keys::clip.id)); // to sit or to stand with
+        for (const Present& each : present) {
+            const auto value = valueIn(shown, property, each.shown);
+            if (model::isSameValue(property.column.type, value,
+                                   valueIn(before, property, each.before))) {
+                continue;
+            }
+            kept.add(each.id, value);
+            if (property.id == keys::seat.id) {
+                clips.add(each.id, std::as_bytes(shown.column(keys::clip).subspan(each.shown, 1)));
+            }
+        }
+        kept.write(edit);
+        clips.write(edit);
+        if (property.id == keys::position.id || property.id == keys::heading.id) {
+            std::vector<model::IndividualId> both;
+            std::ranges::set_union(moved, kept.ids(), std::back_inserter(both));
+            moved = std::move(both);
+        }
+    }
+    return static_cast<int>(moved.size());
+}
+
+/// What rules have set of people who are there.
 void keepOverrides(model::SceneEdit& edit, const OverrideColumns& overrides)
 {
-    for (std::size_t index = 0; index < model::kColumnCount; ++index) {
-        const auto id = static_cast<model::ColumnId>(index);
-        if (const OverrideColumn* column = overrides.column(id)) {
-            const OverrideColumn there = presentIn(edit.scene().population, id, *column);
-            edit.setColumn(id, there.ids, there.bytes);
+    for (const model::PropertyInfo& property : model::properties()) {
+        const OverrideColumn* column =
+            property.isWrittenBy(model::kWrittenByRule) ? overrides.column(property.id) : nullptr;
+        if (column != nullptr) {
+            const OverrideColumn there = presentIn(edit.scene().population, property.id, *column);
+            edit.setColumn(property.id, there.ids, there.bytes);
         }
     }
 }
@@ -98,7 +134,7 @@ void keepNumbers(model::SceneEdit& edit, const std::vector<OwnNumber>& numbers)
 
 int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose)
 {
-    const int people = keepPlaces(edit, shown);
+    const int people = keepShown(edit, shown);
     if (pose != nullptr && pose->overrides) {
         keepOverrides(edit, *pose->overrides);
     }

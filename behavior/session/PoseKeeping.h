@@ -7,10 +7,10 @@
 /// What a session has made of people, written into the scene.
 namespace crowd::behavior {
 
-/// Where people are shown, which way they look and on which seats they sit, with the clips to sit
-/// or stand with; who has left stays where he began. Of `pose` (null: nothing) what rules have set:
-/// colours, heights, tags, own clips, and the artist's numbers that people begin with. How many
-/// people stand or sit another way than before.
+/// What is shown of the properties that sessions write: where people are, which way they look, on
+/// which seats they sit, with the clips to sit or stand with; who has left stays where he began. Of
+/// `pose` (null: nothing) the properties that rules have set, and the artist's numbers that people
+/// begin with. How many people stand or sit another way than before.
 int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose);
 
 } // namespace crowd::behavior

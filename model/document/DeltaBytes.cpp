@@ -13,20 +13,26 @@ void put(std::vector<std::byte>& bytes, const void* from, std::size_t size)
     bytes.insert(bytes.end(), first, first + size);
 }
 
+void putNumber(std::vector<std::byte>& bytes, std::uint64_t number)
+{
+    put(bytes, &number, sizeof(number));
+}
+
 /// Items with their number before them.
 template<class Item>
 void putList(std::vector<std::byte>& bytes, const std::vector<Item>& items)
 {
-    const std::uint64_t count = items.size();
-    put(bytes, &count, sizeof(count));
+    putNumber(bytes, items.size());
     put(bytes, items.data(), items.size() * sizeof(Item));
 }
 
-void putRows(std::vector<std::byte>& bytes, const IndividualRows& rows)
+void putRows(std::vector<std::byte>& bytes, const StoredRows& rows)
 {
     putList(bytes, rows.ids);
-    for (const std::vector<std::byte>& column : rows.bytes) {
-        putList(bytes, column);
+    putNumber(bytes, rows.columns.size());
+    for (const StoredRows::Column& stored : rows.columns) {
+        putNumber(bytes, static_cast<std::uint64_t>(stored.column));
+        putList(bytes, stored.bytes);
     }
 }
 
@@ -53,20 +59,22 @@ public:
         items.resize(count);
         take(items.data(), items.size() * sizeof(Item));
     }
-    void rows(IndividualRows& target)
+    void rows(StoredRows& target)
     {
         list(target.ids);
-        for (std::size_t c = 0; c < kColumnCount; ++c) {
-            list(target.bytes[c]);
-            const std::size_t stride = columnInfo(static_cast<ColumnId>(c)).stride;
-            m_isWhole = m_isWhole && target.bytes[c].size() == target.ids.size() * stride;
+        const std::uint64_t columns = number();
+        for (std::uint64_t i = 0; i < columns && m_isWhole; ++i) {
+            StoredRows::Column stored{columnId(), {}};
+            list(stored.bytes);
+            const std::size_t stride = m_isWhole ? columnInfo(stored.column).stride : 0;
+            m_isWhole = m_isWhole && (stored.bytes.size() == target.ids.size() * stride ||
+                                      stored.bytes.size() == stride);
+            target.columns.push_back(std::move(stored));
         }
     }
     void column(ColumnDelta& target)
     {
-        const std::uint64_t id = number();
-        m_isWhole = m_isWhole && id < kColumnCount;
-        target.column = static_cast<ColumnId>(id);
+        target.column = columnId();
         list(target.ids);
         list(target.before);
         list(target.after);
@@ -75,6 +83,12 @@ public:
     [[nodiscard]] bool isAtEnd() const { return m_rest.empty(); }
 
 private:
+    ColumnId columnId()
+    {
+        const std::uint64_t id = number();
+        m_isWhole = m_isWhole && id < kColumnCount;
+        return m_isWhole ? static_cast<ColumnId>(id) : ColumnId::Template;
+    }
     void take(void* to, std::size_t size)
     {
         if (!m_isWhole || size > m_rest.size()) {
@@ -99,11 +113,9 @@ std::vector<std::byte> bulkBytesOf(const SceneDelta& delta)
     bytes.reserve(delta.bulkBytes() + 1024);
     putRows(bytes, delta.added);
     putRows(bytes, delta.removed);
-    const std::uint64_t columns = delta.columns.size();
-    put(bytes, &columns, sizeof(columns));
+    putNumber(bytes, delta.columns.size());
     for (const ColumnDelta& change : delta.columns) {
-        const auto id = static_cast<std::uint64_t>(change.column);
-        put(bytes, &id, sizeof(id));
+        putNumber(bytes, static_cast<std::uint64_t>(change.column));
         putList(bytes, change.ids);
         putList(bytes, change.before);
         putList(bytes, change.after);

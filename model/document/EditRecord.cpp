@@ -66,8 +66,9 @@ void EditRecord::removeIndividuals(std::span<const IndividualId> ids, const Popu
     const Ids old = minus(ids, m_added);
     m_added = minus(m_added, ids);
     IndividualRows originals = population.rows(old);
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        m_touched[c].moveInto(old, originals.bytes[c], columnInfo(static_cast<ColumnId>(c)).stride);
+    for (auto& [column, touched] : m_touched) {
+        touched.moveInto(old, originals.bytes[static_cast<std::size_t>(column)],
+                         columnInfo(column).stride);
     }
     m_removed = mergedRows(m_removed, originals);
 }
@@ -76,8 +77,7 @@ void EditRecord::touchColumn(ColumnId column, std::span<const IndividualId> ids,
                              const Population& population)
 {
     const Ids old = minus(ids, m_added);
-    m_touched[static_cast<std::size_t>(column)].remember(old, population.values(column, old),
-                                                         columnInfo(column).stride);
+    m_touched[column].remember(old, population.values(column, old), columnInfo(column).stride);
 }
 
 void EditRecord::touchTemplate(TemplateId id, const Scene& scene)
@@ -159,14 +159,12 @@ void EditRecord::touchSteps(const Scene& scene)
 SceneDelta EditRecord::delta(const Scene& scene) const
 {
     SceneDelta delta;
-    delta.added = scene.population.rows(m_added);
-    delta.removed = m_removed;
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        if (!m_touched[c].isEmpty()) {
-            ColumnDelta change = m_touched[c].changes(static_cast<ColumnId>(c), scene.population);
-            if (!change.ids.empty()) {
-                delta.columns.push_back(std::move(change));
-            }
+    delta.added = StoredRows(scene.population.rows(m_added));
+    delta.removed = StoredRows(m_removed);
+    for (const auto& [column, touched] : m_touched) {
+        ColumnDelta change = touched.changes(column, scene.population);
+        if (!change.ids.empty()) {
+            delta.columns.push_back(std::move(change));
         }
     }
     delta.nextIdBefore = m_nextIdBefore;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -45,7 +44,7 @@ private:
     IndividualId m_nextIdBefore;
     std::vector<IndividualId> m_added; ///< ascending, all present
     IndividualRows m_removed = IndividualRows::withDefaults({});
-    std::array<FirstTouch, kColumnCount> m_touched;
+    std::map<ColumnId, FirstTouch> m_touched;
     std::map<TemplateId, std::optional<TemplateEntry>> m_templates;
     std::map<std::uint8_t, std::optional<StageEntry>> m_stages;
     std::optional<std::vector<NamedCamera>> m_cameras;

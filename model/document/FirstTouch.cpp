@@ -5,6 +5,8 @@
 #include <cstring>
 #include <iterator>
 
+#include "model/document/StoredRows.h"
+
 namespace crowd::model {
 
 namespace {
@@ -16,17 +18,6 @@ Ids united(std::span<const IndividualId> a, std::span<const IndividualId> b)
     Ids all;
     std::ranges::set_union(a, b, std::back_inserter(all));
     return all;
-}
-
-void keepOnceIfUniform(std::vector<std::byte>& bytes, std::size_t stride)
-{
-    for (std::size_t i = stride; i < bytes.size(); i += stride) {
-        if (std::memcmp(bytes.data(), &bytes[i], stride) != 0) {
-            return;
-        }
-    }
-    bytes.resize(std::min(bytes.size(), stride));
-    bytes.shrink_to_fit();
 }
 
 } // namespace

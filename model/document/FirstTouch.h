@@ -20,7 +20,6 @@ public:
     void moveInto(std::span<const IndividualId> ids, std::span<std::byte> rows, std::size_t stride);
     /// What differs between the remembered values and today's.
     [[nodiscard]] ColumnDelta changes(ColumnId column, const Population& population) const;
-    [[nodiscard]] bool isEmpty() const { return m_ids.empty(); }
 
 private:
     std::vector<IndividualId> m_ids; ///< ascending

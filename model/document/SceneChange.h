@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <variant>
 #include <vector>
 
-#include "model/population/Columns.h"
+#include "model/population/ColumnSet.h"
 
 /// What SceneDocument::changed() reports: small typed events, said after the fact.
 namespace crowd::model {
@@ -21,7 +20,7 @@ struct IndividualsRemoved
 struct ColumnsChanged
 {
     std::vector<IndividualId> ids; ///< ascending
-    std::uint32_t columns = 0;     ///< bit per ColumnId
+    ColumnSet columns;
 };
 struct TemplatesChanged
 {

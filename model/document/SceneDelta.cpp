@@ -10,15 +10,6 @@ namespace {
 
 using Announce = std::function<void(const SceneChange&)>;
 
-std::size_t bytesOf(const IndividualRows& rows)
-{
-    std::size_t total = rows.ids.size() * sizeof(IndividualId);
-    for (const auto& column : rows.bytes) {
-        total += column.size();
-    }
-    return total;
-}
-
 std::size_t bytesOf(const TemplateEntry& entry)
 {
     std::size_t total = sizeof(entry) + entry.name.size() + entry.path.size() +
@@ -106,7 +97,7 @@ std::size_t bytesOf(const std::vector<EntryDelta<Entry>>& deltas)
     return total;
 }
 
-void swapIndividuals(Scene& scene, const IndividualRows& leaving, const IndividualRows& coming,
+void swapIndividuals(Scene& scene, const StoredRows& leaving, const StoredRows& coming,
                      const Announce& announce)
 {
     if (!leaving.ids.empty()) {
@@ -114,7 +105,7 @@ void swapIndividuals(Scene& scene, const IndividualRows& leaving, const Individu
         announce(IndividualsRemoved{leaving.ids});
     }
     if (!coming.ids.empty()) {
-        scene.population.add(coming);
+        scene.population.add(coming.unpacked());
         announce(IndividualsAdded{coming.ids});
     }
 }
@@ -181,7 +172,7 @@ void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction
                                                                      : change.before);
     }
     for (const ColumnDelta& change : delta.columns) {
-        announce(ColumnsChanged{change.ids, 1U << static_cast<unsigned>(change.column)});
+        announce(ColumnsChanged{change.ids, {change.column}});
     }
 }
 
@@ -196,7 +187,7 @@ bool SceneDelta::isEmpty() const
 
 std::size_t SceneDelta::bulkBytes() const
 {
-    std::size_t total = bytesOf(added) + bytesOf(removed);
+    std::size_t total = added.bytes() + removed.bytes();
     for (const ColumnDelta& change : columns) {
         total += sizeof(ColumnDelta) + change.ids.size() * sizeof(IndividualId) +
                  change.before.size() + change.after.size();

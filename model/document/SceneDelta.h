@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/document/SceneChange.h"
+#include "model/document/StoredRows.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::model {
@@ -38,8 +39,8 @@ struct ValueDelta
 /// What separates two states of a scene: only what changed, by id, never by row or pointer.
 struct SceneDelta
 {
-    IndividualRows added;
-    IndividualRows removed;
+    StoredRows added;
+    StoredRows removed;
     std::vector<ColumnDelta> columns; ///< of individuals present on both sides
     IndividualId nextIdBefore = 1;
     IndividualId nextIdAfter = 1;

@@ -148,8 +148,7 @@ void SceneEdit::setColumn(ColumnId column, std::span<const IndividualId> ids,
     Population& population = m_document.m_scene.population;
     m_record->touchColumn(column, ids, population);
     population.setValues(column, ids, bytes);
-    m_document.announce(
-        ColumnsChanged{{ids.begin(), ids.end()}, 1U << static_cast<unsigned>(column)});
+    m_document.announce(ColumnsChanged{{ids.begin(), ids.end()}, {column}});
 }
 
 TemplateId SceneEdit::addTemplate(TemplateEntry entry)

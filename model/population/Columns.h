@@ -10,8 +10,8 @@
 
 #include "model/base/Color.h"
 
-/// The columns of a population. To add one: a ColumnId, a row in Columns.cpp and a key here;
-/// storage, undo, project files and snapshots follow from the table.
+/// The columns of a population. To add one: a ColumnId and a key here, and a row in Properties.cpp;
+/// all else follows from that table.
 namespace crowd::model {
 
 /// Stable name of an individual within its scene; never reused while the scene lives. 0 is nobody.
@@ -66,6 +66,7 @@ struct ColumnInfo
     std::size_t stride; ///< bytes a row
 };
 
+/// From the table of properties, see Properties.h.
 [[nodiscard]] const ColumnInfo& columnInfo(ColumnId column);
 
 /// Typed name of a column: population.column(columns::position) is a span of glm::vec3.

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "model/population/Properties.h"
+
 namespace crowd::model {
 
 namespace {
@@ -16,10 +18,14 @@ std::uint64_t nextVersion()
     return ++counter;
 }
 
-template<class T>
-void fillDefault(IndividualRows& rows, ColumnKey<T> key, T value)
+/// `count` times the same value.
+std::vector<std::byte> repeated(std::span<const std::byte> value, std::size_t count)
 {
-    std::ranges::fill(rows.column(key), value);
+    std::vector<std::byte> bytes(count * value.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(&bytes[i * value.size()], value.data(), value.size());
+    }
+    return bytes;
 }
 
 } // namespace
@@ -28,16 +34,9 @@ IndividualRows IndividualRows::withDefaults(std::vector<IndividualId> rowIds)
 {
     IndividualRows rows;
     rows.ids = std::move(rowIds);
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        rows.bytes[c].resize(rows.ids.size() * columnInfo(static_cast<ColumnId>(c)).stride);
-    }
-    fillDefault(rows, columns::height, 1.0F);
-    fillDefault(rows, columns::girth, 1.0F);
-    fillDefault(rows, columns::playbackSpeed, 1.0F);
-    fillDefault(rows, columns::parts, std::uint32_t{0xFFFFFFFFU});
-    fillDefault(rows, columns::seat, kNoSeat);
-    for (int slot = 0; slot < 8; ++slot) {
-        fillDefault(rows, columns::tint(slot), Tint{});
+    for (const PropertyInfo& property : properties()) {
+        rows.bytes[static_cast<std::size_t>(property.id)] =
+            repeated(std::span(property.initial).first(property.column.stride), rows.ids.size());
     }
     return rows;
 }

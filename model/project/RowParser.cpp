@@ -9,6 +9,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "model/describe/FieldChecks.h"
+#include "model/population/PropertyValues.h"
 #include "model/project/ProjectHeader.h"
 
 namespace crowd::model {
@@ -17,16 +19,6 @@ namespace {
 
 constexpr const char* kWholeNumber = "a whole number that is not negative and not too large";
 constexpr const char* kFiniteNumber = "a finite number";
-
-int columnNamed(std::string_view name)
-{
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-        if (columnInfo(static_cast<ColumnId>(c)).name == name) {
-            return static_cast<int>(c);
-        }
-    }
-    return -1;
-}
 
 bool toFloat(const CellValue& value, float& target)
 {
@@ -159,6 +151,21 @@ void freeSharedSeats(IndividualRows& rows, std::vector<std::string>& warnings)
     }
 }
 
+/// Values that nobody could give today are kept, so that a file from elsewhere stays what it is.
+void noteOddNumbers(const IndividualRows& rows, std::vector<std::string>& warnings)
+{
+    for (const PropertyInfo& property : properties()) {
+        const std::size_t odd =
+            countIllegal(property, rows.bytes[static_cast<std::size_t>(property.id)]);
+        if (odd > 0) {
+            warnings.push_back(std::to_string(odd) +
+                               (odd == 1 ? " individual has a " : " individuals have a ") +
+                               property.meta.key + " outside " + shortNumber(property.meta.low) +
+                               " to " + shortNumber(property.meta.high) + "; it is kept.");
+        }
+    }
+}
+
 /// Who follows a path that is not there stands still; the file is sound otherwise.
 void leaveMissingPaths(IndividualRows& rows, Scene& scene)
 {
@@ -188,8 +195,9 @@ Result<void> RowParser::setColumns(const std::vector<std::string>& names)
         if (std::ranges::count(names, names[i]) > 1) {
             return Error{"individuals.columns names \"" + names[i] + "\" twice"};
         }
-        Cell cell{columnNamed(names[i]), -1};
-        if (cell.column < 0) {
+        const PropertyInfo* property = findProperty(names[i]);
+        Cell cell{property != nullptr ? static_cast<int>(property->id) : -1, -1};
+        if (property == nullptr) {
             cell.unknown = static_cast<int>(m_unknown.size());
             m_unknown.push_back({names[i], {}});
         }
@@ -317,6 +325,7 @@ Result<void> RowParser::finish(Scene& scene)
     }
     freeSharedSeats(table, scene.readWarnings);
     leaveMissingPaths(table, scene);
+    noteOddNumbers(table, scene.readWarnings);
     keepUnknown(scene, table.ids, order);
     if (!table.ids.empty()) {
         scene.nextId = std::max(scene.nextId, table.ids.back() + 1);

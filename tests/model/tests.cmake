@@ -37,6 +37,7 @@ crowd_add_tests(ROOM model
     tst_Pose
     tst_ProjectFile
     tst_ProjectMutations
+    tst_Properties
     tst_RuleFlaws
     tst_RuleSequence
     tst_SceneDocument

@@ -240,7 +240,7 @@ void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
     document.setUndoLimits(tinyLimits(m_folder->path()));
     {
         const FullDisk disk(0);
-        addPeople(document, 1000);
+        addPeople(document, 20000);
         turnEverybody(document, 1.0F);
         QVERIFY(document.undoMemory().bytes() > 100000);
         QVERIFY(!document.undoMemory().problem().empty());

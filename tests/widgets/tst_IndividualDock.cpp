@@ -8,6 +8,7 @@
 #include <QtWidgets/QToolButton>
 
 #include "model/brush/IndividualEdits.h"
+#include "model/population/PropertyValues.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/IndividualDock.h"
@@ -82,6 +83,7 @@ class IndividualDockTest : public QObject
 private Q_SLOTS:
     void nobodyHasNoFields();
     void mixedNumbersAreWrittenToAll();
+    void everyPlainNumberHasARow();
     void clipsAreComparedByName();
     void nonsenseIsIgnored();
     void aClipGoesToThoseWhoHaveIt();
@@ -131,6 +133,34 @@ void IndividualDockTest::mixedNumbersAreWrittenToAll()
     desk.document.undoStack().undo();
     QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.25F);
     QTRY_VERIFY(height->text().isEmpty());
+}
+
+void IndividualDockTest::everyPlainNumberHasARow()
+{
+    Desk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = testing::addPeople(desk.document, 2);
+    desk.state.selection().set(ids);
+    QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
+    for (const char* name :
+         {"heading", "height", "girth", "phase", "speed", "group", "walkSpeed"}) {
+        const model::PropertyInfo& property = *model::findProperty(name);
+        const QString unit = QString::fromUtf8(property.meta.unit);
+        const QString label = QString::fromUtf8(property.meta.label) +
+                              (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+        auto* field = fieldBeside<NumberField>(*desk.dock, label);
+        QVERIFY2(field != nullptr, name);
+        const double wanted = property.column.type == model::ColumnType::Float ? 0.5 : 3.0;
+        const int steps = desk.document.undoStack().count();
+        type(*field, QLocale().toString(wanted));
+        QCOMPARE(desk.document.undoStack().count(), steps + 1);
+        const auto column = desk.document.scene().population.columnBytes(property.id);
+        for (std::size_t row = 0; row < ids.size(); ++row) {
+            const double shown =
+                model::scalarAt(property.column.type, column, row) * property.meta.shownScale;
+            QVERIFY2(qAbs(shown - wanted) < 1e-5, name);
+        }
+    }
 }
 
 void IndividualDockTest::clipsAreComparedByName()

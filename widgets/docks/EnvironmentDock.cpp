@@ -92,8 +92,7 @@ void EnvironmentDock::followScene()
             [this](const model::SceneChange& change) {
                 const auto* columns = std::get_if<model::ColumnsChanged>(&change);
                 const bool isWalk =
-                    columns != nullptr &&
-                    (columns->columns & (1U << static_cast<unsigned>(model::ColumnId::Path))) != 0;
+                    columns != nullptr && columns->columns.contains(model::ColumnId::Path);
                 const bool isOther = columns == nullptr &&
                                      !std::holds_alternative<model::LightingChanged>(change) &&
                                      !std::holds_alternative<model::CamerasChanged>(change);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
@@ -13,6 +14,7 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/population/PropertyValues.h"
 #include "widgets/docks/NumberList.h"
 #include "widgets/theme/Icons.h"
 
@@ -21,7 +23,6 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kRefreshMs = 60;
-constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979;
 constexpr int kSwatch = 18;
 constexpr int kShortWord = 3;     ///< letters of a box that may be narrow
 constexpr int kLongestSlot = 80;  ///< names in files can be of any length, logical pixels
@@ -57,6 +58,35 @@ QComboBox* narrowBox(QWidget* parent)
     return box;
 }
 
+QString described(const char* text)
+{
+    return QCoreApplication::translate("Fields", text);
+}
+
+QString labelOf(const model::PropertyInfo& property)
+{
+    const QString label = described(property.meta.label);
+    const auto unit = QString::fromUtf8(property.meta.unit);
+    return unit.isEmpty() ? label : label + QLatin1Char(' ') + unit;
+}
+
+/// One that a row can show as it is, and that has a name to show.
+bool isPlainNumber(const model::PropertyInfo& property)
+{
+    const model::PropertyKind kind = property.traits.kind;
+    return (kind == model::PropertyKind::Number || kind == model::PropertyKind::Angle) &&
+           model::isScalar(property.column.type) && *property.meta.label != '\0';
+}
+
+NumberField* newNumberField(const model::PropertyInfo& property, QWidget* parent)
+{
+    const model::FieldMeta& meta = property.meta;
+    const bool hasOwnRange = meta.sliderLow < meta.sliderHigh;
+    return new NumberField(hasOwnRange ? meta.sliderLow : meta.low * meta.shownScale,
+                           hasOwnRange ? meta.sliderHigh : meta.high * meta.shownScale,
+                           meta.decimals, parent);
+}
+
 void fill(QComboBox& box, const std::vector<std::string>& names)
 {
     box.clear();
@@ -70,9 +100,8 @@ void fill(QComboBox& box, const std::vector<std::string>& names)
 IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Character"), "individual", parent), m_state(state), m_title(new QLabel(this)),
       m_content(new QWidget(this)), m_template(narrowBox(this)), m_clip(narrowBox(this)),
-      m_group(new NumberField(0.0, 4294967295.0, 0, this)), m_tags(new QLineEdit(this)),
-      m_seat(new NumberField(1.0, kMostSeats, 0, this)), m_seatPlace(new QLabel(this)),
-      m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
+      m_tags(new QLineEdit(this)), m_seat(new NumberField(1.0, kMostSeats, 0, this)),
+      m_seatPlace(new QLabel(this)), m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
 {
     auto* all = new QWidget(this);
     auto* layout = new QVBoxLayout(all);
@@ -106,7 +135,6 @@ void IndividualDock::connectState()
     connect(&m_state.document(), &model::SceneDocument::changed, this, later);
     connect(m_template, &QComboBox::activated, this, &IndividualDock::setTemplate);
     connect(m_clip, &QComboBox::textActivated, this, &IndividualDock::setClip);
-    connect(m_group, &NumberField::valueEdited, this, &IndividualDock::setGroup);
     connect(m_seat, &NumberField::valueEdited, this, &IndividualDock::setSeat);
     connect(m_standUp, &QToolButton::clicked, this, &IndividualDock::standUp);
     connect(m_tags, &QLineEdit::editingFinished, this, [this] {
@@ -128,54 +156,69 @@ void IndividualDock::changeEvent(QEvent* event)
 
 void IndividualDock::buildForm(QFormLayout* form)
 {
-    form->addRow(tr("Template"), m_template);
-    addPosition(form);
-    addFloat(form, tr("Heading °"), model::columns::heading, -36000.0, 36000.0, 1,
-             kDegreesPerRadian);
-    addFloat(form, tr("Height"), model::columns::height, 0.1, 10.0, 3, 1.0);
-    addFloat(form, tr("Girth"), model::columns::girth, 0.1, 10.0, 3, 1.0);
-    form->addRow(tr("Clip"), m_clip);
-    addFloat(form, tr("Phase"), model::columns::phase, 0.0, 1.0, 3, 1.0);
-    addFloat(form, tr("Speed"), model::columns::playbackSpeed, 0.0, 20.0, 2, 1.0);
-    addSeat(form);
-    form->addRow(tr("Group"), m_group);
+    for (const model::PropertyInfo& property : model::properties()) {
+        if (property.isWrittenBy(model::kWrittenByPanel)) {
+            addProperty(form, property);
+        }
+    }
     m_tags->setToolTip(tr("Names or numbers of tags from 1 to 64, as brave, 3-5"));
-    form->addRow(tr("Tags"), m_tags);
+    form->addRow(labelOf(model::propertyInfo(model::ColumnId::Tags)), m_tags);
 }
 
-void IndividualDock::addPosition(QFormLayout* form)
+void IndividualDock::addProperty(QFormLayout* form, const model::PropertyInfo& property)
+{
+    switch (property.id) {
+    case model::ColumnId::Template:
+        form->addRow(labelOf(property), m_template);
+        return;
+    case model::ColumnId::Position:
+        addPosition(form, property);
+        return;
+    case model::ColumnId::Clip:
+        form->addRow(labelOf(property), m_clip);
+        return;
+    case model::ColumnId::Seat:
+        addSeat(form, property);
+        return;
+    default: // colours, materials and parts follow with the slots
+        if (isPlainNumber(property)) {
+            addNumber(form, property);
+        }
+    }
+}
+
+void IndividualDock::addPosition(QFormLayout* form, const model::PropertyInfo& property)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(3);
     for (int axis = 0; axis < 3; ++axis) {
-        auto* field = new NumberField(-1e5, 1e5, 2, m_content);
+        NumberField* field = newNumberField(property, m_content);
         field->setToolTip(tr("Metres along %1").arg(QLatin1Char("XYZ"[axis])));
         m_position[static_cast<std::size_t>(axis)] = field;
         row->addWidget(field);
         connect(field, &NumberField::valueEdited, this,
                 [this, axis](double value) { setPosition(axis, value); });
     }
-    form->addRow(tr("Position"), row);
+    form->addRow(labelOf(property), row);
 }
 
-void IndividualDock::addFloat(QFormLayout* form, const QString& label,
-                              model::ColumnKey<float> column, double low, double high, int decimals,
-                              double scale)
+void IndividualDock::addNumber(QFormLayout* form, const model::PropertyInfo& property)
 {
-    auto* field = new NumberField(low, high, decimals, m_content);
-    form->addRow(label, field);
-    m_floats.push_back({field, column, scale});
-    connect(field, &NumberField::valueEdited, this, [this, column, scale](double value) {
-        setFloat(column, static_cast<float>(value / scale));
-    });
+    NumberField* field = newNumberField(property, m_content);
+    field->setToolTip(described(property.meta.tip));
+    field->setZeroText(described(property.meta.zero));
+    form->addRow(labelOf(property), field);
+    m_numbers.push_back({field, &property});
+    connect(field, &NumberField::valueEdited, this,
+            [this, &property](double shown) { setNumber(property, shown); });
 }
 
-void IndividualDock::addSeat(QFormLayout* form)
+void IndividualDock::addSeat(QFormLayout* form, const model::PropertyInfo& property)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(3);
     m_seat->setToolTip(tr("Number of the seat"));
-    m_seat->setAccessibleName(tr("Seat"));
+    m_seat->setAccessibleName(labelOf(property));
     m_standUp->setAccessibleName(tr("Stand Up"));
     m_seat->setMaximumWidth(64);
     m_standUp->setAutoRaise(true);
@@ -184,7 +227,7 @@ void IndividualDock::addSeat(QFormLayout* form)
     row->addWidget(m_seat);
     row->addWidget(m_standUp);
     row->addStretch(1);
-    form->addRow(tr("Seat"), row);
+    form->addRow(labelOf(property), row);
     m_seatPlace->setWordWrap(true); // a panel as narrow as the others
     form->addRow(QString(), m_seatPlace);
 }
@@ -236,14 +279,13 @@ void IndividualDock::refreshNumbers(const SelectedPeople& selected)
         m_position[static_cast<std::size_t>(axis)]->setValue(selected.common<double>(
             [&](std::size_t row) { return static_cast<double>(positions[row][axis]); }));
     }
-    for (const FloatRow& item : m_floats) {
-        const auto values = all.column(item.column);
-        item.field->setValue(selected.common<double>(
-            [&](std::size_t row) { return static_cast<double>(values[row]) * item.scale; }));
+    for (const NumberRow& item : m_numbers) {
+        const model::PropertyInfo& property = *item.property;
+        const std::span<const std::byte> column = all.columnBytes(property.id);
+        item.field->setValue(selected.common<double>([&](std::size_t row) {
+            return model::scalarAt(property.column.type, column, row) * property.meta.shownScale;
+        }));
     }
-    m_group->setValue(selected.common<double>([&](std::size_t row) {
-        return static_cast<double>(all.column(model::columns::group)[row]);
-    }));
     const auto tags = selected.common<std::uint64_t>(
         [&](std::size_t row) { return all.column(model::columns::tags)[row]; });
     if (!m_tags->hasFocus() || !m_tags->isModified()) {

@@ -7,6 +7,7 @@
 
 #include <QtCore/QTimer>
 
+#include "model/population/Properties.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/SelectedPeople.h"
@@ -21,7 +22,8 @@ class QToolButton;
 
 namespace crowd::widgets {
 
-/// The properties of whoever is selected, several at once ("mixed" where they differ). Clips,
+/// The properties of whoever is selected, several at once ("mixed" where they differ): those that
+/// the table of properties lets the panel write, numbers with a row generated from it. Clips,
 /// slots, outfits and parts of several templates are matched by name. Every edit is one undo step
 /// over all of them.
 class IndividualDock : public DockBase
@@ -47,19 +49,19 @@ private:
         std::string part;
         QCheckBox* box;
     };
-    struct FloatRow
+    struct NumberRow
     {
         NumberField* field;
-        model::ColumnKey<float> column;
-        double scale; ///< shown = stored × scale
+        const model::PropertyInfo* property;
     };
 
     void connectState();
     void buildForm(QFormLayout* form);
-    void addPosition(QFormLayout* form);
-    void addFloat(QFormLayout* form, const QString& label, model::ColumnKey<float> column,
-                  double low, double high, int decimals, double scale);
-    void addSeat(QFormLayout* form);
+    /// The control of its own that a property has, or a row for its number.
+    void addProperty(QFormLayout* form, const model::PropertyInfo& property);
+    void addPosition(QFormLayout* form, const model::PropertyInfo& property);
+    void addNumber(QFormLayout* form, const model::PropertyInfo& property);
+    void addSeat(QFormLayout* form, const model::PropertyInfo& property);
     /// The form of what these people have: their clips, slots and parts.
     void rebuild(const SelectedPeople& people);
     void addSlot(QFormLayout* form, const SelectedPeople& people, const std::string& slot);
@@ -76,9 +78,8 @@ private:
     [[nodiscard]] bool mayWrite() const;
     void setTemplate(int index);
     void setPosition(int axis, double value);
-    void setFloat(model::ColumnKey<float> column, float value);
+    void setNumber(const model::PropertyInfo& property, double shown);
     void setClip(const QString& name);
-    void setGroup(double group);
     void setTags(const QString& text);
     void setSeat(double number);
     void standUp();
@@ -87,17 +88,17 @@ private:
     void setTintMode(const std::string& slot, bool isReplacing);
     void setChoice(const std::string& slot, const QString& choice);
     void setPart(const std::string& part, bool isShown);
-    template<class T>
-    void writeSame(model::ColumnKey<T> column, const T& value, const QString& undoText);
+    /// One row of the column, for all of them.
+    void writeSame(model::ColumnId column, std::span<const std::byte> value,
+                   const QString& undoText);
 
     EditorState& m_state;
     QLabel* m_title;
     QWidget* m_content;
     QComboBox* m_template;
     std::array<NumberField*, 3> m_position{};
-    std::vector<FloatRow> m_floats;
+    std::vector<NumberRow> m_numbers;
     QComboBox* m_clip;
-    NumberField* m_group;
     QLineEdit* m_tags;
     NumberField* m_seat;
     QLabel* m_seatPlace;

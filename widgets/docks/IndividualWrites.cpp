@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QCoreApplication>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/population/PropertyValues.h"
 #include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/NumberList.h"
 
@@ -35,15 +37,15 @@ bool IndividualDock::mayWrite() const
     return !m_isFilling && !m_state.document().isEditOpen() && !m_state.selection().isEmpty();
 }
 
-template<class T>
-void IndividualDock::writeSame(model::ColumnKey<T> column, const T& value, const QString& undoText)
+void IndividualDock::writeSame(model::ColumnId column, std::span<const std::byte> value,
+                               const QString& undoText)
 {
     if (!mayWrite()) {
         return;
     }
     const auto ids = people().ids();
     const auto edit = m_state.document().beginEdit();
-    edit->setColumn(column, ids, std::span<const T>(&value, 1));
+    edit->setColumn(column, ids, value);
     edit->commit(undoText);
 }
 
@@ -75,19 +77,17 @@ void IndividualDock::setPosition(int axis, double value)
     edit->commit(tr("Move"));
 }
 
-void IndividualDock::setFloat(model::ColumnKey<float> column, float value)
+void IndividualDock::setNumber(const model::PropertyInfo& property, double shown)
 {
-    writeSame(column, value, tr("Change character"));
-}
-
-void IndividualDock::setGroup(double group)
-{
-    writeSame(model::columns::group, static_cast<std::uint32_t>(group), tr("Change group"));
+    writeSame(property.id,
+              model::scalarBytes(property.column.type, shown / property.meta.shownScale),
+              QCoreApplication::translate("Fields", property.traits.change));
 }
 
 void IndividualDock::setTags(const QString& text)
 {
-    writeSame(model::columns::tags, tagListOf(m_state.scene().tags, text), tr("Change tags"));
+    const std::uint64_t tags = tagListOf(m_state.scene().tags, text);
+    writeSame(model::ColumnId::Tags, std::as_bytes(std::span(&tags, 1)), tr("Change tags"));
 }
 
 void IndividualDock::setClip(const QString& name)

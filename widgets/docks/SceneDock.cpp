@@ -58,10 +58,9 @@ std::map<T, int> countsOf(std::span<const T> column)
 
 bool changesOutline(const model::SceneChange& change)
 {
-    constexpr std::uint32_t kShown = (1U << static_cast<unsigned>(model::ColumnId::Group)) |
-                                     (1U << static_cast<unsigned>(model::ColumnId::Template));
     const auto* columns = std::get_if<model::ColumnsChanged>(&change);
-    return columns == nullptr || (columns->columns & kShown) != 0;
+    return columns == nullptr || columns->columns.contains(model::ColumnId::Group) ||
+           columns->columns.contains(model::ColumnId::Template);
 }
 
 QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& text)

@@ -12,11 +12,6 @@ namespace {
 constexpr float kRadius = 0.11F; ///< metres
 const glm::vec4 kColor(0.30F, 0.95F, 0.55F, 0.85F);
 
-constexpr std::uint32_t bitOf(ColumnId column)
-{
-    return std::uint32_t{1} << static_cast<std::uint32_t>(column);
-}
-
 } // namespace
 
 void SeatMarkers::follow(const SceneChange& change)
@@ -26,7 +21,7 @@ void SeatMarkers::follow(const SceneChange& change)
         m_areSeatsStale = true;
         m_areMarkersStale = true;
     } else if (const auto* columns = std::get_if<ColumnsChanged>(&change)) {
-        m_areMarkersStale |= (columns->columns & bitOf(ColumnId::Seat)) != 0;
+        m_areMarkersStale |= columns->columns.contains(ColumnId::Seat);
     } else if (std::holds_alternative<IndividualsAdded>(change) ||
                std::holds_alternative<IndividualsRemoved>(change)) {
         m_areMarkersStale = true;
