@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/base/Parallel.h"
+#include "render/crowd/HeldColumns.h"
 
 namespace crowd::render {
 
@@ -125,42 +126,37 @@ void StaticRecords::store(std::size_t row, const PlacementRecord& placement,
 void StaticRecords::compute(const Request& request, std::size_t block)
 {
     const Population& rows = request.frame.population;
-    std::array<std::span<const Tint>, kMaxTintSlots> tints;
-    for (int slot = 0; slot < kMaxTintSlots; ++slot) {
-        tints[static_cast<std::size_t>(slot)] = rows.column(columns::tint(slot));
-    }
+    const HeldValues<kHeldInPlacement> placements(rows);
+    const HeldValues<kHeldInAppearance> appearances(rows);
     const std::size_t end = std::min((block + 1) * Population::kBlockRows, rows.size());
     std::uint16_t replaced = 0;
     for (std::size_t row = block * Population::kBlockRows; row < end; ++row) {
         replaced |= rows.column(columns::tintReplaces)[row];
         const std::int32_t entry = m_entryOfId[rows.column(columns::templateId)[row]];
-        float lift = 0.0F;
+        PlacementRecord placement;
+        placements.copyTo(placement, row);
         float radius = 0.0F;
-        const float height = rows.column(columns::height)[row];
-        const float girth = rows.column(columns::girth)[row];
         if (entry >= 0) {
             const RecordTemplate& asset = request.templates[static_cast<std::size_t>(entry)];
             const SeatId seat = rows.column(columns::seat)[row];
             if (seat != kNoSeat && !asset.clipOfName.empty()) {
                 const std::size_t clip = std::min<std::size_t>(rows.column(columns::clip)[row],
                                                                asset.clipOfName.size() - 1);
-                lift = seatLift(*asset.clipOfName[clip], seatHeight(request.seats, seat), height);
+                placement.lift = seatLift(*asset.clipOfName[clip], seatHeight(request.seats, seat),
+                                          placement.height);
             }
-            radius = asset.shadowRadius * girth;
+            radius = asset.shadowRadius * placement.girth;
         }
         const float heading = rows.column(columns::heading)[row];
-        m_lifts[row] = lift;
+        m_lifts[row] = placement.lift;
+        placement.position =
+            rows.column(columns::position)[row] + glm::vec3(0.0F, placement.lift, 0.0F);
+        placement.cosHeading = std::cos(heading);
+        placement.sinHeading = std::sin(heading);
         AppearanceRecord look;
-        for (std::size_t slot = 0; slot < tints.size(); ++slot) {
-            look.tints[slot] = tints[slot][row];
-        }
-        look.choices = rows.column(columns::materialChoices)[row];
-        look.parts = rows.column(columns::parts)[row];
+        appearances.copyTo(look, row);
         look.radiusAndModes = radiusAndModes(radius, rows.column(columns::tintReplaces)[row]);
-        store(row,
-              {rows.column(columns::position)[row] + glm::vec3(0.0F, lift, 0.0F), std::cos(heading),
-               std::sin(heading), height, girth, lift},
-              look);
+        store(row, placement, look);
     }
     m_blockReplaces[block] = replaced != 0 ? 1 : 0;
 }
