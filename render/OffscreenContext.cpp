@@ -103,8 +103,6 @@ model::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create(Profil
         std::unique_ptr<OffscreenContext> context(new OffscreenContext());
         context->m_display = display;
         context->m_context = made;
-        const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-        context->m_rendererName = name != nullptr ? name : "";
         return context;
     }
     if (displays.empty()) {

@@ -26,15 +26,12 @@ public:
 
     [[nodiscard]] bool makeCurrent();
     void doneCurrent();
-    /// GL_RENDERER.
-    [[nodiscard]] const std::string& rendererName() const { return m_rendererName; }
 
 private:
     OffscreenContext() = default;
 
     void* m_display = nullptr;
     void* m_context = nullptr;
-    std::string m_rendererName;
 };
 
 } // namespace crowd::render

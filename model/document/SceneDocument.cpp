@@ -69,18 +69,6 @@ void SceneDocument::setTemplateAsset(TemplateId id, TemplatePtr asset, const std
     announce(TemplatesChanged{});
 }
 
-void SceneDocument::setStageAsset(std::uint8_t id, StagePtr asset, const std::string& problem)
-{
-    for (StageEntry& entry : m_scene.stages) {
-        if (entry.id == id) {
-            entry.asset = std::move(asset);
-            entry.problem = problem;
-            announce(StagesChanged{});
-            return;
-        }
-    }
-}
-
 std::unique_ptr<SceneEdit> SceneDocument::beginEdit()
 {
     assert(!isEditOpen());

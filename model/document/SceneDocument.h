@@ -57,7 +57,6 @@ public:
     /// Puts a loaded asset (or the reason why it is not there) into its entry: not an edit, not
     /// undoable.
     void setTemplateAsset(TemplateId id, TemplatePtr asset, const std::string& problem);
-    void setStageAsset(std::uint8_t id, StagePtr asset, const std::string& problem);
 
     /// Starts an edit. One at a time: asserts when another is open.
     [[nodiscard]] std::unique_ptr<SceneEdit> beginEdit();

@@ -63,7 +63,7 @@ Camera Camera::lookingAt(const glm::vec3& from, const glm::vec3& at)
 
 View::View(const Camera& camera, glm::vec2 sizePixels)
     : m_camera(camera), m_size(glm::max(sizePixels, glm::vec2(1.0F))),
-      m_near(camera.projection == Projection::Perspective ? kNear : -kFar), m_far(kFar),
+      m_near(camera.projection == Projection::Perspective ? kNear : -kFar),
       m_view(glm::mat4_cast(glm::conjugate(camera.orientation)) *
              glm::translate(glm::mat4(1.0F), -camera.position)),
       m_projection(projectionOf(camera, m_size)), m_viewProjection(m_projection * m_view)

@@ -48,7 +48,6 @@ public:
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     [[nodiscard]] glm::vec2 size() const { return m_size; }
     [[nodiscard]] float nearPlane() const { return m_near; }
-    [[nodiscard]] float farPlane() const { return m_far; }
     [[nodiscard]] const glm::mat4& viewMatrix() const { return m_view; }
     [[nodiscard]] const glm::mat4& projectionMatrix() const
     {
@@ -66,7 +65,6 @@ private:
     Camera m_camera;
     glm::vec2 m_size;
     float m_near;
-    float m_far;
     glm::mat4 m_view;
     glm::mat4 m_projection;
     glm::mat4 m_viewProjection;

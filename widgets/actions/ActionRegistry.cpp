@@ -108,11 +108,4 @@ void ActionRegistry::resetShortcuts()
     }
 }
 
-void ActionRegistry::refreshTexts()
-{
-    for (const ActionSpec& item : m_specs) {
-        setTexts(item, *action(item.id));
-    }
-}
-
 } // namespace crowd::widgets

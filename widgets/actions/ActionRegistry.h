@@ -46,9 +46,6 @@ public:
     [[nodiscard]] QAction* actionWithShortcut(const QKeySequence& keys) const;
     void resetShortcuts();
 
-    /// After a change of language.
-    void refreshTexts();
-
 private:
     [[nodiscard]] const ActionSpec& spec(const std::string& id) const;
     void loadShortcut(const ActionSpec& spec, QAction& action) const;
