@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "behavior/rules/PlaceRooms.h"
+#include "model/population/PropertyValues.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr float kLeastHeight = 0.05F;
-constexpr float kMostHeight = 20.0F;
 constexpr float kMostRate = 100.0F;
 constexpr float kLeastWay2 = 1e-4F; ///< m²: nearer points have no direction
 
@@ -219,7 +218,8 @@ void SessionRules::setProperty(std::uint32_t agent, const model::actions::SetPro
         setTint(agent, action);
         return;
     case model::SettableProperty::Height:
-        agents.height[agent] = std::clamp(action.value, kLeastHeight, kMostHeight);
+        agents.height[agent] =
+            model::nearestLegal(model::propertyInfo(model::ColumnId::Height), action.value);
         m_parts.overrides.set(model::columns::height, id(agent), agents.height[agent]);
         return;
     case model::SettableProperty::PlaybackSpeed:
