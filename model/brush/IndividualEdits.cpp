@@ -7,16 +7,20 @@
 
 #include "model/brush/ClipChoice.h"
 #include "model/brush/Operator.h"
+#include "model/population/Properties.h"
 
 namespace crowd::model {
 
 namespace {
 
-void writeColumns(SceneEdit& edit, std::span<const IndividualId> ids, const IndividualRows& rows,
-                  std::span<const ColumnId> columns)
+/// Those of the columns in which something is another than in the scene.
+void writeChanges(SceneEdit& edit, std::span<const IndividualId> ids, const IndividualRows& rows)
 {
-    for (const ColumnId column : columns) {
-        edit.setColumn(column, ids, rows.bytes[static_cast<std::size_t>(column)]);
+    for (const PropertyInfo& property : properties()) {
+        const auto& bytes = rows.bytes[static_cast<std::size_t>(property.id)];
+        if (bytes != edit.scene().population.values(property.id, ids)) {
+            edit.setColumn(property.id, ids, bytes);
+        }
     }
 }
 
@@ -31,6 +35,19 @@ std::uint16_t clipInOther(const TemplateEntry* before, const TemplateEntry& afte
         }
     }
     return usualClip(after, isSeated);
+}
+
+/// The clip to walk with, by name; one that the new template lacks becomes the one that fits.
+std::uint16_t styleInOther(const TemplateEntry* before, const TemplateEntry& after,
+                           std::uint16_t style)
+{
+    if (style == 0 || before == nullptr || style > before->clipNames.size()) {
+        return 0;
+    }
+    const auto found = std::ranges::find(after.clipNames, before->clipNames[style - 1U]);
+    return found == after.clipNames.end()
+               ? std::uint16_t{0}
+               : static_cast<std::uint16_t>(found - after.clipNames.begin() + 1);
 }
 
 /// Tints and choices of one row, from the slots of one template to those of another.
@@ -79,14 +96,12 @@ void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, Template
         const TemplateEntry* before = scene.findTemplate(old);
         std::uint16_t& clip = rows.column(columns::clip)[row];
         clip = clipInOther(before, *after, clip, rows.column(columns::seat)[row] != kNoSeat);
+        std::uint16_t& style = rows.column(columns::walkStyle)[row];
+        style = styleInOther(before, *after, style);
         carryLooks(rows, row, before != nullptr ? before->asset.get() : nullptr, *after->asset);
         rows.column(columns::templateId)[row] = id;
     }
-    constexpr std::array kWritten{ColumnId::Template, ColumnId::Clip,  ColumnId::MaterialChoices,
-                                  ColumnId::Parts,    ColumnId::Tint0, ColumnId::Tint1,
-                                  ColumnId::Tint2,    ColumnId::Tint3, ColumnId::Tint4,
-                                  ColumnId::Tint5,    ColumnId::Tint6, ColumnId::Tint7};
-    writeColumns(edit, ids, rows, kWritten);
+    writeChanges(edit, ids, rows);
 }
 
 SitResult sitDown(SceneEdit& edit, IndividualId id, SeatId seat)
@@ -113,9 +128,7 @@ SitResult sitDown(SceneEdit& edit, IndividualId id, SeatId seat)
     rows.column(columns::seat)[0] = seat;
     rows.column(columns::position)[0] = target->seat.position;
     rows.column(columns::heading)[0] = wrappedAngle(target->seat.headingRadians);
-    constexpr std::array kWritten{ColumnId::Position, ColumnId::Heading, ColumnId::Clip,
-                                  ColumnId::Seat};
-    writeColumns(edit, ids, rows, kWritten);
+    writeChanges(edit, ids, rows);
     return SitResult::Done;
 }
 
@@ -132,8 +145,7 @@ void standUp(SceneEdit& edit, std::span<const IndividualId> ids)
         }
         seat = kNoSeat;
     }
-    constexpr std::array kWritten{ColumnId::Clip, ColumnId::Seat};
-    writeColumns(edit, ids, rows, kWritten);
+    writeChanges(edit, ids, rows);
 }
 
 } // namespace crowd::model

@@ -62,6 +62,8 @@ void tst_BrushIndividuals::anotherTemplateKeepsLooksByName()
     const auto ids = zoo.addPeople({{0, 0, 0}, {1, 0, 0}});
     const Tint red{255, 0, 0, 255};
     zoo.set(columns::tint(2), ids[0], red); // bottom
+    zoo.set(columns::tintReplaces, ids[0], std::uint16_t{4});
+    zoo.set(columns::walkStyle, ids[0], std::uint16_t{3});
     zoo.set(columns::clip, ids[0], std::uint16_t{2});
     const auto edit = zoo.document.beginEdit();
     changeTemplate(*edit, ids, kFox);
@@ -69,11 +71,15 @@ void tst_BrushIndividuals::anotherTemplateKeepsLooksByName()
     QCOMPARE(zoo.value(columns::templateId, ids[0]), kFox);
     QVERIFY2(zoo.value(columns::tint(0), ids[0]) == red, "bottom is the fox's first slot");
     QVERIFY(!(zoo.value(columns::tint(2), ids[0]) == red));
+    QCOMPARE(zoo.value(columns::tintReplaces, ids[0]), std::uint16_t{1});
+    QCOMPARE(zoo.value(columns::walkStyle, ids[0]), std::uint16_t{1});
     QCOMPARE(zoo.value(columns::clip, ids[0]), std::uint16_t{0}); // cheers on
     QCOMPARE(zoo.value(columns::clip, ids[1]), std::uint16_t{2}); // idles, as usual there
     QCOMPARE(zoo.value(columns::parts, ids[1]) & 3U, 1U);
     zoo.document.undoStack().undo();
     QVERIFY(zoo.value(columns::tint(2), ids[0]) == red);
+    QCOMPARE(zoo.value(columns::tintReplaces, ids[0]), std::uint16_t{4});
+    QCOMPARE(zoo.value(columns::walkStyle, ids[0]), std::uint16_t{3});
     QCOMPARE(zoo.value(columns::templateId, ids[1]), TemplateId{1});
 }
 
