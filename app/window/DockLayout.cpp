@@ -44,7 +44,7 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
     m_arrange.setInterval(0);
     connect(&m_arrange, &QTimer::timeout, this, [this] {
         if (m_isUntouched && !isHidden()) {
-            Q_EMIT arranged();
+            arrange();
         }
     });
     window.installEventFilter(this);
@@ -63,17 +63,46 @@ bool DockLayout::eventFilter(QObject* window, QEvent* event)
     return QObject::eventFilter(window, event);
 }
 
-void DockLayout::add(QDockWidget* dock, Qt::DockWidgetArea area)
+void DockLayout::addAll(const DockParts& parts)
 {
-    m_window.addDockWidget(area, dock);
-    m_docks.push_back(dock);
-    connect(dock, &QDockWidget::topLevelChanged, this, [this] { m_isUntouched = false; });
+    for (const DockInfo& info : dockTable()) {
+        QDockWidget* dock = info.make(parts);
+        m_window.addDockWidget(info.area, dock);
+        m_docks.push_back(dock);
+        connect(dock, &QDockWidget::topLevelChanged, this, [this] { m_isUntouched = false; });
+        if (!info.isShown) {
+            dock->hide();
+        }
+    }
+    for (const DockInfo& info : dockTable()) {
+        if (info.tabAfter) {
+            m_window.tabifyDockWidget(dock(*info.tabAfter), dock(info.id));
+        }
+    }
+    for (const DockInfo& info : dockTable()) {
+        if (info.tabAfter && !dockTable()[static_cast<std::size_t>(*info.tabAfter)].tabAfter) {
+            dock(*info.tabAfter)->raise();
+        }
+    }
 }
 
-void DockLayout::addHidden(QDockWidget* dock, Qt::DockWidgetArea area)
+void DockLayout::arrange()
 {
-    add(dock, area);
-    dock->hide();
+    for (const Qt::DockWidgetArea area :
+         {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea}) {
+        QList<QDockWidget*> rows;
+        QList<int> heights;
+        for (const DockInfo& info : dockTable()) {
+            if (info.area == area && info.width > 0) {
+                m_window.resizeDocks({dock(info.id)}, {info.width}, Qt::Horizontal);
+            }
+            if (info.area == area && info.height > 0) {
+                rows << dock(info.id);
+                heights << info.height;
+            }
+        }
+        m_window.resizeDocks(rows, heights, Qt::Vertical);
+    }
 }
 
 void DockLayout::fitToScreen()
@@ -90,6 +119,7 @@ void DockLayout::fitToScreen()
 
 void DockLayout::restore()
 {
+    arrange();
     m_window.resize(kSize);
     m_initial = m_window.saveState(kLayoutVersion);
     const QSettings settings;
@@ -114,7 +144,7 @@ void DockLayout::reset()
     m_beforeHiding.clear();
     m_window.restoreState(m_initial, kLayoutVersion);
     m_isUntouched = true;
-    Q_EMIT arranged();
+    arrange();
     if (wasHidden) {
         Q_EMIT hiddenChanged(false);
     }

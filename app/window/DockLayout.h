@@ -9,6 +9,8 @@
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
 
+#include "app/window/DockTable.h"
+
 namespace crowd::app {
 
 /// Where the panels of the window are: remembered between runs, put back on demand, and out of the
@@ -21,9 +23,18 @@ class DockLayout : public QObject
 public:
     explicit DockLayout(QMainWindow& window);
 
-    void add(QDockWidget* dock, Qt::DockWidgetArea area);
-    /// One that is there only when it is asked for.
-    void addHidden(QDockWidget* dock, Qt::DockWidgetArea area);
+    /// Makes all panels of the table and puts them where they are in a new installation.
+    void addAll(const DockParts& parts);
+    [[nodiscard]] QDockWidget* dock(DockId id) const
+    {
+        return m_docks[static_cast<std::size_t>(id)];
+    }
+    template<class Dock>
+    [[nodiscard]] Dock* dock(DockId id) const
+    {
+        return static_cast<Dock*>(dock(id));
+    }
+    /// In the order of DockId.
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
     /// The window is gone: so are its panels.
     void forget() { m_docks.clear(); }
@@ -41,15 +52,15 @@ public:
 
 Q_SIGNALS:
     void hiddenChanged(bool isHidden);
-    /// All panels are where they are in a new installation: their sizes are to follow, and once
-    /// more when the window has another size, until the artist moves a border.
-    void arranged();
 
 protected:
     bool eventFilter(QObject* window, QEvent* event) override;
 
 private:
     void fitToScreen();
+    /// The sizes of a new installation: at the start, and when the window has another size, until
+    /// the artist moves a border.
+    void arrange();
 
     QMainWindow& m_window;
     std::vector<QDockWidget*> m_docks;

@@ -40,9 +40,6 @@ namespace crowd::app {
 namespace {
 
 constexpr int kToolIconSize = 22;
-constexpr int kLeftWidth = 280;
-constexpr int kConsoleHeight = 170;
-constexpr int kTwoRowsHeight = 320; ///< of templates, with tabs, title and weight
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -78,7 +75,7 @@ MainWindow::MainWindow()
     new widgets::CueKeys(m_state, this);
     new FieldKeys(*this, *m_viewport);
     new ModalKeys(*this);
-    new ScriptGuard(m_interpreter, m_state, *this, *m_console, *m_actions.action("script-cancel"));
+    new ScriptGuard(m_interpreter, m_state, *this, console(), *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.
     QAction* hidePanels = m_actions.action("hide-panels");
@@ -87,7 +84,6 @@ MainWindow::MainWindow()
     buildMenus();
     buildToolBar();
     connectParts();
-    arrangeDocks();
     m_layout.restore();
     applyPreferences(Preferences::load());
     rememberView(m_state);
@@ -106,33 +102,17 @@ MainWindow::~MainWindow()
     qDeleteAll(docks);
 }
 
+ConsoleDock& MainWindow::console()
+{
+    return *m_layout.dock<ConsoleDock>(DockId::Console);
+}
+
 void MainWindow::addDocks()
 {
-    auto* templates = new widgets::TemplatesDock(m_state, this);
-    auto* scene = new widgets::SceneDock(m_state, this);
-    auto* individual = new widgets::IndividualDock(m_state, this);
-    auto* environment = new widgets::EnvironmentDock(m_state, this);
-    auto* rules = new widgets::RulesDock(m_state, this);
-    auto* history = new widgets::HistoryDock(m_state, this);
-    m_layout.add(new widgets::BrushPaletteDock(m_state, this), Qt::LeftDockWidgetArea);
-    m_layout.add(new widgets::BrushSettingsDock(m_state, this), Qt::LeftDockWidgetArea);
-    m_layout.add(templates, Qt::RightDockWidgetArea);
-    m_layout.add(new widgets::ColourDock(m_state, this), Qt::RightDockWidgetArea);
-    m_layout.add(individual, Qt::RightDockWidgetArea);
-    m_layout.add(scene, Qt::RightDockWidgetArea);
-    m_layout.add(environment, Qt::RightDockWidgetArea);
-    m_layout.add(rules, Qt::RightDockWidgetArea);
-    m_layout.add(history, Qt::RightDockWidgetArea);
-    m_console = new ConsoleDock(m_interpreter, m_recorder, this);
-    connect(m_console, &ConsoleDock::readyToClose, this, &QWidget::close);
-    m_layout.addHidden(m_console, Qt::BottomDockWidgetArea);
-    // Two groups, so that their names fit the tabs of a small screen.
-    tabifyDockWidget(templates, scene);
-    tabifyDockWidget(scene, history);
-    templates->raise();
-    tabifyDockWidget(individual, environment);
-    tabifyDockWidget(environment, rules);
-    individual->raise();
+    m_layout.addAll({m_state, m_interpreter, m_recorder, this});
+    connect(&console(), &ConsoleDock::readyToClose, this, &QWidget::close);
+    auto* templates = m_layout.dock<widgets::TemplatesDock>(DockId::Templates);
+    auto* scene = m_layout.dock<widgets::SceneDock>(DockId::Scene);
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,
             &AssetController::importTemplate);
     connect(templates, &widgets::TemplatesDock::libraryRequested, &m_assets,
@@ -268,7 +248,6 @@ void MainWindow::connectParts()
     });
     connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
     connect(&m_layout, &DockLayout::hiddenChanged, this, &MainWindow::followHiding);
-    connect(&m_layout, &DockLayout::arranged, this, &MainWindow::arrangeDocks);
 }
 
 void MainWindow::followHiding(bool isHidden)
@@ -374,16 +353,6 @@ void MainWindow::fillExamplesMenu(QMenu* menu)
     menu->setEnabled(!menu->isEmpty());
 }
 
-/// As in a new installation, before anything remembered takes its place.
-void MainWindow::arrangeDocks()
-{
-    const auto& docks = m_layout.docks();
-    resizeDocks({docks[1]}, {kLeftWidth}, Qt::Horizontal);
-    resizeDocks({docks[0], docks[1]}, {130, 500}, Qt::Vertical);
-    resizeDocks({docks[2], docks[3], docks[4]}, {kTwoRowsHeight, 235, 300}, Qt::Vertical);
-    resizeDocks({m_console}, {kConsoleHeight}, Qt::Vertical);
-}
-
 void MainWindow::applyPreferences(const Preferences& preferences)
 {
     widgets::applyTheme(preferences.theme);
@@ -470,7 +439,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (m_document.isEditOpen()) {
         m_viewport->tools().cancel();
     }
-    if (!m_console->mayClose()) {
+    if (!console().mayClose()) {
         event->ignore();
         return;
     }

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] BrushMemory& brushes() { return m_brushes; }
     [[nodiscard]] Interpreter& interpreter() { return m_interpreter; }
     [[nodiscard]] Recorder& recorder() { return m_recorder; }
-    [[nodiscard]] ConsoleDock& console() { return *m_console; }
+    [[nodiscard]] ConsoleDock& console();
     [[nodiscard]] DockLayout& dockLayout() { return m_layout; }
     /// As the program starts: with these files, or with the welcome page over an empty theatre.
     void start(const QStringList& files);
@@ -76,7 +76,6 @@ private:
     void refreshActions();
     void fillRecentMenu();
     void fillExamplesMenu(QMenu* menu);
-    void arrangeDocks();
     void applyPreferences(const Preferences& preferences);
 
     model::SceneDocument m_document;
@@ -91,7 +90,6 @@ private:
     Recorder m_recorder;
     widgets::ViewportWidget* m_viewport; ///< child
     StatusPanel* m_status;               ///< child
-    ConsoleDock* m_console = nullptr;    ///< child
     QMenu* m_recentMenu = nullptr;       ///< child
     DockLayout m_layout;
     CameraBookmarks m_bookmarks;

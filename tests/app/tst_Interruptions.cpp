@@ -147,13 +147,14 @@ void InterruptionsTest::keysAreTheDialogsWhoeverHasTheKeyboard()
     QDialog dialog(m_window.get());
     dialog.open();
     QVERIFY(QTest::qWaitForWindowActive(&dialog));
-    QVERIFY(!m_window->docks().front()->isHidden());
+    QVERIFY(!m_window->dockLayout().dock(app::DockId::Brushes)->isHidden());
     m_window->activateWindow(); // as some window managers do between two dialogs
     for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_B, Qt::Key_Escape}) {
         QTest::keyClick(&m_window->viewport(), key);
     }
     QCOMPARE(m_window->state().tool(), widgets::ToolId::Select);
-    QVERIFY2(!m_window->docks().front()->isHidden(), "Tab hides the panels");
+    QVERIFY2(!m_window->dockLayout().dock(app::DockId::Brushes)->isHidden(),
+             "Tab hides the panels");
     QTRY_VERIFY_WITH_TIMEOUT(dialog.isActiveWindow(), kPatienceMs);
     dialog.reject();
 }

@@ -249,19 +249,21 @@ void MainWindowTest::panelsAreRememberedAndReset()
         QVERIFY(names.insert(dock->objectName()).second);
         QVERIFY(!dock->windowTitle().isEmpty());
     }
-    QDockWidget* first = m_window->docks().front();
+    QDockWidget* first = m_window->dockLayout().dock(app::DockId::Brushes);
     const QString name = first->objectName();
     first->hide();
-    QDockWidget* second = m_window->docks()[1];
+    QDockWidget* second = m_window->dockLayout().dock(app::DockId::BrushSettings);
     m_window->addDockWidget(Qt::RightDockWidgetArea, second);
     QVERIFY(m_window->close());
     openWindow();
     auto* hidden = m_window->findChild<QDockWidget*>(name);
     QVERIFY(hidden->isHidden());
-    QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::RightDockWidgetArea);
+    QCOMPARE(m_window->dockWidgetArea(m_window->dockLayout().dock(app::DockId::BrushSettings)),
+             Qt::RightDockWidgetArea);
     m_window->dockLayout().reset();
     QVERIFY(!hidden->isHidden());
-    QCOMPARE(m_window->dockWidgetArea(m_window->docks()[1]), Qt::LeftDockWidgetArea);
+    QCOMPARE(m_window->dockWidgetArea(m_window->dockLayout().dock(app::DockId::BrushSettings)),
+             Qt::LeftDockWidgetArea);
 }
 
 void MainWindowTest::keysThatAreNoShortcutsYetStillAct()
@@ -538,7 +540,7 @@ void MainWindowTest::pictureOnlyHidesThePanelsAndBringsThemBack()
 {
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    QDockWidget* closed = m_window->docks().front();
+    QDockWidget* closed = m_window->dockLayout().dock(app::DockId::Brushes);
     closed->hide();
     m_window->viewport().setFocus();
     QTest::keyClick(&m_window->viewport(), Qt::Key_Tab);
@@ -550,11 +552,12 @@ void MainWindowTest::pictureOnlyHidesThePanelsAndBringsThemBack()
     QTest::keyClick(&m_window->viewport(), Qt::Key_Tab);
     QVERIFY(!m_window->dockLayout().isHidden());
     QVERIFY2(closed->isHidden(), "what was closed before stays closed");
-    QVERIFY(!m_window->docks()[1]->isHidden());
+    QVERIFY(!m_window->dockLayout().dock(app::DockId::BrushSettings)->isHidden());
     m_window->actions().action("hide-panels")->trigger();
     QVERIFY(m_window->close());
     openWindow();
-    QVERIFY2(!m_window->docks()[1]->isHidden(), "the next start has its panels");
+    QVERIFY2(!m_window->dockLayout().dock(app::DockId::BrushSettings)->isHidden(),
+             "the next start has its panels");
 }
 
 void MainWindowTest::numberKeysKeepAndShowCameras()

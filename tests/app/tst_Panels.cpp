@@ -198,7 +198,8 @@ QLineEdit* PanelsTest::eventField()
     m_window->state().setTool(widgets::ToolId::BrushEvent);
     QLineEdit* found = nullptr;
     (void)QTest::qWaitFor([&] {
-        for (auto* line : m_window->docks()[1]->findChildren<QLineEdit*>()) {
+        for (auto* line :
+             m_window->dockLayout().dock(app::DockId::BrushSettings)->findChildren<QLineEdit*>()) {
             found = line->isVisible() && line->text() == QLatin1String("cheer") ? line : found;
         }
         return found != nullptr;
@@ -237,7 +238,7 @@ void PanelsTest::cueKeysWorkThoughTheRulesWereNeverShown()
     rule.actions.emplace_back(model::actions::AddTag());
     scene.rules = {rule};
     openScene(scene, QStringLiteral("a.crowd"));
-    QVERIFY(m_window->docks()[7]->visibleRegion().isEmpty());
+    QVERIFY(m_window->dockLayout().dock(app::DockId::Rules)->visibleRegion().isEmpty());
     m_window->state().transport().setPlaying(true);
     QTRY_VERIFY(m_window->state().session().isRunning());
     QTest::keyClick(m_window->windowHandle(), Qt::Key_F3);
@@ -422,7 +423,7 @@ void PanelsTest::rulesFitANarrowPanel()
         edit->setCues({{1, {}, "clap", 0.0F, "F3"}});
         edit->commit(QStringLiteral("Rules"));
     }
-    QDockWidget* dock = m_window->docks()[7];
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Rules);
     QCOMPARE(dock->objectName(), QStringLiteral("rules"));
     dock->raise();
     m_window->resizeDocks({dock}, {10}, Qt::Horizontal); // as narrow as it goes
@@ -466,7 +467,7 @@ void PanelsTest::placesFitANarrowPanel()
         path = edit->addPath(way);
         edit->commit(QStringLiteral("Path"));
     }
-    QDockWidget* dock = m_window->docks()[6];
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Environment);
     QCOMPARE(dock->objectName(), QStringLiteral("environment"));
     dock->raise();
     m_window->resizeDocks({dock}, {10}, Qt::Horizontal);
@@ -531,7 +532,7 @@ void PanelsTest::charactersFitANarrowPanel()
     QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
     m_window->files().openPath(*city);
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
-    QDockWidget* dock = m_window->docks()[4];
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Individual);
     QCOMPARE(dock->objectName(), QStringLiteral("individual"));
     dock->raise();
     const auto ids = document().scene().population.ids();
@@ -558,12 +559,12 @@ void PanelsTest::resetLayoutIsThatOfTheFirstStart()
 {
     QTest::qWait(200);
     const Layout first = layoutOf(*m_window);
-    const auto& docks = m_window->docks();
-    docks[0]->hide();
-    docks[1]->setFloating(true);
-    m_window->addDockWidget(Qt::LeftDockWidgetArea, docks[3]);
-    docks[7]->raise();
-    m_window->resizeDocks({docks[2]}, {420}, Qt::Horizontal);
+    const app::DockLayout& layout = m_window->dockLayout();
+    layout.dock(app::DockId::Brushes)->hide();
+    layout.dock(app::DockId::BrushSettings)->setFloating(true);
+    m_window->addDockWidget(Qt::LeftDockWidgetArea, layout.dock(app::DockId::Colour));
+    layout.dock(app::DockId::Rules)->raise();
+    m_window->resizeDocks({layout.dock(app::DockId::Templates)}, {420}, Qt::Horizontal);
     QTest::qWait(200);
     QVERIFY(layoutOf(*m_window) != first);
     m_window->actions().action("reset-layout")->trigger();

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/DockTable.h"
+
+#include <array>
+
+#include "app/console/ConsoleDock.h"
+#include "widgets/docks/Docks.h"
+
+namespace crowd::app {
+
+namespace {
+
+template<class Dock>
+QDockWidget* make(const DockParts& parts)
+{
+    return new Dock(parts.state, parts.parent);
+}
+
+QDockWidget* makeConsole(const DockParts& parts)
+{
+    return new ConsoleDock(parts.interpreter, parts.recorder, parts.parent);
+}
+
+constexpr auto kLeft = Qt::LeftDockWidgetArea;
+constexpr auto kRight = Qt::RightDockWidgetArea;
+
+// Two groups of tabs at the right, so that their names fit the tabs of a small screen. Templates
+// have room for two rows, with tabs, title and weight.
+constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
+    {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 130},
+    {DockId::BrushSettings, &make<widgets::BrushSettingsDock>, kLeft, 500, 280},
+    {DockId::Templates, &make<widgets::TemplatesDock>, kRight, 320},
+    {DockId::Colour, &make<widgets::ColourDock>, kRight, 235},
+    {DockId::Individual, &make<widgets::IndividualDock>, kRight, 300},
+    {DockId::Scene, &make<widgets::SceneDock>, kRight, 0, 0, DockId::Templates},
+    {DockId::Environment, &make<widgets::EnvironmentDock>, kRight, 0, 0, DockId::Individual},
+    {DockId::Rules, &make<widgets::RulesDock>, kRight, 0, 0, DockId::Environment},
+    {DockId::History, &make<widgets::HistoryDock>, kRight, 0, 0, DockId::Scene},
+    {DockId::Console, &makeConsole, Qt::BottomDockWidgetArea, 170, 0, std::nullopt, false},
+}};
+
+constexpr bool isEveryDockAtItsPlace()
+{
+    for (std::size_t i = 0; i < kDocks.size(); ++i) {
+        const bool isAfterAnother = !kDocks[i].tabAfter || *kDocks[i].tabAfter < kDocks[i].id;
+        if (kDocks[i].id != static_cast<DockId>(i) || kDocks[i].make == nullptr ||
+            !isAfterAnother) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(isEveryDockAtItsPlace());
+
+} // namespace
+
+std::span<const DockInfo> dockTable()
+{
+    return kDocks;
+}
+
+} // namespace crowd::app

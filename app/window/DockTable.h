@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <QtCore/Qt>
+
+class QDockWidget;
+class QWidget;
+
+namespace crowd::widgets {
+class EditorState;
+}
+
+/// The panels of the window, each described once: what makes it and where it is in a new
+/// installation. Layouts are remembered by the object names that panels give themselves.
+namespace crowd::app {
+
+class Interpreter;
+class Recorder;
+
+/// In the order in which they are placed, and in which the menu lists them.
+enum class DockId : std::uint8_t {
+    Brushes,
+    BrushSettings,
+    Templates,
+    Colour,
+    Individual,
+    Scene,
+    Environment,
+    Rules,
+    History,
+    Console,
+    Count
+};
+
+/// What panels look at; outlives them, save for the parent, which owns them.
+struct DockParts
+{
+    widgets::EditorState& state;
+    Interpreter& interpreter;
+    Recorder& recorder;
+    QWidget* parent;
+};
+
+struct DockInfo
+{
+    DockId id;
+    QDockWidget* (*make)(const DockParts& parts);
+    Qt::DockWidgetArea area;
+    int height = 0;                      ///< logical pixels; 0: that of the panel in front
+    int width = 0;                       ///< of its area; 0: as it comes
+    std::optional<DockId> tabAfter = {}; ///< behind this one
+    bool isShown = true;                 ///< else only when it is asked for
+};
+
+/// All of them, in the order of DockId.
+[[nodiscard]] std::span<const DockInfo> dockTable();
+
+} // namespace crowd::app
