@@ -240,9 +240,9 @@ void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
     document.setUndoLimits(tinyLimits(m_folder->path()));
     {
         const FullDisk disk(0);
-        addPeople(document, 20000);
+        addPeople(document, 4000);
         turnEverybody(document, 1.0F);
-        QVERIFY(document.undoMemory().bytes() > 100000);
+        QVERIFY(document.undoMemory().bytes() > 30000);
         QVERIFY(!document.undoMemory().problem().empty());
     }
     turnEverybody(document, 2.0F);
