@@ -641,7 +641,7 @@
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation>&amp;Höhe und Umfang</translation>
+        <translation>Höhe un&amp;d Umfang</translation>
     </message>
     <message>
         <source>Make the characters under the brush taller or stouter</source>

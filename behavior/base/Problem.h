@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/population/Columns.h"
-#include "model/scene/Path.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Path.h"
 
 namespace crowd::behavior {
 

@@ -14,7 +14,9 @@ namespace {
 
 bool isWithin(const FieldMeta& meta, double value)
 {
-    return value >= meta.low && value <= meta.high; // false where it is not a number
+    // False where it is not a number. Members are floats: so are the limits that they are held to.
+    return value >= static_cast<double>(static_cast<float>(meta.low)) &&
+           value <= static_cast<double>(static_cast<float>(meta.high));
 }
 
 Result<void> refuseNumber(const FieldMeta& meta, double value, const std::string& name)

@@ -12,8 +12,8 @@
 #include <glm/vec3.hpp>
 
 #include "model/population/Population.h"
-#include "model/scene/Path.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Path.h"
 #include "model/scene/Stage.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"

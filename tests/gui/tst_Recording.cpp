@@ -369,7 +369,9 @@ void TestRecording::everyKindOfEditHasItsLines()
         model::Rule rule;
         rule.id = 1;
         rule.name = "cheer";
-        rule.actions.emplace_back().seconds = 0.7F;
+        model::actions::PlayClip play;
+        play.seconds = 0.7F;
+        rule.actions = {play};
         open.setRules({rule});
     });
     edit("A place away",

@@ -6,8 +6,8 @@
 
 #include <QtCore/QMetaObject>
 
-#include "model/scene/NearestPath.h"
 #include "model/rules/RuleSets.h"
+#include "model/scene/NearestPath.h"
 
 namespace crowd::widgets {
 
