@@ -159,8 +159,10 @@ StrokeTimes PaintBench::paint(model::BrushKind kind)
     settings.selection = model::BrushSelection::AllInCircle;
     settings.op = model::BrushOperator::Random;
     settings.radiusPixels = kRadiusPixels;
-    settings.as<model::CreateSettings>().mix = {{1, 1.0F}, {2, 1.0F}};
-    settings.as<model::CreateSettings>().minimalDistance = 0.3F;
+    if (auto* create = settings.find<model::CreateSettings>()) {
+        create->mix = {{1, 1.0F}, {2, 1.0F}};
+        create->minimalDistance = 0.3F;
+    }
     const auto inputAt = [](int dab) {
         // A quarter of the radius from dab to dab, to and fro over the lower half of the picture.
         const int column = dab % 75;

@@ -71,9 +71,8 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
         const auto& owners = given.part<CreateSettings>().owners;
         if (given.kind == BrushKind::Create &&
             std::ranges::any_of(owners, [&](const auto& each) { return each.lock() != scene; })) {
-            throw ScriptError(
-                "brush.as<CreateSettings>().mix holds a template of another scene: take those of "
-                "scene.templates, or add it here with add_template.");
+            throw ScriptError("brush.create.mix holds a template of another scene: take those of "
+                              "scene.templates, or add it here with add_template.");
         }
         return given.settings();
     }
