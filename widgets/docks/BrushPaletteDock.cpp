@@ -123,10 +123,13 @@ void BrushPaletteDock::rebuildScriptBrushes()
 
 std::vector<QToolButton*> BrushPaletteDock::shownButtons() const
 {
-    std::vector<QToolButton*> shown(m_buttons.begin(), m_buttons.end());
-    if (!m_scriptButtons.empty()) {
-        shown.pop_back(); // the one for script brushes comes last
-        shown.insert(shown.end(), m_scriptButtons.begin(), m_scriptButtons.end());
+    std::vector<QToolButton*> shown;
+    for (const ToolInfo& info : toolTable()) {
+        if (info.id == ToolId::BrushScript && !m_scriptButtons.empty()) {
+            shown.insert(shown.end(), m_scriptButtons.begin(), m_scriptButtons.end());
+        } else {
+            shown.push_back(m_buttons[static_cast<std::size_t>(info.id)]);
+        }
     }
     return shown;
 }
