@@ -84,9 +84,10 @@ auto MaterialSettings::change(const Request& request)
     typename Tools::Shares shares(request);
     typename Tools::template Column<MaterialChoices> change;
     std::vector<std::vector<double>> draws;
-    for (std::size_t slot = 0; slot < std::tuple_size_v<MaterialChoices>; ++slot) {
+    for (std::size_t index = 0; index < std::tuple_size_v<MaterialChoices>; ++index) {
         draws.push_back(
-            shares.of(request.settings.op, "material.choice", settings.eachSlotApart ? slot + 1 : 0)
+            shares
+                .of(request.settings.op, "material.choice", settings.eachSlotApart ? index + 1 : 0)
                 .shares);
     }
     bool hasSlot = false;
@@ -97,15 +98,15 @@ auto MaterialSettings::change(const Request& request)
         }
         typename Tools::Slots meant(*entry->asset, settings.slot, settings.sparesBody);
         MaterialChoices wanted = choices[row];
-        for (std::size_t slot = 0; slot < std::min(wanted.size(), entry->asset->slots.size());
-             ++slot) {
-            const auto& all = entry->asset->slots[slot].choices;
-            if (!meant.contains(entry->asset->slots[slot])) {
+        for (std::size_t index = 0; index < std::min(wanted.size(), entry->asset->slots.size());
+             ++index) {
+            const auto& all = entry->asset->slots[index].choices;
+            if (!meant.contains(entry->asset->slots[index])) {
                 continue;
             }
             std::size_t chosen = 0;
             if (settings.choice.empty()) {
-                const double place = draws[slot][i] * static_cast<double>(all.size());
+                const double place = draws[index][i] * static_cast<double>(all.size());
                 chosen = std::min(static_cast<std::size_t>(place), all.size() - 1);
             } else {
                 while (chosen < all.size() && all[chosen].name != settings.choice) {
@@ -114,7 +115,7 @@ auto MaterialSettings::change(const Request& request)
             }
             if (chosen < all.size()) {
                 hasSlot = true;
-                wanted[slot] = static_cast<std::uint8_t>(chosen);
+                wanted[index] = static_cast<std::uint8_t>(chosen);
             }
         }
         change.set(id, choices[row], wanted);

@@ -44,8 +44,8 @@ struct SetProperty
         return std::tuple(
             computed<SetProperty, SettableProperty>(
                 [](const SetProperty& s) { return s.property; },
-                [](SetProperty& s, SettableProperty property) {
-                    s.property = property;
+                [](SetProperty& s, SettableProperty wanted) {
+                    s.property = wanted;
                     s.suit();
                 },
                 {.key = "property", .choices = kSettableProperties}),
