@@ -43,8 +43,7 @@ constexpr bool isEveryDockAtItsPlace()
 {
     for (std::size_t i = 0; i < kDocks.size(); ++i) {
         const bool isAfterAnother = !kDocks[i].tabAfter || *kDocks[i].tabAfter < kDocks[i].id;
-        if (kDocks[i].id != static_cast<DockId>(i) || kDocks[i].make == nullptr ||
-            !isAfterAnother) {
+        if (kDocks[i].id != static_cast<DockId>(i) || !isAfterAnother) {
             return false;
         }
     }
