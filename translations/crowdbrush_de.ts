@@ -1903,6 +1903,217 @@
     </message>
 </context>
 <context>
+    <name>Messages</name>
+    <message>
+        <source>%1 must be a tag from 0 to 63</source>
+        <translation>%1 muss eine Marke von 0 bis 63 sein</translation>
+    </message>
+    <message>
+        <source>%1 must lie between %2 and %3</source>
+        <translation>%1 muss zwischen %2 und %3 liegen</translation>
+    </message>
+    <message>
+        <source>%1 must be one of: %2</source>
+        <translation>%1 muss eines davon sein: %2</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number that is not negative and not too large</source>
+        <translation>%1 muss eine ganze Zahl sein, nicht negativ und nicht zu groß</translation>
+    </message>
+    <message>
+        <source>%1 must be at most %2</source>
+        <translation>%1 darf höchstens %2 sein</translation>
+    </message>
+    <message>
+        <source>%1 must be at least %2</source>
+        <translation>%1 muss mindestens %2 sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number</source>
+        <translation>%1 muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a colour and its strength, as &quot;#f0962cff&quot;</source>
+        <translation>%1 muss eine Farbe mit ihrer Stärke sein, wie „#f0962cff“</translation>
+    </message>
+    <message>
+        <source>%1 must be true, false or null</source>
+        <translation>%1 muss true, false oder null sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of %2 numbers from %3 to %4</source>
+        <translation>%1 muss eine Liste von %2 Zahlen von %3 bis %4 sein</translation>
+    </message>
+    <message>
+        <source>%1 must run from the lowest to the highest value</source>
+        <translation>%1 muss vom kleinsten zum größten Wert laufen</translation>
+    </message>
+    <message>
+        <source>%1 has too many entries</source>
+        <translation>%1 hat zu viele Einträge</translation>
+    </message>
+    <message>
+        <source>%1 must be a list</source>
+        <translation>%1 muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of whole numbers</source>
+        <translation>%1 muss eine Liste ganzer Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of colours, as &quot;#f0962c&quot;</source>
+        <translation>%1 muss eine Liste von Farben sein, wie „#f0962c“</translation>
+    </message>
+    <message>
+        <source>%1 must be a colour, as &quot;#f0962c&quot;</source>
+        <translation>%1 muss eine Farbe sein, wie „#f0962c“</translation>
+    </message>
+    <message>
+        <source>%1 must be above zero</source>
+        <translation>%1 muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation>%1 darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of names</source>
+        <translation>%1 muss eine Liste von Namen sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of finite numbers or null</source>
+        <translation>%1 muss eine Liste endlicher Zahlen oder null sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of words or null</source>
+        <translation>%1 muss eine Liste von Wörtern oder null sein</translation>
+    </message>
+    <message>
+        <source>%1 names the clip &quot;%2&quot;, which no template of the scene has; there are: %3</source>
+        <translation>%1 nennt den Clip „%2“, den keine Vorlage der Szene hat; es gibt: %3</translation>
+    </message>
+    <message>
+        <source>%1 names the slot &quot;%2&quot;, which no template of the scene has; there are: %3</source>
+        <translation>%1 nennt den Slot „%2“, den keine Vorlage der Szene hat; es gibt: %3</translation>
+    </message>
+    <message>
+        <source>places: &quot;%1&quot; (id %2) is too far away: positions lie from -1000000 to 1000000 metres</source>
+        <translation>places: „%1“ (id %2) ist zu weit weg: Orte liegen zwischen -1000000 und 1000000 Metern</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of ids of places</source>
+        <translation>%1 muss eine Liste von Nummern von Orten sein</translation>
+    </message>
+    <message>
+        <source>paths: &quot;%1&quot; (id %2) names the place %3, which is not there</source>
+        <translation>paths: „%1“ (id %2) nennt den Ort %3, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>paths: &quot;%1&quot; (id %2) branches off to the path %3, which is not there</source>
+        <translation>paths: „%1“ (id %2) zweigt zum Weg %3 ab, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 must be 30, 60 or 120</source>
+        <translation>%1 muss 30, 60 oder 120 sein</translation>
+    </message>
+    <message>
+        <source>The environment is nested more than %1 deep.</source>
+        <translation>Die Umgebung ist mehr als %1 tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The environment must be an object with lists of places, paths, tags, rules, numbers and cues.</source>
+        <translation>Die Umgebung muss ein Objekt mit Listen von places, paths, tags, rules, numbers und cues sein.</translation>
+    </message>
+    <message>
+        <source>The environment has no &quot;%1&quot;: there are %2.</source>
+        <translation>Die Umgebung hat kein „%1“: es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1: the id %2 is not allowed</source>
+        <translation>%1: die Nummer %2 ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>%1: the id %2 is given twice</source>
+        <translation>%1: die Nummer %2 ist zweimal vergeben</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;%2&quot;: there are %3</source>
+        <translation>%1 hat kein „%2“: es gibt %3</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation>%1 muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a text</source>
+        <translation>%1 muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>%1 must be three finite numbers</source>
+        <translation>%1 muss aus drei endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>%1 must be a unit quaternion [x, y, z, w]</source>
+        <translation>%1 muss ein Einheitsquaternion [x, y, z, w] sein</translation>
+    </message>
+    <message>
+        <source>This is not a Crowdbrush scene (there is no &quot;format&quot;: &quot;%1&quot;). Models are brought in with Import, not opened.</source>
+        <translation>Dies ist keine Szene von Crowdbrush (es gibt kein &quot;format&quot;: &quot;%1&quot;). Modelle werden importiert, nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Its &quot;version&quot; must be a whole number above zero; restore an older copy.</source>
+        <translation>Ihre „version“ muss eine ganze Zahl größer als null sein; eine ältere Kopie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>It was written by a newer Crowdbrush (file version %1, this program reads up to %2). Update Crowdbrush to open it.</source>
+        <translation>Sie wurde von einem neueren Crowdbrush geschrieben (Dateiversion %1, dieses Programm liest bis %2). Zum Öffnen Crowdbrush aktualisieren.</translation>
+    </message>
+    <message>
+        <source>%1 must be above zero and at most 4000000000</source>
+        <translation>%1 muss größer als null und höchstens 4000000000 sein</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 parts</source>
+        <translation>%1 hat mehr als %2 Teile</translation>
+    </message>
+    <message>
+        <source>%1 must be one of F3 to F10 or empty</source>
+        <translation>%1 muss F3 bis F10 oder leer sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of pairs: an individual&apos;s id and a number from -1000000 to 1000000</source>
+        <translation>%1 muss eine Liste von Paaren sein: die Nummer einer Figur und eine Zahl von -1000000 bis 1000000</translation>
+    </message>
+    <message>
+        <source>%1 names the individual %2 twice</source>
+        <translation>%1 nennt die Figur %2 zweimal</translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2</source>
+        <translation>%1: es sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>tags: the tag %1 is given twice</source>
+        <translation>tags: die Marke %1 ist zweimal vergeben</translation>
+    </message>
+    <message>
+        <source>%1 must lie between 0.01 and 3.1 radians</source>
+        <translation>%1 muss zwischen 0.01 und 3.1 Radiant liegen</translation>
+    </message>
+    <message>
+        <source>%1 must have heights and distances above zero</source>
+        <translation>%1 muss Höhen und Abstände größer als null haben</translation>
+    </message>
+</context>
+<context>
     <name>NavigateTool</name>
     <message>
         <source>Drag: orbit · Shift: pan · Ctrl: nearer, farther · Wheel: towards the cursor · Right button or Shift+F: fly with WASD · F: show the selection</source>

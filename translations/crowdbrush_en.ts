@@ -1903,6 +1903,217 @@
     </message>
 </context>
 <context>
+    <name>Messages</name>
+    <message>
+        <source>%1 must be a tag from 0 to 63</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must lie between %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be one of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number that is not negative and not too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be at least %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a colour and its strength, as &quot;#f0962cff&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be true, false or null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of %2 numbers from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must run from the lowest to the highest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has too many entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of colours, as &quot;#f0962c&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a colour, as &quot;#f0962c&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of finite numbers or null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of words or null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names the clip &quot;%2&quot;, which no template of the scene has; there are: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names the slot &quot;%2&quot;, which no template of the scene has; there are: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>places: &quot;%1&quot; (id %2) is too far away: positions lie from -1000000 to 1000000 metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of ids of places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paths: &quot;%1&quot; (id %2) names the place %3, which is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paths: &quot;%1&quot; (id %2) branches off to the path %3, which is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be 30, 60 or 120</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The environment is nested more than %1 deep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The environment must be an object with lists of places, paths, tags, rules, numbers and cues.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The environment has no &quot;%1&quot;: there are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the id %2 is not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the id %2 is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;%2&quot;: there are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be three finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a unit quaternion [x, y, z, w]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not a Crowdbrush scene (there is no &quot;format&quot;: &quot;%1&quot;). Models are brought in with Import, not opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its &quot;version&quot; must be a whole number above zero; restore an older copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was written by a newer Crowdbrush (file version %1, this program reads up to %2). Update Crowdbrush to open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be above zero and at most 4000000000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be one of F3 to F10 or empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a list of pairs: an individual&apos;s id and a number from -1000000 to 1000000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names the individual %2 twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tags: the tag %1 is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must lie between 0.01 and 3.1 radians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must have heights and distances above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NavigateTool</name>
     <message>
         <source>Drag: orbit · Shift: pan · Ctrl: nearer, farther · Wheel: towards the cursor · Right button or Shift+F: fly with WASD · F: show the selection</source>

@@ -73,7 +73,7 @@ model::Result<void> timeFile(const model::Scene& scene, const QString& path, Tim
     if (!saved) {
         return saved;
     }
-    model::Result<model::Scene> loaded = model::Error{};
+    model::Result<model::Scene> loaded = model::Error{std::string()};
     times.loadMs.push_back(millisecondsOf([&] { loaded = model::readProject(path); }));
     if (!loaded) {
         return loaded.error();

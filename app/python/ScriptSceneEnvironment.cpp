@@ -13,14 +13,13 @@ namespace {
 void putEnvironment(SceneEdit& edit, const Scene& wanted)
 {
     edit.setPlacesAndPaths(wanted.places, wanted.paths);
-    edit.setRules(wanted.rules);
-    edit.setTags(wanted.tags);
-    edit.setNumbers(wanted.numbers);
-    edit.setCues(wanted.cues);
-    if (wanted.surface != edit.scene().surface) {
-        edit.setSurface(wanted.surface);
-    }
-    edit.setStepsPerSecond(wanted.stepsPerSecond);
+    forEachMember([&]<class M>(const M&) {
+        if constexpr (M::isEnvironment && M::kind == MemberKind::Value) {
+            if (M::of(wanted) != M::of(edit.scene())) {
+                edit.set<M>(M::of(wanted));
+            }
+        }
+    });
 }
 
 } // namespace

@@ -280,10 +280,10 @@ std::string stageCall(const EntryDelta<StageEntry>& delta)
 std::string entries(const SceneDelta& delta, bool isComing)
 {
     std::string text;
-    for (const auto& each : delta.templates) {
+    for (const auto& each : delta.of<members::Templates>()) {
         text += each.after.has_value() == isComing ? templateCall(each) : std::string();
     }
-    for (const auto& each : delta.stages) {
+    for (const auto& each : delta.of<members::Stages>()) {
         text += each.after.has_value() == isComing ? stageCall(each) : std::string();
     }
     return text;
@@ -317,12 +317,8 @@ std::string lightingCall(const Lighting& now)
 
 std::string environment(const SceneDelta& delta, const Scene& after)
 {
-    const EnvironmentParts changed{!delta.places.empty(),     !delta.paths.empty(),
-                                   delta.tags.has_value(),    delta.rules.has_value(),
-                                   delta.numbers.has_value(), delta.cues.has_value(),
-                                   delta.surface.has_value(), delta.stepsPerSecond.has_value()};
-    if (!changed.places && !changed.paths && !changed.tags && !changed.rules && !changed.numbers &&
-        !changed.cues && !changed.surface && !changed.steps) {
+    const MemberSet changed = delta.changedMembers();
+    if (!changed.intersects(environmentMembers())) {
         return {};
     }
     // What is done by hand may name what is not there.
@@ -343,11 +339,11 @@ std::string deltaScript(const SceneDelta& delta, const QString& undoText, const 
     text += creations(delta, after);
     text += changes(delta, after);
     text += entries(delta, false);
-    if (delta.cameras) {
-        text += cameras(delta.cameras->after);
+    if (const auto& changed = delta.of<members::Cameras>()) {
+        text += cameras(changed->after);
     }
-    if (delta.lighting) {
-        text += lightingCall(delta.lighting->after);
+    if (const auto& changed = delta.of<members::Light>()) {
+        text += lightingCall(changed->after);
     }
     return text;
 }

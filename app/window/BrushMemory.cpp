@@ -54,7 +54,7 @@ BrushSettings withText(BrushSettings brush, const QByteArray& text)
         return brush;
     }
     const model::BrushType& type = model::brushType(brush.kind());
-    std::string problem;
+    model::Message problem;
     model::JsonFields fields(json, {}, problem);
     const auto read = [&fields](const std::vector<FieldInfo>& remembered, void* object) {
         model::readFields(fields, remembered, object, model::WrongValue::Keep);

@@ -7,12 +7,23 @@
 #include <utility>
 #include <variant>
 
+#include "model/base/Message.h"
+
 namespace crowd::model {
 
 /// What went wrong, in words for the artist: the thing, the place in it, and the way out.
 struct Error
 {
-    std::string message; ///< UTF-8, one or more full sentences.
+    Message said;        ///< one or more full sentences
+    std::string message; ///< the same in English, UTF-8
+
+    Error(Message what) : said(std::move(what)), message(said.english()) {}
+    Error(std::string what) : Error(Message(std::move(what))) {}
+    /// As a Message is made.
+    template<class... Arguments>
+    Error(const char* id, const Arguments&... arguments) : Error(Message(id, arguments...))
+    {
+    }
 };
 
 /// A value or an Error. Used for everything that can go wrong in the world (files, shaders,

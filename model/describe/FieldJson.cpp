@@ -16,6 +16,9 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kMustBeTag = QT_TRANSLATE_NOOP("Messages", "%1 must be a tag from 0 to 63");
+constexpr const char* kMustLieBetween =
+    QT_TRANSLATE_NOOP("Messages", "%1 must lie between %2 and %3");
 constexpr std::size_t kMostEntries = 100'000; ///< of a list
 
 /// Bytes as "#" and two digits each.
@@ -135,7 +138,7 @@ void readChoice(JsonFields& fields, const FieldMeta& meta, std::int64_t& value)
         }
         all += (all.empty() ? "" : ", ") + std::string(meta.choices[i].key);
     }
-    fields.complain(meta.key, "must be one of: " + all);
+    fields.complain(meta.key, QT_TRANSLATE_NOOP("Messages", "%1 must be one of: %2"), all);
 }
 
 void readInteger(JsonFields& fields, const FieldMeta& meta, std::int64_t& value)
@@ -151,15 +154,19 @@ void readInteger(JsonFields& fields, const FieldMeta& meta, std::int64_t& value)
         found->is_number_unsigned() &&
         found->get<std::uint64_t>() > static_cast<std::uint64_t>(std::max<std::int64_t>(most, 0));
     if (!isWhole || (isTooLarge && most >= 0xFFFFFFFF)) {
-        fields.complain(meta.key,
-                        isTag ? "must be a tag from 0 to 63"
-                              : "must be a whole number that is not negative and not too large");
+        fields.complain(
+            meta.key,
+            isTag ? kMustBeTag
+                  : QT_TRANSLATE_NOOP(
+                        "Messages",
+                        "%1 must be a whole number that is not negative and not too large"));
     } else if (isTooLarge) {
-        fields.complain(meta.key, isTag ? "must be a tag from 0 to 63"
-                                        : "must be at most " + std::to_string(most));
-    } else if (found->get<std::int64_t>() < static_cast<std::int64_t>(meta.low)) {
         fields.complain(meta.key,
-                        "must be at least " + std::to_string(static_cast<std::int64_t>(meta.low)));
+                        isTag ? kMustBeTag : QT_TRANSLATE_NOOP("Messages", "%1 must be at most %2"),
+                        most);
+    } else if (found->get<std::int64_t>() < static_cast<std::int64_t>(meta.low)) {
+        fields.complain(meta.key, QT_TRANSLATE_NOOP("Messages", "%1 must be at least %2"),
+                        static_cast<std::int64_t>(meta.low));
     } else {
         value = found->get<std::int64_t>();
     }
@@ -182,13 +189,12 @@ void readValue(JsonFields& fields, const FieldMeta& meta, double& value)
 {
     const json* found = fields.find(meta.key);
     if (found != nullptr && !JsonFields::isFinite(*found)) {
-        fields.complain(meta.key, "must be a finite number");
+        fields.complain(meta.key, QT_TRANSLATE_NOOP("Messages", "%1 must be a finite number"));
         return;
     }
     value = found != nullptr ? found->get<double>() : value;
     if (!(value >= meta.low && value <= meta.high)) {
-        fields.complain(meta.key, "must lie between " + std::to_string(meta.low) + " and " +
-                                      std::to_string(meta.high));
+        fields.complain(meta.key, kMustLieBetween, meta.low, meta.high);
     }
 }
 void readValue(JsonFields& fields, const FieldMeta& meta, std::string& value)
@@ -205,7 +211,9 @@ void readValue(JsonFields& fields, const FieldMeta& meta, Tint& value)
     std::string text = hexText(bytes);
     fields.read(meta.key, text);
     if (!readHex(text, bytes)) {
-        fields.complain(meta.key, "must be a colour and its strength, as \"#f0962cff\"");
+        fields.complain(
+            meta.key, QT_TRANSLATE_NOOP("Messages",
+                                        "%1 must be a colour and its strength, as \"#f0962cff\""));
         return;
     }
     value = {bytes[0], bytes[1], bytes[2], bytes[3]};
@@ -216,8 +224,7 @@ void readValue(JsonFields& fields, const FieldMeta& meta, glm::vec3& value)
     for (int axis = 0; axis < 3; ++axis) {
         if (!(static_cast<double>(value[axis]) >= meta.low &&
               static_cast<double>(value[axis]) <= meta.high)) {
-            fields.complain(meta.key, "must lie between " + std::to_string(meta.low) + " and " +
-                                          std::to_string(meta.high));
+            fields.complain(meta.key, kMustLieBetween, meta.low, meta.high);
         }
     }
 }
@@ -229,7 +236,7 @@ void readValue(JsonFields& fields, const FieldMeta& meta, std::optional<bool>& v
     } else if (found != nullptr && found->is_boolean()) {
         value = found->get<bool>();
     } else if (found != nullptr) {
-        fields.complain(meta.key, "must be true, false or null");
+        fields.complain(meta.key, QT_TRANSLATE_NOOP("Messages", "%1 must be true, false or null"));
     }
 }
 
@@ -245,8 +252,9 @@ const json* numberList(JsonFields& fields, const FieldMeta& meta, std::size_t co
         (list->is_array() && list->size() == count && std::ranges::all_of(*list, isWithin))) {
         return list;
     }
-    fields.complain(meta.key, "must be a list of " + std::to_string(count) + " numbers from " +
-                                  std::to_string(meta.low) + " to " + std::to_string(meta.high));
+    fields.complain(meta.key,
+                    QT_TRANSLATE_NOOP("Messages", "%1 must be a list of %2 numbers from %3 to %4"),
+                    count, meta.low, meta.high);
     return nullptr;
 }
 
@@ -257,7 +265,9 @@ void readValue(JsonFields& fields, const FieldMeta& meta, ValueRange& value)
         return;
     }
     if ((*list)[0].get<float>() > (*list)[1].get<float>()) {
-        fields.complain(meta.key, "must run from the lowest to the highest value");
+        fields.complain(
+            meta.key,
+            QT_TRANSLATE_NOOP("Messages", "%1 must run from the lowest to the highest value"));
         return;
     }
     value = {(*list)[0].get<float>(), (*list)[1].get<float>()};
@@ -276,7 +286,9 @@ const json* entriesOf(JsonFields& fields, const FieldMeta& meta)
 {
     const json* list = fields.find(meta.key);
     if (list != nullptr && (!list->is_array() || list->size() > kMostEntries)) {
-        fields.complain(meta.key, list->is_array() ? "has too many entries" : "must be a list");
+        fields.complain(meta.key, list->is_array()
+                                      ? QT_TRANSLATE_NOOP("Messages", "%1 has too many entries")
+                                      : QT_TRANSLATE_NOOP("Messages", "%1 must be a list"));
         return nullptr;
     }
     return list;
@@ -293,7 +305,8 @@ void readValue(JsonFields& fields, const FieldMeta& meta, std::vector<int>& valu
         return;
     }
     if (!std::ranges::all_of(*list, isInt)) {
-        fields.complain(meta.key, "must be a list of whole numbers");
+        fields.complain(meta.key,
+                        QT_TRANSLATE_NOOP("Messages", "%1 must be a list of whole numbers"));
         return;
     }
     values = list->get<std::vector<int>>();
@@ -307,7 +320,9 @@ void readValue(JsonFields& fields, const FieldMeta& meta, std::vector<PaintColor
     std::vector<PaintColor> read(list->size());
     for (std::size_t i = 0; i < read.size(); ++i) {
         if (!(*list)[i].is_string() || !readHex((*list)[i].get<std::string>(), read[i])) {
-            fields.complain(meta.key, "must be a list of colours, as \"#f0962c\"");
+            fields.complain(
+                meta.key,
+                QT_TRANSLATE_NOOP("Messages", "%1 must be a list of colours, as \"#f0962c\""));
             return;
         }
     }
@@ -378,7 +393,7 @@ void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* dat
         if (!field.isGroup()) {
             readField(source, field, data, wrong);
         } else if (const json* inside = source.find(field.meta.key)) {
-            std::string ignored;
+            Message ignored;
             const bool isKept = wrong == WrongValue::Keep;
             JsonFields members = (isKept ? source.apart(ignored) : source)
                                      .part(*inside, source.placeOf(field.meta.key));
@@ -393,7 +408,7 @@ void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* dat
 void readField(JsonFields& source, const FieldInfo& field, void* data, WrongValue wrong)
 {
     if (wrong == WrongValue::Keep) {
-        std::string ignored;
+        Message ignored;
         (void)source.find(field.meta.key);
         JsonFields apart = source.apart(ignored);
         readInto(apart, field, data);
@@ -406,8 +421,7 @@ void readWithin(JsonFields& fields, const char* key, float low, float high, floa
 {
     fields.read(key, value);
     if (!(value >= low && value <= high)) {
-        fields.complain(key,
-                        "must lie between " + std::to_string(low) + " and " + std::to_string(high));
+        fields.complain(key, kMustLieBetween, low, high);
     }
 }
 
@@ -421,7 +435,7 @@ void readColor(JsonFields& fields, const char* key, PaintColor& color)
     std::string text = colorText(color);
     fields.read(key, text);
     if (!readHex(text, color)) {
-        fields.complain(key, "must be a colour, as \"#f0962c\"");
+        fields.complain(key, QT_TRANSLATE_NOOP("Messages", "%1 must be a colour, as \"#f0962c\""));
     }
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "model/document/EntryCompare.h"
+#include "model/document/MemberEntries.h"
 
 namespace crowd::model {
 
@@ -27,15 +27,6 @@ IndividualRows mergedRows(const IndividualRows& a, const IndividualRows& b)
     return both.rows(both.ids());
 }
 
-/// Entries by ascending id.
-template<class Entry>
-std::optional<Entry> entryOf(const std::vector<Entry>& entries, decltype(Entry::id) id)
-{
-    const auto found = std::ranges::lower_bound(entries, id, {}, &Entry::id);
-    const bool isThere = found != entries.end() && found->id == id;
-    return isThere ? std::optional<Entry>(*found) : std::nullopt;
-}
-
 /// First-touch values of the entries against today's, by id.
 template<class Entry>
 std::vector<EntryDelta<Entry>>
@@ -52,6 +43,13 @@ entryDeltas(const std::map<decltype(Entry::id), std::optional<Entry>>& before,
         }
     }
     return deltas;
+}
+
+template<class Value>
+std::optional<ValueDelta<Value>> valueDelta(const std::optional<Value>& before, const Value& now)
+{
+    const bool isChanged = before && !isSame(*before, now);
+    return isChanged ? std::optional(ValueDelta<Value>{*before, now}) : std::nullopt;
 }
 
 } // namespace
@@ -80,82 +78,6 @@ void EditRecord::touchColumn(ColumnId column, std::span<const IndividualId> ids,
     m_touched[column].remember(old, population.values(column, old), columnInfo(column).stride);
 }
 
-void EditRecord::touchTemplate(TemplateId id, const Scene& scene)
-{
-    m_templates.try_emplace(id, entryOf(scene.templates, id));
-}
-
-void EditRecord::touchStage(std::uint8_t id, const Scene& scene)
-{
-    m_stages.try_emplace(id, entryOf(scene.stages, id));
-}
-
-void EditRecord::touchCameras(const Scene& scene)
-{
-    if (!m_cameras) {
-        m_cameras = scene.cameras;
-    }
-}
-
-void EditRecord::touchLighting(const Scene& scene)
-{
-    if (!m_lighting) {
-        m_lighting = scene.lighting;
-    }
-}
-
-void EditRecord::touchPlace(PlaceId id, const Scene& scene)
-{
-    m_places.try_emplace(id, entryOf(scene.places, id));
-}
-
-void EditRecord::touchPath(PathId id, const Scene& scene)
-{
-    m_paths.try_emplace(id, entryOf(scene.paths, id));
-}
-
-void EditRecord::touchRules(const Scene& scene)
-{
-    if (!m_rules) {
-        m_rules = scene.rules;
-    }
-}
-
-void EditRecord::touchTags(const Scene& scene)
-{
-    if (!m_tags) {
-        m_tags = scene.tags;
-    }
-}
-
-void EditRecord::touchNumbers(const Scene& scene)
-{
-    if (!m_numbers) {
-        m_numbers = scene.numbers;
-    }
-}
-
-void EditRecord::touchCues(const Scene& scene)
-{
-    if (!m_cues) {
-        m_cues = scene.cues;
-    }
-}
-
-void EditRecord::touchSurface(const Scene& scene)
-{
-    if (!m_surface) {
-        m_surface = scene.surface;
-    }
-}
-
-void EditRecord::touchSteps(const Scene& scene)
-{
-    if (!m_steps) {
-        m_steps = scene.stepsPerSecond;
-    }
-}
-
 SceneDelta EditRecord::delta(const Scene& scene) const
 {
     SceneDelta delta;
@@ -169,34 +91,14 @@ SceneDelta EditRecord::delta(const Scene& scene) const
     }
     delta.nextIdBefore = m_nextIdBefore;
     delta.nextIdAfter = scene.nextId;
-    delta.templates = entryDeltas(m_templates, scene.templates);
-    delta.stages = entryDeltas(m_stages, scene.stages);
-    if (m_cameras && !isSame(*m_cameras, scene.cameras)) {
-        delta.cameras = ValueDelta<std::vector<NamedCamera>>{*m_cameras, scene.cameras};
-    }
-    if (m_lighting && !isSame(*m_lighting, scene.lighting)) {
-        delta.lighting = ValueDelta<Lighting>{*m_lighting, scene.lighting};
-    }
-    delta.places = entryDeltas(m_places, scene.places);
-    delta.paths = entryDeltas(m_paths, scene.paths);
-    if (m_rules && !isSame(*m_rules, scene.rules)) {
-        delta.rules = ValueDelta<std::vector<Rule>>{*m_rules, scene.rules};
-    }
-    if (m_tags && *m_tags != scene.tags) {
-        delta.tags = ValueDelta<std::vector<TagName>>{*m_tags, scene.tags};
-    }
-    if (m_numbers && !isSame(*m_numbers, scene.numbers)) {
-        delta.numbers = ValueDelta<std::vector<NumberName>>{*m_numbers, scene.numbers};
-    }
-    if (m_cues && !isSame(*m_cues, scene.cues)) {
-        delta.cues = ValueDelta<std::vector<Cue>>{*m_cues, scene.cues};
-    }
-    if (m_surface && *m_surface != scene.surface) {
-        delta.surface = ValueDelta<SurfaceSettings>{*m_surface, scene.surface};
-    }
-    if (m_steps && *m_steps != scene.stepsPerSecond) {
-        delta.stepsPerSecond = ValueDelta<std::uint32_t>{*m_steps, scene.stepsPerSecond};
-    }
+    forEachMember([&]<class M>(const M&) {
+        const auto& before = std::get<FirstMember<M>>(m_members).before;
+        if constexpr (M::kind == MemberKind::Entries) {
+            delta.of<M>() = entryDeltas(before, M::of(scene));
+        } else {
+            delta.of<M>() = valueDelta(before, M::of(scene));
+        }
+    });
     return delta;
 }
 

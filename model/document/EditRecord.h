@@ -1,15 +1,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "model/document/FirstTouch.h"
 #include "model/document/SceneDelta.h"
 
 namespace crowd::model {
+
+template<class M>
+using MemberEntry = typename M::Type::value_type;
+
+/// What a scene's member was before an edit, as far as the edit touched it.
+template<class M>
+struct FirstMember
+{
+    std::optional<typename M::Type> before;
+};
+template<class M>
+requires(M::kind == MemberKind::Entries) struct FirstMember<M>
+{
+    std::map<decltype(MemberEntry<M>::id), std::optional<MemberEntry<M>>> before;
+};
+
+template<class Members>
+struct FirstMembers;
+template<class... M>
+struct FirstMembers<std::tuple<M...>>
+{
+    using type = std::tuple<FirstMember<M>...>;
+};
+
+/// Of entries by ascending id; nothing where there is none of that id.
+template<class Entry>
+[[nodiscard]] std::optional<Entry> entryOf(const std::vector<Entry>& entries,
+                                           decltype(Entry::id) id)
+{
+    const auto found = std::ranges::lower_bound(entries, id, {}, &Entry::id);
+    const bool isThere = found != entries.end() && found->id == id;
+    return isThere ? std::optional<Entry>(*found) : std::nullopt;
+}
 
 /// What an edit must remember to become a delta: ids that it added, rows that it removed, and
 /// first-touch values of everything else. Each function is called just before the scene changes.
@@ -23,18 +58,22 @@ public:
     void removeIndividuals(std::span<const IndividualId> ids, const Population& population);
     void touchColumn(ColumnId column, std::span<const IndividualId> ids,
                      const Population& population);
-    void touchTemplate(TemplateId id, const Scene& scene);
-    void touchStage(std::uint8_t id, const Scene& scene);
-    void touchCameras(const Scene& scene);
-    void touchLighting(const Scene& scene);
-    void touchPlace(PlaceId id, const Scene& scene);
-    void touchPath(PathId id, const Scene& scene);
-    void touchRules(const Scene& scene);
-    void touchTags(const Scene& scene);
-    void touchNumbers(const Scene& scene);
-    void touchCues(const Scene& scene);
-    void touchSurface(const Scene& scene);
-    void touchSteps(const Scene& scene);
+    /// Of a member that is a list of entries.
+    template<class M>
+    requires(M::kind == MemberKind::Entries) void touch(decltype(MemberEntry<M>::id) id,
+                                                        const Scene& scene)
+    {
+        std::get<FirstMember<M>>(m_members).before.try_emplace(id, entryOf(M::of(scene), id));
+    }
+    /// Of a member that is kept as a whole.
+    template<class M>
+    requires(M::kind == MemberKind::Value) void touch(const Scene& scene)
+    {
+        auto& before = std::get<FirstMember<M>>(m_members).before;
+        if (!before) {
+            before = M::of(scene);
+        }
+    }
 
     [[nodiscard]] IndividualId nextIdBefore() const { return m_nextIdBefore; }
     /// From the scene before the edit to `scene`.
@@ -45,18 +84,7 @@ private:
     std::vector<IndividualId> m_added; ///< ascending, all present
     IndividualRows m_removed = IndividualRows::withDefaults({});
     std::map<ColumnId, FirstTouch> m_touched;
-    std::map<TemplateId, std::optional<TemplateEntry>> m_templates;
-    std::map<std::uint8_t, std::optional<StageEntry>> m_stages;
-    std::optional<std::vector<NamedCamera>> m_cameras;
-    std::optional<Lighting> m_lighting;
-    std::map<PlaceId, std::optional<Place>> m_places;
-    std::map<PathId, std::optional<Path>> m_paths;
-    std::optional<std::vector<Rule>> m_rules;
-    std::optional<std::vector<TagName>> m_tags;
-    std::optional<std::vector<NumberName>> m_numbers;
-    std::optional<std::vector<Cue>> m_cues;
-    std::optional<SurfaceSettings> m_surface;
-    std::optional<std::uint32_t> m_steps;
+    FirstMembers<SceneMembers>::type m_members;
 };
 
 } // namespace crowd::model

@@ -4,90 +4,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/document/MemberEntries.h"
+
 namespace crowd::model {
 
 namespace {
 
 using Announce = std::function<void(const SceneChange&)>;
 
-std::size_t bytesOf(const TemplateEntry& entry)
-{
-    std::size_t total = sizeof(entry) + entry.name.size() + entry.path.size() +
-                        entry.problem.size() + entry.unknownMembers.size() +
-                        entry.import.unknownMembers.size() +
-                        entry.clipSpeeds.size() * sizeof(float) +
-                        entry.clipRoles.size() * sizeof(std::optional<ClipRole>);
-    for (const std::string& name : entry.clipNames) {
-        total += sizeof(std::string) + name.size();
-    }
-    return total;
-}
-
-std::size_t bytesOf(const StageEntry& entry)
-{
-    return sizeof(entry) + entry.name.size() + entry.path.size() + entry.problem.size() +
-           entry.unknownMembers.size();
-}
-
-std::size_t bytesOf(const std::vector<NamedCamera>& cameras)
-{
-    std::size_t total = 0;
-    for (const NamedCamera& named : cameras) {
-        total += sizeof(named) + named.name.size() + named.unknownMembers.size();
-    }
-    return total;
-}
-
-std::size_t bytesOf(const Lighting& lighting)
-{
-    return sizeof(lighting) + lighting.unknownMembers.size();
-}
-
-std::size_t bytesOf(const Place& place)
-{
-    return sizeof(place) + place.name.size() + place.unknownMembers.size();
-}
-
-std::size_t bytesOf(const Path& path)
-{
-    return sizeof(path) + path.name.size() + path.unknownMembers.size() +
-           path.places.size() * sizeof(PlaceId) + path.branches.size() * sizeof(PathBranch);
-}
-
-/// Of a field, what lies outside its struct.
-std::size_t bytesOutside(const FieldValue& value)
-{
-    if (const auto* text = std::get_if<std::string>(&value)) {
-        return text->size();
-    }
-    const auto* clips = std::get_if<std::vector<ClipWeight>>(&value);
-    return clips != nullptr ? clips->size() * sizeof(ClipWeight) : 0;
-}
-
-std::size_t bytesOf(const std::vector<Rule>& rules)
-{
-    std::size_t total = 0;
-    for (const Rule& rule : rules) {
-        total += sizeof(rule) + rule.name.size() + rule.unknownMembers.size() +
-                 rule.conditions.size() * sizeof(Condition) + rule.actions.size() * sizeof(Action);
-        forEachPart(rule, [&total](const RuleKind& kind, const void* object) {
-            for (const FieldInfo& field : kind.fields) {
-                total += bytesOutside(field.get(object));
-            }
-        });
-    }
-    return total;
-}
-
-/// Of entries with short texts.
-template<class Named>
-std::size_t bytesOfNames(const std::optional<ValueDelta<std::vector<Named>>>& names)
-{
-    return names ? (names->before.size() + names->after.size()) * sizeof(Named) : 0;
-}
-
 template<class Entry>
-std::size_t bytesOf(const std::vector<EntryDelta<Entry>>& deltas)
+std::size_t deltaBytes(const std::vector<EntryDelta<Entry>>& deltas)
 {
     std::size_t total = 0;
     for (const EntryDelta<Entry>& delta : deltas) {
@@ -95,6 +21,23 @@ std::size_t bytesOf(const std::vector<EntryDelta<Entry>>& deltas)
         total += delta.after ? bytesOf(*delta.after) : sizeof(Entry);
     }
     return total;
+}
+
+template<class Value>
+std::size_t deltaBytes(const std::optional<ValueDelta<Value>>& delta)
+{
+    return delta ? bytesOf(delta->before) + bytesOf(delta->after) : 0;
+}
+
+template<class Entry>
+bool hasChanged(const std::vector<EntryDelta<Entry>>& deltas)
+{
+    return !deltas.empty();
+}
+template<class Value>
+bool hasChanged(const std::optional<ValueDelta<Value>>& delta)
+{
+    return delta.has_value();
 }
 
 void swapIndividuals(Scene& scene, const StoredRows& leaving, const StoredRows& coming,
@@ -163,6 +106,41 @@ void swapEntries(std::vector<Entry>& entries, const std::vector<EntryDelta<Entry
     entries = std::move(swapped);
 }
 
+template<class Value>
+void swapValue(Value& value, const std::optional<ValueDelta<Value>>& delta,
+               DeltaDirection direction)
+{
+    if (delta) {
+        value = direction == DeltaDirection::Redo ? delta->after : delta->before;
+    }
+}
+
+/// All members of a kind, and then once each what is to be announced of them.
+template<MemberKind kKind>
+void swapMembers(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
+                 const Announce& announce)
+{
+    std::vector<SceneChange> changes;
+    forEachMember([&]<class M>(const M&) {
+        if constexpr (M::kind == kKind) {
+            if constexpr (kKind == MemberKind::Entries) {
+                swapEntries(M::of(scene), delta.of<M>(), direction);
+            } else {
+                swapValue(M::of(scene), delta.of<M>(), direction);
+            }
+            const bool isSaid = std::ranges::any_of(changes, [](const SceneChange& change) {
+                return std::holds_alternative<typename M::Changed>(change);
+            });
+            if (hasChanged(delta.of<M>()) && !isSaid) {
+                changes.push_back(typename M::Changed());
+            }
+        }
+    });
+    for (const SceneChange& change : changes) {
+        announce(change);
+    }
+}
+
 void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
                  const Announce& announce)
 {
@@ -178,11 +156,21 @@ void swapColumns(Scene& scene, const SceneDelta& delta, DeltaDirection direction
 
 } // namespace
 
+MemberSet SceneDelta::changedMembers() const
+{
+    MemberSet changed;
+    forEachMember([&]<class M>(const M&) {
+        if (hasChanged(of<M>())) {
+            changed.add<M>();
+        }
+    });
+    return changed;
+}
+
 bool SceneDelta::isEmpty() const
 {
-    return added.ids.empty() && removed.ids.empty() && columns.empty() && templates.empty() &&
-           stages.empty() && !cameras && !lighting && places.empty() && paths.empty() && !rules &&
-           !tags && !numbers && !cues && !surface && !stepsPerSecond;
+    return added.ids.empty() && removed.ids.empty() && columns.empty() &&
+           changedMembers().isEmpty();
 }
 
 std::size_t SceneDelta::bulkBytes() const
@@ -197,84 +185,27 @@ std::size_t SceneDelta::bulkBytes() const
 
 std::size_t SceneDelta::bytes() const
 {
-    std::size_t total = sizeof(SceneDelta) + bulkBytes() + bytesOf(templates) + bytesOf(stages) +
-                        bytesOf(places) + bytesOf(paths);
-    if (cameras) {
-        total += bytesOf(cameras->before) + bytesOf(cameras->after);
-    }
-    if (lighting) {
-        total += bytesOf(lighting->before) + bytesOf(lighting->after);
-    }
-    if (rules) {
-        total += bytesOf(rules->before) + bytesOf(rules->after);
-    }
-    return total + bytesOfNames(tags) + bytesOfNames(numbers) + bytesOfNames(cues);
+    std::size_t total = sizeof(SceneDelta) + bulkBytes();
+    forEachMember([&]<class M>(const M&) { total += deltaBytes(of<M>()); });
+    return total;
 }
 
 void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
                 const Announce& announce)
 {
     const bool isRedo = direction == DeltaDirection::Redo;
-    // Templates first when they come and last when they go: nobody may lack his template meanwhile.
-    const auto pathsAndPlaces = [&] {
-        swapEntries(scene.places, delta.places, direction);
-        swapEntries(scene.paths, delta.paths, direction);
-        if (!delta.places.empty() || !delta.paths.empty()) {
-            announce(PathsChanged{});
-        }
-    };
-    const auto templatesAndStages = [&] {
-        swapEntries(scene.templates, delta.templates, direction);
-        swapEntries(scene.stages, delta.stages, direction);
-        if (!delta.templates.empty()) {
-            announce(TemplatesChanged{});
-        }
-        if (!delta.stages.empty()) {
-            announce(StagesChanged{});
-        }
-    };
+    // Entries first when they come and last when they go: nobody may lack his template meanwhile.
     if (isRedo) {
-        templatesAndStages();
-        pathsAndPlaces();
+        swapMembers<MemberKind::Entries>(scene, delta, direction, announce);
     }
     scene.nextId = isRedo ? delta.nextIdAfter : delta.nextIdBefore;
     swapIndividuals(scene, isRedo ? delta.removed : delta.added,
                     isRedo ? delta.added : delta.removed, announce);
     swapColumns(scene, delta, direction, announce);
     if (!isRedo) {
-        pathsAndPlaces();
-        templatesAndStages();
+        swapMembers<MemberKind::Entries>(scene, delta, direction, announce);
     }
-    if (delta.cameras) {
-        scene.cameras = isRedo ? delta.cameras->after : delta.cameras->before;
-        announce(CamerasChanged{});
-    }
-    if (delta.lighting) {
-        scene.lighting = isRedo ? delta.lighting->after : delta.lighting->before;
-        announce(LightingChanged{});
-    }
-    if (delta.tags) {
-        scene.tags = isRedo ? delta.tags->after : delta.tags->before;
-    }
-    if (delta.rules) {
-        scene.rules = isRedo ? delta.rules->after : delta.rules->before;
-    }
-    if (delta.numbers) {
-        scene.numbers = isRedo ? delta.numbers->after : delta.numbers->before;
-    }
-    if (delta.cues) {
-        scene.cues = isRedo ? delta.cues->after : delta.cues->before;
-    }
-    if (delta.stepsPerSecond) {
-        scene.stepsPerSecond = isRedo ? delta.stepsPerSecond->after : delta.stepsPerSecond->before;
-    }
-    if (delta.tags || delta.rules || delta.numbers || delta.cues || delta.stepsPerSecond) {
-        announce(RulesChanged{});
-    }
-    if (delta.surface) {
-        scene.surface = isRedo ? delta.surface->after : delta.surface->before;
-        announce(PathsChanged{});
-    }
+    swapMembers<MemberKind::Value>(scene, delta, direction, announce);
 }
 
 } // namespace crowd::model

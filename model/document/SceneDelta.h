@@ -3,11 +3,11 @@
 
 #include <functional>
 #include <optional>
+#include <tuple>
 #include <vector>
 
-#include "model/document/SceneChange.h"
 #include "model/document/StoredRows.h"
-#include "model/scene/Scene.h"
+#include "model/scene/SceneMembers.h"
 
 namespace crowd::model {
 
@@ -36,6 +36,26 @@ struct ValueDelta
     Value after;
 };
 
+/// Of one of SceneMembers.
+template<class M>
+struct MemberDelta
+{
+    std::optional<ValueDelta<typename M::Type>> changes;
+};
+template<class M>
+requires(M::kind == MemberKind::Entries) struct MemberDelta<M>
+{
+    std::vector<EntryDelta<typename M::Type::value_type>> changes; ///< ascending ids
+};
+
+template<class Members>
+struct MemberDeltas;
+template<class... M>
+struct MemberDeltas<std::tuple<M...>>
+{
+    using type = std::tuple<MemberDelta<M>...>;
+};
+
 /// What separates two states of a scene: only what changed, by id, never by row or pointer.
 struct SceneDelta
 {
@@ -44,24 +64,28 @@ struct SceneDelta
     std::vector<ColumnDelta> columns; ///< of individuals present on both sides
     IndividualId nextIdBefore = 1;
     IndividualId nextIdAfter = 1;
-    std::vector<EntryDelta<TemplateEntry>> templates;
-    std::vector<EntryDelta<StageEntry>> stages;
-    std::optional<ValueDelta<std::vector<NamedCamera>>> cameras;
-    std::optional<ValueDelta<Lighting>> lighting;
-    std::vector<EntryDelta<Place>> places;
-    std::vector<EntryDelta<Path>> paths;
-    std::optional<ValueDelta<std::vector<Rule>>> rules;
-    std::optional<ValueDelta<std::vector<TagName>>> tags;
-    std::optional<ValueDelta<std::vector<NumberName>>> numbers;
-    std::optional<ValueDelta<std::vector<Cue>>> cues;
-    std::optional<ValueDelta<SurfaceSettings>> surface;
-    std::optional<ValueDelta<std::uint32_t>> stepsPerSecond;
+
+    /// What changed of a scene's member: entries by ascending id, or the whole value.
+    template<class M>
+    [[nodiscard]] const auto& of() const
+    {
+        return std::get<MemberDelta<M>>(m_members).changes;
+    }
+    template<class M>
+    [[nodiscard]] auto& of()
+    {
+        return std::get<MemberDelta<M>>(m_members).changes;
+    }
+    [[nodiscard]] MemberSet changedMembers() const;
 
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).
     [[nodiscard]] std::size_t bytes() const;
     /// The part of it that grows with the number of individuals: added, removed and columns.
     [[nodiscard]] std::size_t bulkBytes() const;
+
+private:
+    MemberDeltas<SceneMembers>::type m_members;
 };
 
 enum class DeltaDirection { Undo, Redo };

@@ -8,10 +8,10 @@
 #include <QtCore/QString>
 #include <QtGui/QUndoStack>
 
-#include "model/document/SceneChange.h"
 #include "model/document/UndoMemory.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
+#include "model/scene/SceneChange.h"
 
 namespace crowd::model {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "model/document/EditRecord.h"
-#include "model/document/EntryCompare.h"
+#include "model/document/MemberEntries.h"
 
 namespace crowd::model {
 
@@ -166,7 +166,7 @@ TemplateId SceneEdit::addTemplate(TemplateEntry entry)
 void SceneEdit::removeTemplate(TemplateId id)
 {
     auto& templates = m_document.m_scene.templates;
-    m_record->touchTemplate(id, scene());
+    m_record->touch<members::Templates>(id, scene());
     std::erase_if(templates, [id](const TemplateEntry& entry) { return entry.id == id; });
     m_document.announce(TemplatesChanged{});
 }
@@ -174,7 +174,7 @@ void SceneEdit::removeTemplate(TemplateId id)
 void SceneEdit::changeTemplate(const TemplateEntry& entry)
 {
     auto& templates = m_document.m_scene.templates;
-    m_record->touchTemplate(entry.id, scene());
+    m_record->touch<members::Templates>(entry.id, scene());
     putEntry(templates, entry);
     m_document.announce(TemplatesChanged{});
 }
@@ -194,7 +194,7 @@ std::uint8_t SceneEdit::addStage(StageEntry entry)
 void SceneEdit::removeStage(std::uint8_t id)
 {
     auto& stages = m_document.m_scene.stages;
-    m_record->touchStage(id, scene());
+    m_record->touch<members::Stages>(id, scene());
     std::erase_if(stages, [id](const StageEntry& entry) { return entry.id == id; });
     m_document.announce(StagesChanged{});
 }
@@ -202,23 +202,9 @@ void SceneEdit::removeStage(std::uint8_t id)
 void SceneEdit::changeStage(const StageEntry& entry)
 {
     auto& stages = m_document.m_scene.stages;
-    m_record->touchStage(entry.id, scene());
+    m_record->touch<members::Stages>(entry.id, scene());
     putEntry(stages, entry);
     m_document.announce(StagesChanged{});
-}
-
-void SceneEdit::setCameras(std::vector<NamedCamera> cameras)
-{
-    m_record->touchCameras(scene());
-    m_document.m_scene.cameras = std::move(cameras);
-    m_document.announce(CamerasChanged{});
-}
-
-void SceneEdit::setLighting(const Lighting& lighting)
-{
-    m_record->touchLighting(scene());
-    m_document.m_scene.lighting = lighting;
-    m_document.announce(LightingChanged{});
 }
 
 PlaceId SceneEdit::addPlace(Place place)
@@ -234,7 +220,7 @@ PlaceId SceneEdit::addPlace(Place place)
 
 void SceneEdit::changePlace(const Place& place)
 {
-    m_record->touchPlace(place.id, scene());
+    m_record->touch<members::Places>(place.id, scene());
     putEntry(m_document.m_scene.places, place);
     m_document.announce(PathsChanged{});
 }
@@ -245,12 +231,12 @@ void SceneEdit::removePlace(PlaceId id)
         const bool isThere = std::ranges::find(path.places, id) != path.places.end();
         if (isThere ||
             std::ranges::find(path.branches, id, &PathBranch::place) != path.branches.end()) {
-            m_record->touchPath(path.id, scene());
+            m_record->touch<members::Paths>(path.id, scene());
             std::erase(path.places, id);
             std::erase_if(path.branches, [id](const PathBranch& b) { return b.place == id; });
         }
     }
-    m_record->touchPlace(id, scene());
+    m_record->touch<members::Places>(id, scene());
     std::erase_if(m_document.m_scene.places, [id](const Place& place) { return place.id == id; });
     m_document.announce(PathsChanged{});
 }
@@ -268,7 +254,7 @@ PathId SceneEdit::addPath(Path path)
 
 void SceneEdit::changePath(const Path& path)
 {
-    m_record->touchPath(path.id, scene());
+    m_record->touch<members::Paths>(path.id, scene());
     putEntry(m_document.m_scene.paths, path);
     m_document.announce(PathsChanged{});
 }
@@ -286,11 +272,11 @@ void SceneEdit::removePath(PathId id)
     setColumn(columns::path, walkers, std::span<const PathId>(&none, 1));
     for (Path& path : m_document.m_scene.paths) {
         if (std::ranges::find(path.branches, id, &PathBranch::path) != path.branches.end()) {
-            m_record->touchPath(path.id, scene());
+            m_record->touch<members::Paths>(path.id, scene());
             std::erase_if(path.branches, [id](const PathBranch& b) { return b.path == id; });
         }
     }
-    m_record->touchPath(id, scene());
+    m_record->touch<members::Paths>(id, scene());
     std::erase_if(m_document.m_scene.paths, [id](const Path& path) { return path.id == id; });
     m_document.announce(PathsChanged{});
 }
@@ -311,53 +297,12 @@ void SceneEdit::setPlacesAndPaths(std::vector<Place> places, std::vector<Path> p
     setColumn(columns::path, walkers, std::span<const PathId>(&none, 1));
     Scene& target = m_document.m_scene;
     forEachDifferent(target.places, places,
-                     [this](PlaceId id) { m_record->touchPlace(id, scene()); });
-    forEachDifferent(target.paths, paths, [this](PathId id) { m_record->touchPath(id, scene()); });
+                     [this](PlaceId id) { m_record->touch<members::Places>(id, scene()); });
+    forEachDifferent(target.paths, paths,
+                     [this](PathId id) { m_record->touch<members::Paths>(id, scene()); });
     target.places = std::move(places);
     target.paths = std::move(paths);
     m_document.announce(PathsChanged{});
-}
-
-void SceneEdit::setRules(std::vector<Rule> rules)
-{
-    m_record->touchRules(scene());
-    m_document.m_scene.rules = std::move(rules);
-    m_document.announce(RulesChanged{});
-}
-
-void SceneEdit::setTags(std::vector<TagName> tags)
-{
-    m_record->touchTags(scene());
-    m_document.m_scene.tags = std::move(tags);
-    m_document.announce(RulesChanged{});
-}
-
-void SceneEdit::setNumbers(std::vector<NumberName> numbers)
-{
-    m_record->touchNumbers(scene());
-    m_document.m_scene.numbers = std::move(numbers);
-    m_document.announce(RulesChanged{});
-}
-
-void SceneEdit::setCues(std::vector<Cue> cues)
-{
-    m_record->touchCues(scene());
-    m_document.m_scene.cues = std::move(cues);
-    m_document.announce(RulesChanged{});
-}
-
-void SceneEdit::setSurface(const SurfaceSettings& surface)
-{
-    m_record->touchSurface(scene());
-    m_document.m_scene.surface = surface;
-    m_document.announce(PathsChanged{});
-}
-
-void SceneEdit::setStepsPerSecond(std::uint32_t steps)
-{
-    m_record->touchSteps(scene());
-    m_document.m_scene.stepsPerSecond = steps;
-    m_document.announce(RulesChanged{});
 }
 
 void SceneEdit::rollback()

@@ -3,15 +3,15 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <QtCore/QString>
 
+#include "model/document/EditRecord.h"
 #include "model/document/SceneDocument.h"
 
 namespace crowd::model {
-
-class EditRecord;
 
 /// A transaction on the document: every change is applied (and announced) at once, old values are
 /// kept at first touch. commit() pushes exactly one undo command holding ids with old and new
@@ -46,8 +46,24 @@ public:
     std::uint8_t addStage(StageEntry entry);
     void removeStage(std::uint8_t id);
     void changeStage(const StageEntry& entry);
-    void setCameras(std::vector<NamedCamera> cameras);
-    void setLighting(const Lighting& lighting);
+    /// A member of the scene that is kept as a whole, see SceneMembers.
+    template<class M>
+    requires(M::kind == MemberKind::Value) void set(typename M::Type value)
+    {
+        m_record->touch<M>(scene());
+        M::of(m_document.m_scene) = std::move(value);
+        m_document.announce(typename M::Changed());
+    }
+    void setCameras(std::vector<NamedCamera> all) { set<members::Cameras>(std::move(all)); }
+    void setLighting(const Lighting& lighting) { set<members::Light>(lighting); }
+    void setRules(std::vector<Rule> rules) { set<members::Rules>(std::move(rules)); }
+    void setTags(std::vector<TagName> tags) { set<members::Tags>(std::move(tags)); }
+    /// By ascending ids.
+    void setNumbers(std::vector<NumberName> all) { set<members::Numbers>(std::move(all)); }
+    void setCues(std::vector<Cue> cues) { set<members::Cues>(std::move(cues)); }
+    void setSurface(const SurfaceSettings& surface) { set<members::Surface>(surface); }
+    /// One of kStepRates.
+    void setStepsPerSecond(std::uint32_t steps) { set<members::Steps>(steps); }
     PlaceId addPlace(Place place);
     void changePlace(const Place& place); ///< by id
     /// Also takes it out of all paths.
@@ -59,12 +75,6 @@ public:
     /// All places and paths at once, by ascending id; paths name only what is among them. Who
     /// followed a path that is gone follows none.
     void setPlacesAndPaths(std::vector<Place> places, std::vector<Path> paths);
-    void setRules(std::vector<Rule> rules);
-    void setTags(std::vector<TagName> tags);
-    void setNumbers(std::vector<NumberName> numbers); ///< ascending ids
-    void setCues(std::vector<Cue> cues);
-    void setSurface(const SurfaceSettings& surface);
-    void setStepsPerSecond(std::uint32_t steps); ///< one of kStepRates
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();

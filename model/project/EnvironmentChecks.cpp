@@ -10,7 +10,11 @@ namespace crowd::model {
 
 namespace {
 
-constexpr float kFarthest = 1e6F;       ///< metres
+constexpr float kFarthest = 1e6F; ///< metres
+constexpr const char* kNoSuchClip = QT_TRANSLATE_NOOP(
+    "Messages", "%1 names the clip \"%2\", which no template of the scene has; there are: %3");
+constexpr const char* kNoSuchSlot = QT_TRANSLATE_NOOP(
+    "Messages", "%1 names the slot \"%2\", which no template of the scene has; there are: %3");
 constexpr std::size_t kMostListed = 20; ///< of what there is, in a message
 
 /// Clips and slots that rules may name: of the templates, and those that rules name already, whose
@@ -77,37 +81,36 @@ std::string listed(const std::set<std::string>& names)
 }
 
 /// A name that is empty stands for none.
-void checkName(const std::set<std::string>& known, const std::string& name, const char* what,
-               const std::string& where, std::string& problem)
+void checkName(const std::set<std::string>& known, const std::string& name, const char* id,
+               const std::string& where, Message& problem)
 {
     if (problem.empty() && !name.empty() && !known.contains(name)) {
-        problem = where + " names the " + what + " \"" + name +
-                  "\", which no template of the scene has; there are: " + listed(known);
+        problem = Message(id, where, name, listed(known));
     }
 }
 
 /// Of one part of a rule, whose place is `where`.
 template<class Data>
 void checkPartNames(const RuleNames& names, const RulePart<Data>& part, const std::string& where,
-                    std::string& problem)
+                    Message& problem)
 {
     for (const FieldInfo& field : part.kind().fields) {
         const FieldValue value = field.get(part.object());
         const std::string place = where + "." + field.meta.key;
         if (const auto* clips = std::get_if<std::vector<ClipWeight>>(&value)) {
             for (std::size_t c = 0; c < clips->size() && names.areClipsKnown; ++c) {
-                checkName(names.clips, (*clips)[c].clip, "clip",
+                checkName(names.clips, (*clips)[c].clip, kNoSuchClip,
                           place + "[" + std::to_string(c) + "].clip", problem);
             }
         } else if (field.meta.role == FieldRole::Clip && names.areClipsKnown) {
-            checkName(names.clips, std::get<std::string>(value), "clip", place, problem);
+            checkName(names.clips, std::get<std::string>(value), kNoSuchClip, place, problem);
         } else if (field.meta.role == FieldRole::Slot && names.areSlotsKnown) {
-            checkName(names.slots, std::get<std::string>(value), "slot", place, problem);
+            checkName(names.slots, std::get<std::string>(value), kNoSuchSlot, place, problem);
         }
     }
 }
 
-void checkRuleNames(const RuleNames& names, const Scene& scene, std::string& problem)
+void checkRuleNames(const RuleNames& names, const Scene& scene, Message& problem)
 {
     for (std::size_t r = 0; r < scene.rules.size(); ++r) {
         const Rule& rule = scene.rules[r];
@@ -124,20 +127,22 @@ void checkRuleNames(const RuleNames& names, const Scene& scene, std::string& pro
 }
 
 /// Where nobody could see anything, nor numbers be exact. Files are not that strict.
-void checkPlaces(const Scene& scene, std::string& problem)
+void checkPlaces(const Scene& scene, Message& problem)
 {
     for (const Place& place : scene.places) {
         const glm::vec3 away = glm::abs(place.position);
         if (problem.empty() && std::max({away.x, away.y, away.z}) > kFarthest) {
-            problem = "places: \"" + place.name + "\" (id " + std::to_string(place.id) +
-                      ") is too far away: positions lie from -1000000 to 1000000 metres";
+            problem = Message(QT_TRANSLATE_NOOP("Messages",
+                                                "places: \"%1\" (id %2) is too far away: positions "
+                                                "lie from -1000000 to 1000000 metres"),
+                              place.name, place.id);
         }
     }
 }
 
 } // namespace
 
-void checkEnvironment(const Scene& before, const Scene& wanted, std::string& problem)
+void checkEnvironment(const Scene& before, const Scene& wanted, Message& problem)
 {
     checkPlaces(wanted, problem);
     checkRuleNames(RuleNames(before), wanted, problem);

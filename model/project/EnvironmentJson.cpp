@@ -59,7 +59,8 @@ Place placeFrom(JsonFields fields)
     readName(fields, "role", kRoles, place.role);
     fields.read("capacity", place.capacity);
     if (place.capacity > kMaxPlaceCapacity) {
-        fields.complain("capacity", "must be at most " + std::to_string(kMaxPlaceCapacity));
+        fields.complain("capacity", QT_TRANSLATE_NOOP("Messages", "%1 must be at most %2"),
+                        kMaxPlaceCapacity);
     }
     readWithin(fields, "speedShare", kMinSpeedShare, 1.0F, place.speedShare);
     place.unknownMembers = fields.unknown();
@@ -76,13 +77,14 @@ void readPlacesOf(JsonFields& fields, Path& path)
         return id.is_number_unsigned() && id.get<std::uint64_t>() <= 0xFFFFFFFFU;
     };
     if (!places->is_array() || !std::ranges::all_of(*places, isId)) {
-        fields.complain("places", "must be a list of ids of places");
+        fields.complain("places",
+                        QT_TRANSLATE_NOOP("Messages", "%1 must be a list of ids of places"));
         return;
     }
     path.places = places->get<std::vector<PlaceId>>();
 }
 
-Path pathFrom(JsonFields fields, const std::string& where, std::string& problem)
+Path pathFrom(JsonFields fields, const std::string& where, Message& problem)
 {
     Path path;
     fields.require("id", path.id);
@@ -102,6 +104,14 @@ Path pathFrom(JsonFields fields, const std::string& where, std::string& problem)
     return path;
 }
 
+json toJson(const SurfaceSettings& surface)
+{
+    return withUnknown(surface.unknownMembers, {{"radius", number(surface.radius)},
+                                                {"height", number(surface.height)},
+                                                {"climb", number(surface.climb)},
+                                                {"slope", number(surface.slopeDegrees)}});
+}
+
 SurfaceSettings surfaceFrom(JsonFields fields)
 {
     SurfaceSettings surface;
@@ -113,19 +123,6 @@ SurfaceSettings surfaceFrom(JsonFields fields)
     return surface;
 }
 
-/// Ascending ids, none 0, none twice.
-template<class Entry>
-void sortEntries(std::vector<Entry>& entries, const char* key, std::string& problem)
-{
-    std::ranges::sort(entries, {}, &Entry::id);
-    for (std::size_t i = 0; i < entries.size() && problem.empty(); ++i) {
-        if (entries[i].id == 0 || (i > 0 && entries[i].id == entries[i - 1].id)) {
-            problem = std::string(key) + ": the id " + std::to_string(entries[i].id) +
-                      (entries[i].id == 0 ? " is not allowed" : " is given twice");
-        }
-    }
-}
-
 /// Among entries by ascending id: of many thousands each is looked up.
 template<class Entry>
 bool isThere(const std::vector<Entry>& entries, std::uint32_t id)
@@ -134,19 +131,24 @@ bool isThere(const std::vector<Entry>& entries, std::uint32_t id)
 }
 
 /// Paths may name only places and paths that are there.
-void checkNames(const Scene& scene, std::string& problem)
+void checkNames(const Scene& scene, Message& problem)
 {
     for (const Path& path : scene.paths) {
-        const std::string name = "paths: \"" + path.name + "\" (id " + std::to_string(path.id);
         for (const PlaceId id : path.places) {
             if (!isThere(scene.places, id) && problem.empty()) {
-                problem = name + ") names the place " + std::to_string(id) + ", which is not there";
+                problem = Message(
+                    QT_TRANSLATE_NOOP(
+                        "Messages", "paths: \"%1\" (id %2) names the place %3, which is not there"),
+                    path.name, path.id, id);
             }
         }
         for (const PathBranch& branch : path.branches) {
             if (!isThere(scene.paths, branch.path) && problem.empty()) {
-                problem = name + ") branches off to the path " + std::to_string(branch.path) +
-                          ", which is not there";
+                problem = Message(
+                    QT_TRANSLATE_NOOP(
+                        "Messages",
+                        "paths: \"%1\" (id %2) branches off to the path %3, which is not there"),
+                    path.name, path.id, branch.path);
             }
         }
     }
@@ -154,49 +156,65 @@ void checkNames(const Scene& scene, std::string& problem)
 
 } // namespace
 
-json surfaceJson(const SurfaceSettings& surface)
+json memberJson(members::Places, const Scene& scene)
 {
-    return withUnknown(surface.unknownMembers, {{"radius", number(surface.radius)},
-                                                {"height", number(surface.height)},
-                                                {"climb", number(surface.climb)},
-                                                {"slope", number(surface.slopeDegrees)}});
-}
-
-void writeEnvironment(const Scene& scene, json& top)
-{
+    json list = json::array();
     for (const Place& place : scene.places) {
-        top["places"].push_back(toJson(place));
+        list.push_back(toJson(place));
     }
-    for (const Path& path : scene.paths) {
-        top["paths"].push_back(toJson(path));
-    }
-    if (scene.surface != SurfaceSettings()) {
-        top["surface"] = surfaceJson(scene.surface);
-    }
-    if (scene.stepsPerSecond != kStepRates.front()) {
-        top["stepsPerSecond"] = scene.stepsPerSecond;
-    }
+    return list;
 }
 
-void readEnvironment(JsonFields& top, Scene& scene, std::string& problem)
+void readMember(members::Places, JsonFields& top, Scene& scene, Message& problem)
 {
     readObjects(top, "places", "", problem, [&scene](JsonFields fields, const std::string&) {
         scene.places.push_back(placeFrom(std::move(fields)));
     });
+    sortById(scene.places, "places", problem);
+}
+
+json memberJson(members::Paths, const Scene& scene)
+{
+    json list = json::array();
+    for (const Path& path : scene.paths) {
+        list.push_back(toJson(path));
+    }
+    return list;
+}
+
+void readMember(members::Paths, JsonFields& top, Scene& scene, Message& problem)
+{
     readObjects(top, "paths", "", problem,
                 [&scene, &problem](JsonFields fields, const std::string& where) {
                     scene.paths.push_back(pathFrom(std::move(fields), where, problem));
                 });
+    sortById(scene.paths, "paths", problem);
+    checkNames(scene, problem);
+}
+
+json memberJson(members::Surface, const Scene& scene)
+{
+    return toJson(scene.surface);
+}
+
+void readMember(members::Surface, JsonFields& top, Scene& scene, Message&)
+{
     if (const json* surface = top.find("surface")) {
         scene.surface = surfaceFrom(top.part(*surface, "surface"));
     }
+}
+
+json memberJson(members::Steps, const Scene& scene)
+{
+    return scene.stepsPerSecond;
+}
+
+void readMember(members::Steps, JsonFields& top, Scene& scene, Message&)
+{
     top.read("stepsPerSecond", scene.stepsPerSecond);
     if (std::ranges::find(kStepRates, scene.stepsPerSecond) == kStepRates.end()) {
-        top.complain("stepsPerSecond", "must be 30, 60 or 120");
+        top.complain("stepsPerSecond", QT_TRANSLATE_NOOP("Messages", "%1 must be 30, 60 or 120"));
     }
-    sortEntries(scene.places, "places", problem);
-    sortEntries(scene.paths, "paths", problem);
-    checkNames(scene, problem);
 }
 
 } // namespace crowd::model

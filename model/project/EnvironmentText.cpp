@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/EnvironmentText.h"
 
-#include <algorithm>
-#include <array>
+#include <set>
 
 #include "model/project/EnvironmentChecks.h"
-#include "model/project/EnvironmentJson.h"
+#include "model/project/MemberJson.h"
 
 namespace crowd::model {
 
@@ -13,9 +12,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array kMembers{"places", "paths", "tags", "rules", "numbers", "cues"};
-constexpr const char* kSurface = "surface";
-constexpr const char* kSteps = "stepsPerSecond";
 constexpr int kDeepest = 64; ///< as project files
 
 /// Reading goes down as deep as text is nested, and so does writing what is not known.
@@ -36,44 +32,66 @@ bool isTooDeep(const std::string& text)
     return depth > kDeepest;
 }
 
+/// Calls act(member) for each member that belongs to the environment.
+template<class Act>
+void forEachPart(const Act& act)
+{
+    forEachMember([&act]<class M>(const M& member) {
+        if constexpr (M::isEnvironment) {
+            act(member);
+        }
+    });
+}
+
+std::string allKeys()
+{
+    std::string all;
+    forEachPart([&]<class M>(const M&) { all += (all.empty() ? "" : ", ") + std::string(M::key); });
+    return all;
+}
+
 /// Names of members that the scene keeps without knowing them.
 class UnknownNames
 {
 public:
     explicit UnknownNames(const Scene& scene)
     {
-        addAll(scene.places);
-        addAll(scene.paths);
-        for (const Path& path : scene.paths) {
-            addAll(path.branches);
-        }
-        addAll(scene.rules);
-        for (const Rule& rule : scene.rules) {
-            add(rule.trigger.unknownMembers);
-            addAll(rule.conditions);
-            addAll(rule.actions);
-            forEachPart(rule, [this](const RuleKind& kind, const void* object) {
-                for (const FieldInfo& field : kind.fields) {
-                    if (field.is<std::vector<ClipWeight>>()) {
-                        addAll(std::get<std::vector<ClipWeight>>(field.get(object)));
-                    }
-                }
-            });
-        }
-        addAll(scene.tags);
-        addAll(scene.numbers);
-        addAll(scene.cues);
-        add(scene.surface.unknownMembers);
+        forEachPart([&]<class M>(const M&) { addOf(M::of(scene)); });
     }
     [[nodiscard]] const JsonFields::Tolerated& names() const { return m_names; }
 
 private:
     template<class Entry>
-    void addAll(const std::vector<Entry>& entries)
+    void addOf(const std::vector<Entry>& entries)
     {
         for (const Entry& entry : entries) {
-            add(entry.unknownMembers);
+            addOf(entry);
         }
+    }
+    template<class Entry>
+    void addOf(const Entry& entry)
+    {
+        add(entry.unknownMembers);
+    }
+    void addOf(std::uint32_t) {}
+    void addOf(const Path& path)
+    {
+        add(path.unknownMembers);
+        addOf(path.branches);
+    }
+    void addOf(const Rule& rule)
+    {
+        add(rule.unknownMembers);
+        add(rule.trigger.unknownMembers);
+        addOf(rule.conditions);
+        addOf(rule.actions);
+        model::forEachPart(rule, [this](const RuleKind& kind, const void* object) {
+            for (const FieldInfo& field : kind.fields) {
+                if (field.is<std::vector<ClipWeight>>()) {
+                    addOf(std::get<std::vector<ClipWeight>>(field.get(object)));
+                }
+            }
+        });
     }
     void add(const std::string& members)
     {
@@ -90,75 +108,62 @@ private:
 
 } // namespace
 
-std::string environmentText(const Scene& scene, const EnvironmentParts& parts)
+MemberSet environmentMembers()
 {
-    json all = json::object();
-    writeEnvironment(scene, all);
-    writeRules(scene, all);
-    const std::array isMeant{parts.places, parts.paths,   parts.tags,
-                             parts.rules,  parts.numbers, parts.cues};
-    json meant = json::object();
-    for (std::size_t i = 0; i < kMembers.size(); ++i) {
-        if (isMeant[i]) {
-            meant[kMembers[i]] = all.contains(kMembers[i]) ? all[kMembers[i]] : json::array();
+    MemberSet all;
+    forEachPart([&all]<class M>(const M&) { all.add<M>(); });
+    return all;
+}
+
+std::string environmentText(const Scene& scene, const MemberSet& meant)
+{
+    json top = json::object();
+    forEachPart([&]<class M>(const M& member) {
+        if (meant.contains<M>()) {
+            top[M::key] = memberJson(member, scene);
         }
-    }
-    if (parts.surface) {
-        meant[kSurface] = surfaceJson(scene.surface);
-    }
-    if (parts.steps) {
-        meant[kSteps] = scene.stepsPerSecond;
-    }
-    return meant.dump(-1, ' ', false, json::error_handler_t::replace);
+    });
+    return top.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 Result<void> readEnvironmentText(const std::string& text, Scene& scene, bool isStrict)
 {
     if (isTooDeep(text)) {
-        return Error{"The environment is nested more than " + std::to_string(kDeepest) + " deep."};
+        return Error{QT_TRANSLATE_NOOP("Messages", "The environment is nested more than %1 deep."),
+                     kDeepest};
     }
     const json top = json::parse(text, nullptr, false);
     if (top.is_discarded() || !top.is_object()) {
-        return Error{"The environment must be an object with lists of places, paths, tags, rules, "
-                     "numbers and cues."};
-    }
-    for (const auto& [name, value] : top.items()) {
-        if (name != kSurface && name != kSteps &&
-            std::ranges::find(kMembers, name) == kMembers.end()) {
-            return Error{"The environment has no \"" + name +
-                         "\": there are places, paths, tags, rules, numbers, cues, surface and "
-                         "stepsPerSecond."};
-        }
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "The environment must be an object with lists of places, "
+                                       "paths, tags, rules, numbers and cues.")};
     }
     Scene changed = scene;
-    if (top.contains("places")) {
-        changed.places.clear();
+    std::set<std::string> known;
+    forEachPart([&]<class M>(const M&) {
+        known.insert(M::key);
+        if constexpr (requires { M::of(changed).clear(); }) {
+            if (top.contains(M::key)) {
+                M::of(changed).clear();
+            }
+        }
+    });
+    for (const auto& [name, value] : top.items()) {
+        if (!known.contains(name)) {
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "The environment has no \"%1\": there are %2."), name,
+                allKeys()};
+        }
     }
-    if (top.contains("paths")) {
-        changed.paths.clear();
-    }
-    if (top.contains("tags")) {
-        changed.tags.clear();
-    }
-    if (top.contains("rules")) {
-        changed.rules.clear();
-    }
-    if (top.contains("numbers")) {
-        changed.numbers.clear();
-    }
-    if (top.contains("cues")) {
-        changed.cues.clear();
-    }
-    std::string problem;
+    Message problem;
     const UnknownNames kept(scene);
     JsonFields fields(top, "", problem, isStrict ? &kept.names() : nullptr);
-    readEnvironment(fields, changed, problem);
-    readRules(fields, changed, problem);
+    forEachPart([&](const auto& member) { readMember(member, fields, changed, problem); });
     if (isStrict) {
         checkEnvironment(scene, changed, problem);
     }
     if (!problem.empty()) {
-        return Error{problem + "."};
+        return Error{"%1.", problem};
     }
     scene = std::move(changed);
     return {};

@@ -4,28 +4,19 @@
 #include <string>
 
 #include "model/base/Result.h"
-#include "model/scene/Scene.h"
+#include "model/scene/SceneMembers.h"
 
 /// Places, paths, tags, rules and what belongs to them apart from the rest of a project, for
 /// scripts.
 namespace crowd::model {
 
-/// Which of them are meant.
-struct EnvironmentParts
-{
-    bool places = true;
-    bool paths = true;
-    bool tags = true;
-    bool rules = true;
-    bool numbers = true;
-    bool cues = true;
-    bool surface = true;
-    bool steps = true;
-};
+/// The members that belong to it.
+[[nodiscard]] MemberSet environmentMembers();
 
 /// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "surface",
 /// "stepsPerSecond" as the project file has them; those that are meant, also where they are empty.
-[[nodiscard]] std::string environmentText(const Scene& scene, const EnvironmentParts& parts = {});
+[[nodiscard]] std::string environmentText(const Scene& scene,
+                                          const MemberSet& meant = environmentMembers());
 
 /// Puts what the text holds in the place of what the scene has; members that are not there stay.
 /// A problem names the member that is wrong, and the scene is as before. Strict: members that

@@ -14,6 +14,8 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
+#include "model/base/Message.h"
+
 namespace crowd::model {
 
 /// Reads members of one JSON object into typed variables and remembers the first thing that is
@@ -26,13 +28,13 @@ class JsonFields
 public:
     using Tolerated = std::set<std::string>;
 
-    JsonFields(const nlohmann::json& object, std::string place, std::string& firstProblem,
+    JsonFields(const nlohmann::json& object, std::string place, Message& firstProblem,
                const Tolerated* tolerated = nullptr)
         : m_object(object), m_place(std::move(place)), m_problem(firstProblem),
           m_tolerated(tolerated)
     {
         if (!m_object.is_object()) {
-            complain("", "must be an object");
+            complain("", QT_TRANSLATE_NOOP("Messages", "%1 must be an object"));
         }
     }
 
@@ -49,7 +51,7 @@ public:
         return part(object, placeOf(list) + "[" + std::to_string(index) + "]");
     }
     /// The same object, with what is wrong told to somebody else.
-    [[nodiscard]] JsonFields apart(std::string& problem) const
+    [[nodiscard]] JsonFields apart(Message& problem) const
     {
         return {m_object, m_place, problem, nullptr};
     }
@@ -70,7 +72,7 @@ public:
     void require(std::string_view key, Target& target)
     {
         if (find(key) == nullptr) {
-            complain(key, "is missing");
+            complain(key, QT_TRANSLATE_NOOP("Messages", "%1 is missing"));
         }
         read(key, target);
     }
@@ -86,14 +88,12 @@ public:
         const auto found = m_object.find(std::string(key));
         return found == m_object.end() ? nullptr : &*found;
     }
-    void complain(std::string_view key, std::string_view what)
+    /// A message whose %1 is the place of the member, or of this object where there is no key.
+    template<class... Arguments>
+    void complain(std::string_view key, const char* id, const Arguments&... arguments)
     {
         if (m_problem.empty()) {
-            m_problem = m_place;
-            if (!key.empty()) {
-                m_problem += (m_place.empty() ? "" : ".") + std::string(key);
-            }
-            m_problem += " " + std::string(what);
+            m_problem = Message(id, key.empty() ? m_place : placeOf(key), arguments...);
         }
     }
 
@@ -106,7 +106,8 @@ public:
             if (m_object.is_object() && std::ranges::find(m_asked, key) == m_asked.end()) {
                 unknown[key] = value;
                 if (m_tolerated != nullptr && !m_tolerated->contains(key)) {
-                    complain("", "has no \"" + key + "\": there are " + allAsked());
+                    complain("", QT_TRANSLATE_NOOP("Messages", "%1 has no \"%2\": there are %3"),
+                             key, allAsked());
                 }
             }
         }
@@ -189,24 +190,37 @@ private:
         }
         return true;
     }
-    static const char* expected(float) { return "must be a finite number"; }
-    static const char* expected(bool) { return "must be true or false"; }
-    static const char* expected(const std::string&) { return "must be a text"; }
-    static const char* expected(const glm::vec3&) { return "must be three finite numbers"; }
+    static const char* expected(float)
+    {
+        return QT_TRANSLATE_NOOP("Messages", "%1 must be a finite number");
+    }
+    static const char* expected(bool)
+    {
+        return QT_TRANSLATE_NOOP("Messages", "%1 must be true or false");
+    }
+    static const char* expected(const std::string&)
+    {
+        return QT_TRANSLATE_NOOP("Messages", "%1 must be a text");
+    }
+    static const char* expected(const glm::vec3&)
+    {
+        return QT_TRANSLATE_NOOP("Messages", "%1 must be three finite numbers");
+    }
     static const char* expected(const glm::quat&)
     {
-        return "must be a unit quaternion [x, y, z, w]";
+        return QT_TRANSLATE_NOOP("Messages", "%1 must be a unit quaternion [x, y, z, w]");
     }
     template<class Unsigned>
     requires std::is_unsigned_v<Unsigned>
     static const char* expected(Unsigned)
     {
-        return "must be a whole number that is not negative and not too large";
+        return QT_TRANSLATE_NOOP(
+            "Messages", "%1 must be a whole number that is not negative and not too large");
     }
 
     const nlohmann::json& m_object;
     std::string m_place;
-    std::string& m_problem;
+    Message& m_problem;
     const Tolerated* m_tolerated;
     std::vector<std::string> m_asked;
 };

@@ -14,8 +14,8 @@ struct MissingAsset
     bool isStage = false;
     unsigned id = 0; ///< of the template or the stage
     std::string name;
-    std::string path;    ///< where it was looked for
-    std::string problem; ///< why it is not there
+    std::string path; ///< where it was looked for
+    std::string problem;  ///< why it is not there
 };
 
 [[nodiscard]] std::vector<MissingAsset> missingAssets(const Scene& scene);

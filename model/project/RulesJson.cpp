@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "model/project/RulesJson.h"
+
 #include <cmath>
 #include <limits>
 #include <unordered_set>
 
 #include <nlohmann/json.hpp>
 
-#include "model/project/EnvironmentJson.h"
 #include "model/project/JsonWriting.h"
 #include "model/rules/Rule.h"
 #include "model/rules/RuleSequence.h"
@@ -64,7 +65,7 @@ void readTag(JsonFields& fields, const char* key, std::uint8_t& tag)
 {
     fields.read(key, tag);
     if (tag >= kTagCount) {
-        fields.complain(key, "must be a tag from 0 to 63");
+        fields.complain(key, QT_TRANSLATE_NOOP("Messages", "%1 must be a tag from 0 to 63"));
     }
 }
 
@@ -125,7 +126,7 @@ void readKind(JsonFields& fields, RulePart<Data>& part)
     for (const RuleKind& kind : kinds) {
         all += (all.empty() ? "" : ", ") + std::string(kind.text.key);
     }
-    fields.complain("kind", "must be one of: " + all);
+    fields.complain("kind", QT_TRANSLATE_NOOP("Messages", "%1 must be one of: %2"), all);
 }
 
 template<class Data>
@@ -161,7 +162,7 @@ void readAction(JsonFields fields, Action& action)
     readPart(fields, action);
 }
 
-Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
+Rule ruleFrom(JsonFields fields, const std::string& where, Message& problem)
 {
     Rule rule;
     fields.require("id", rule.id);
@@ -183,20 +184,18 @@ Rule ruleFrom(JsonFields fields, const std::string& where, std::string& problem)
     readWithin(fields, "cooldown", 0.0F, kMaxSeconds, rule.cooldownSeconds);
     fields.read("limit", rule.limit);
     if (rule.conditions.size() > kMaxParts || rule.actions.size() > kMaxParts) {
-        fields.complain("", "has more than " + std::to_string(kMaxParts) + " parts");
+        fields.complain("", QT_TRANSLATE_NOOP("Messages", "%1 has more than %2 parts"), kMaxParts);
     }
     rule.unknownMembers = fields.unknown();
     return rule;
 }
 
-void checkRules(const Scene& scene, std::string& problem)
+void checkRules(const Scene& scene, Message& problem)
 {
     std::unordered_set<RuleId> ids;
     for (const Rule& rule : scene.rules) {
         if (!ids.insert(rule.id).second || rule.id == 0) {
-            problem = !problem.empty() ? problem
-                                       : "rules: the id " + std::to_string(rule.id) +
-                                             (rule.id == 0 ? " is not allowed" : " is given twice");
+            problem = !problem.empty() ? problem : idProblem("rules", rule.id);
         }
     }
 }
@@ -210,6 +209,12 @@ json toJson(const Cue& cue)
                                             {"key", cue.key},
                                             {"reach", nameOf(kCueReaches, cue.reach)},
                                             {"tag", cue.tag}});
+}
+
+json toJson(const TagName& tag)
+{
+    return withUnknown(tag.unknownMembers,
+                       {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}});
 }
 
 json toJson(const NumberName& named)
@@ -232,7 +237,8 @@ void readCue(JsonFields fields, Cue& cue)
     readWithin(fields, "payload", -kMaxPayload, kMaxPayload, cue.payload);
     fields.read("key", cue.key);
     if (!cue.key.empty() && std::ranges::find(kCueKeys, cue.key) == kCueKeys.end()) {
-        fields.complain("key", "must be one of F3 to F10 or empty");
+        fields.complain("key",
+                        QT_TRANSLATE_NOOP("Messages", "%1 must be one of F3 to F10 or empty"));
     }
     readName(fields, "reach", kCueReaches, cue.reach);
     readTag(fields, "tag", cue.tag);
@@ -252,8 +258,10 @@ void readNumberValues(JsonFields& fields, NumberName& named)
                pair[1].is_number() && std::fabs(pair[1].get<double>()) <= double{kMaxNumber};
     };
     if (!list->is_array() || !std::ranges::all_of(*list, isPair)) {
-        fields.complain("values", "must be a list of pairs: an individual's id and a number from "
-                                  "-1000000 to 1000000");
+        fields.complain("values",
+                        QT_TRANSLATE_NOOP("Messages",
+                                          "%1 must be a list of pairs: an individual's id and a "
+                                          "number from -1000000 to 1000000"));
         return;
     }
     for (const json& pair : *list) {
@@ -263,8 +271,8 @@ void readNumberValues(JsonFields& fields, NumberName& named)
     const auto twice = std::ranges::adjacent_find(
         named.values, [](const auto& a, const auto& b) { return a.first == b.first; });
     if (twice != named.values.end()) {
-        fields.complain("values",
-                        "names the individual " + std::to_string(twice->first) + " twice");
+        fields.complain("values", QT_TRANSLATE_NOOP("Messages", "%1 names the individual %2 twice"),
+                        twice->first);
     }
 }
 
@@ -280,7 +288,7 @@ void readNumber(JsonFields fields, NumberName& named)
 
 /// Not too many, each with an id of its own.
 template<class Entry>
-void checkEntryIds(const std::vector<Entry>& entries, const char* key, std::string& problem)
+void checkEntryIds(const std::vector<Entry>& entries, const char* key, Message& problem)
 {
     std::vector<std::uint32_t> ids;
     ids.reserve(entries.size());
@@ -293,66 +301,98 @@ void checkEntryIds(const std::vector<Entry>& entries, const char* key, std::stri
         return;
     }
     if (ids.size() > kMaxNamed) {
-        problem = std::string(key) + ": there are more than " + std::to_string(kMaxNamed);
+        problem =
+            Message(QT_TRANSLATE_NOOP("Messages", "%1: there are more than %2"), key, kMaxNamed);
     } else if (!ids.empty() && ids.front() == 0) {
-        problem = std::string(key) + ": the id 0 is not allowed";
+        problem = idProblem(key, 0);
     } else if (twice != ids.end()) {
-        problem = std::string(key) + ": the id " + std::to_string(*twice) + " is given twice";
+        problem = idProblem(key, *twice);
     }
 }
 
-void checkTags(Scene& scene, std::string& problem)
+void checkTags(Scene& scene, Message& problem)
 {
     std::ranges::sort(scene.tags, {}, &TagName::bit);
     const auto twice = std::ranges::adjacent_find(scene.tags, {}, &TagName::bit);
     if (problem.empty() && twice != scene.tags.end()) {
-        problem = "tags: the tag " + std::to_string(twice->bit) + " is given twice";
+        problem =
+            Message(QT_TRANSLATE_NOOP("Messages", "tags: the tag %1 is given twice"), twice->bit);
     }
 }
 
 } // namespace
 
-void writeRules(const Scene& scene, json& top)
+json memberJson(members::Rules, const Scene& scene)
 {
+    json list = json::array();
     for (const Rule& rule : scene.rules) {
-        top["rules"].push_back(toJson(rule));
+        list.push_back(toJson(rule));
     }
-    for (const TagName& tag : scene.tags) {
-        top["tags"].push_back(
-            withUnknown(tag.unknownMembers,
-                        {{"tag", tag.bit}, {"name", tag.name}, {"color", colorText(tag.color)}}));
-    }
-    for (const NumberName& named : scene.numbers) {
-        top["numbers"].push_back(toJson(named));
-    }
-    for (const Cue& cue : scene.cues) {
-        top["cues"].push_back(toJson(cue));
-    }
+    return list;
 }
 
-void readRules(JsonFields& top, Scene& scene, std::string& problem)
+void readMember(members::Rules, JsonFields& top, Scene& scene, Message& problem)
 {
     readObjects(top, "rules", "", problem, [&](JsonFields fields, const std::string& where) {
         scene.rules.push_back(ruleFrom(std::move(fields), where, problem));
     });
-    readObjects(top, "tags", "", problem, [&](JsonFields fields, const std::string&) {
+    checkRules(scene, problem);
+}
+
+json memberJson(members::Tags, const Scene& scene)
+{
+    json list = json::array();
+    for (const TagName& tag : scene.tags) {
+        list.push_back(toJson(tag));
+    }
+    return list;
+}
+
+void readMember(members::Tags, JsonFields& top, Scene& scene, Message& problem)
+{
+    readObjects(top, "tags", "", problem, [&scene](JsonFields fields, const std::string&) {
         TagName& tag = scene.tags.emplace_back();
         readTag(fields, "tag", tag.bit);
         fields.read("name", tag.name);
         readColor(fields, "color", tag.color);
         tag.unknownMembers = fields.unknown();
     });
-    readObjects(top, "numbers", "", problem, [&](JsonFields fields, const std::string&) {
+    checkTags(scene, problem);
+}
+
+json memberJson(members::Numbers, const Scene& scene)
+{
+    json list = json::array();
+    for (const NumberName& named : scene.numbers) {
+        list.push_back(toJson(named));
+    }
+    return list;
+}
+
+void readMember(members::Numbers, JsonFields& top, Scene& scene, Message& problem)
+{
+    readObjects(top, "numbers", "", problem, [&scene](JsonFields fields, const std::string&) {
         readNumber(std::move(fields), scene.numbers.emplace_back());
     });
-    readObjects(top, "cues", "", problem, [&](JsonFields fields, const std::string&) {
+    checkEntryIds(scene.numbers, "numbers", problem);
+    std::ranges::sort(scene.numbers, {}, &NumberName::id);
+}
+
+json memberJson(members::Cues, const Scene& scene)
+{
+    json list = json::array();
+    for (const Cue& cue : scene.cues) {
+        list.push_back(toJson(cue));
+    }
+    return list;
+}
+
+void readMember(members::Cues, JsonFields& top, Scene& scene, Message& problem)
+{
+    readObjects(top, "cues", "", problem, [&scene](JsonFields fields, const std::string&) {
         readCue(std::move(fields), scene.cues.emplace_back());
     });
-    checkRules(scene, problem);
-    checkTags(scene, problem);
-    checkEntryIds(scene.numbers, "numbers", problem);
     checkEntryIds(scene.cues, "cues", problem);
-    std::ranges::sort(scene.numbers, {}, &NumberName::id);
 }
 
 } // namespace crowd::model

@@ -41,6 +41,7 @@ crowd_add_tests(ROOM model
     tst_RuleFlaws
     tst_RuleSequence
     tst_SceneDocument
+    tst_SceneMembers
     tst_UndoMemory
     tst_WholeFile
 )

@@ -6,7 +6,7 @@
 
 #include <QtCore/QObject>
 
-#include "model/document/SceneChange.h"
+#include "model/scene/SceneChange.h"
 #include "model/document/SceneDocument.h"
 
 namespace crowd::widgets {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/brush/BrushSettings.h"
-#include "model/document/SceneChange.h"
+#include "model/scene/SceneChange.h"
 #include "model/scene/Scene.h"
 #include "render/RenderInput.h"
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "model/project/ViewJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/project/JsonWriting.h"
+
+namespace crowd::model {
+
+namespace {
+
+using nlohmann::json;
+
+json toJson(const NamedCamera& named)
+{
+    const Camera& camera = named.camera;
+    return withUnknown(named.unknownMembers,
+                       {{"name", named.name},
+                        {"position", numbers(camera.position)},
+                        {"orientation", numbers(camera.orientation)},
+                        {"orthographic", camera.projection == Projection::Orthographic},
+                        {"fovY", number(camera.fovYRadians)},
+                        {"orthographicHeight", number(camera.orthographicHeight)},
+                        {"pivotDistance", number(camera.pivotDistance)}});
+}
+
+json toJson(const Lighting& light)
+{
+    return withUnknown(light.unknownMembers, {{"sunAzimuth", number(light.sunAzimuthRadians)},
+                                              {"sunElevation", number(light.sunElevationRadians)},
+                                              {"sunColor", numbers(light.sunColor)},
+                                              {"sunStrength", number(light.sunStrength)},
+                                              {"ambientColor", numbers(light.ambientColor)},
+                                              {"ambientStrength", number(light.ambientStrength)},
+                                              {"skyZenith", numbers(light.skyZenith)},
+                                              {"skyHorizon", numbers(light.skyHorizon)},
+                                              {"ground", numbers(light.ground)},
+                                              {"groundGrid", light.showGroundGrid}});
+}
+
+NamedCamera cameraFrom(JsonFields fields)
+{
+    NamedCamera named;
+    bool isOrthographic = false;
+    fields.require("name", named.name);
+    fields.require("position", named.camera.position);
+    fields.require("orientation", named.camera.orientation);
+    fields.read("orthographic", isOrthographic);
+    fields.read("fovY", named.camera.fovYRadians);
+    fields.read("orthographicHeight", named.camera.orthographicHeight);
+    fields.read("pivotDistance", named.camera.pivotDistance);
+    named.camera.projection = isOrthographic ? Projection::Orthographic : Projection::Perspective;
+    if (named.camera.fovYRadians <= 0.01F || named.camera.fovYRadians >= 3.1F) {
+        fields.complain("fovY",
+                        QT_TRANSLATE_NOOP("Messages", "%1 must lie between 0.01 and 3.1 radians"));
+    }
+    if (named.camera.orthographicHeight <= 0.0F || named.camera.pivotDistance <= 0.0F) {
+        fields.complain(
+            "", QT_TRANSLATE_NOOP("Messages", "%1 must have heights and distances above zero"));
+    }
+    named.unknownMembers = fields.unknown();
+    return named;
+}
+
+Lighting lightingFrom(JsonFields fields)
+{
+    Lighting light;
+    fields.read("sunAzimuth", light.sunAzimuthRadians);
+    fields.read("sunElevation", light.sunElevationRadians);
+    fields.read("sunColor", light.sunColor);
+    fields.read("sunStrength", light.sunStrength);
+    fields.read("ambientColor", light.ambientColor);
+    fields.read("ambientStrength", light.ambientStrength);
+    fields.read("skyZenith", light.skyZenith);
+    fields.read("skyHorizon", light.skyHorizon);
+    fields.read("ground", light.ground);
+    fields.read("groundGrid", light.showGroundGrid);
+    light.unknownMembers = fields.unknown();
+    return light;
+}
+
+} // namespace
+
+json memberJson(members::Cameras, const Scene& scene)
+{
+    json list = json::array();
+    for (const NamedCamera& named : scene.cameras) {
+        list.push_back(toJson(named));
+    }
+    return list;
+}
+
+void readMember(members::Cameras, JsonFields& top, Scene& scene, Message& problem)
+{
+    readObjects(top, "cameras", "", problem, [&scene](JsonFields fields, const std::string&) {
+        scene.cameras.push_back(cameraFrom(std::move(fields)));
+    });
+}
+
+json memberJson(members::Light, const Scene& scene)
+{
+    return toJson(scene.lighting);
+}
+
+void readMember(members::Light, JsonFields& top, Scene& scene, Message&)
+{
+    if (const json* lighting = top.find("lighting")) {
+        scene.lighting = lightingFrom(top.part(*lighting, "lighting"));
+    }
+}
+
+} // namespace crowd::model

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bitset>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "model/scene/Scene.h"
+#include "model/scene/SceneChange.h"
+
+/// What a scene holds beside its people, each member described once. Undo, deltas, comparison,
+/// project files, scripts' environment and recordings are functions over SceneMembers; the compiler
+/// asks for what a new member lacks: isSame() and bytesOf() (model/document/MemberEntries.h) where
+/// its type is not described by fields, and a MemberFile (model/project/MemberFile.h) likewise.
+namespace crowd::model {
+
+enum class MemberKind : std::uint8_t {
+    Entries, ///< a list by ascending `id`; deltas hold the entries that changed
+    Value    ///< deltas hold the whole
+};
+
+template<auto Pointer, class Change, MemberKind Kind>
+struct SceneMember
+{
+    static constexpr auto pointer = Pointer;
+    static constexpr MemberKind kind = Kind;
+    using Type = std::remove_cvref_t<decltype(std::declval<Scene&>().*Pointer)>;
+    using Changed = Change; ///< what is announced
+    /// Whether scripts read and set it with the environment (see EnvironmentText.h).
+    static constexpr bool isEnvironment =
+        std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged>;
+    [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
+    [[nodiscard]] static Type& of(Scene& scene) { return scene.*Pointer; }
+};
+
+/// `key`: the member's name in project files.
+namespace members {
+
+struct Templates : SceneMember<&Scene::templates, TemplatesChanged, MemberKind::Entries>
+{
+    static constexpr const char* key = "templates";
+};
+struct Stages : SceneMember<&Scene::stages, StagesChanged, MemberKind::Entries>
+{
+    static constexpr const char* key = "stages";
+};
+struct Places : SceneMember<&Scene::places, PathsChanged, MemberKind::Entries>
+{
+    static constexpr const char* key = "places";
+};
+struct Paths : SceneMember<&Scene::paths, PathsChanged, MemberKind::Entries>
+{
+    static constexpr const char* key = "paths";
+};
+struct Cameras : SceneMember<&Scene::cameras, CamerasChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "cameras";
+};
+struct Light : SceneMember<&Scene::lighting, LightingChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "lighting";
+};
+struct Tags : SceneMember<&Scene::tags, RulesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "tags";
+};
+struct Rules : SceneMember<&Scene::rules, RulesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "rules";
+};
+struct Numbers : SceneMember<&Scene::numbers, RulesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "numbers";
+};
+struct Cues : SceneMember<&Scene::cues, RulesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "cues";
+};
+struct Steps : SceneMember<&Scene::stepsPerSecond, RulesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "stepsPerSecond";
+};
+struct Surface : SceneMember<&Scene::surface, PathsChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "surface";
+};
+
+} // namespace members
+
+/// The one list. A member comes after those that it refers to: undo takes it back before them.
+using SceneMembers =
+    std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
+               members::Cameras, members::Light, members::Tags, members::Rules, members::Numbers,
+               members::Cues, members::Steps, members::Surface>;
+
+inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
+
+namespace detail {
+
+template<class M, class... All>
+constexpr std::size_t memberIndex(const std::tuple<All...>*)
+{
+    constexpr bool kIsIt[] = {std::is_same_v<M, All>...};
+    std::size_t index = 0;
+    while (!kIsIt[index]) {
+        ++index;
+    }
+    return index;
+}
+
+} // namespace detail
+
+/// Some of the members.
+class MemberSet
+{
+public:
+    template<class M>
+    void add()
+    {
+        m_bits.set(detail::memberIndex<M>(static_cast<const SceneMembers*>(nullptr)));
+    }
+    template<class M>
+    [[nodiscard]] bool contains() const
+    {
+        return m_bits.test(detail::memberIndex<M>(static_cast<const SceneMembers*>(nullptr)));
+    }
+    [[nodiscard]] bool isEmpty() const { return m_bits.none(); }
+    [[nodiscard]] bool intersects(const MemberSet& other) const
+    {
+        return (m_bits & other.m_bits).any();
+    }
+
+private:
+    std::bitset<kMemberCount> m_bits;
+};
+
+/// Calls act(member) for each of them, in the list's order; member is an object without data.
+template<class Act>
+constexpr void forEachMember(const Act& act)
+{
+    std::apply([&act](const auto&... member) { (act(member), ...); }, SceneMembers());
+}
+
+} // namespace crowd::model

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "model/scene/SceneMembers.h"
+
+#include <limits>
+
+#include <QtTest/QTest>
+
+#include "model/document/MemberEntries.h"
+#include "model/document/SceneEdit.h"
+#include "model/project/MemberJson.h"
+#include "model/project/ProjectReader.h"
+#include "model/project/ProjectWriter.h"
+#include "tests/program/Test.h"
+
+using namespace crowd::model;
+
+namespace {
+
+// Another value of each member: the compiler asks for that of a new one.
+void alter(members::Templates, SceneEdit& edit)
+{
+    TemplateEntry entry;
+    entry.path = "/somewhere/man.glb";
+    (void)edit.addTemplate(entry);
+}
+void alter(members::Stages, SceneEdit& edit)
+{
+    StageEntry entry;
+    entry.path = "/somewhere/hill.glb";
+    (void)edit.addStage(entry);
+}
+void alter(members::Places, SceneEdit& edit)
+{
+    (void)edit.addPlace({0, "well", {1.0F, 2.0F, 3.0F}});
+}
+void alter(members::Paths, SceneEdit& edit)
+{
+    (void)edit.addPath({0, "lane", PathKind::Cyclic, {}});
+}
+void alter(members::Cameras, SceneEdit& edit)
+{
+    edit.set<members::Cameras>({NamedCamera{"Front", Camera{}}});
+}
+void alter(members::Light, SceneEdit& edit)
+{
+    Lighting light;
+    light.sunStrength = 2.5F;
+    edit.set<members::Light>(light);
+}
+void alter(members::Tags, SceneEdit& edit)
+{
+    edit.set<members::Tags>({{3, "brave", {9, 8, 7}}});
+}
+void alter(members::Rules, SceneEdit& edit)
+{
+    Rule rule;
+    rule.id = 1;
+    rule.name = "clap";
+    edit.set<members::Rules>({rule});
+}
+void alter(members::Numbers, SceneEdit& edit)
+{
+    edit.set<members::Numbers>({{1, "patience"}});
+}
+void alter(members::Cues, SceneEdit& edit)
+{
+    edit.set<members::Cues>({{3, "Go", "go", 2.5F, "F7"}});
+}
+void alter(members::Steps, SceneEdit& edit)
+{
+    edit.set<members::Steps>(120);
+}
+void alter(members::Surface, SceneEdit& edit)
+{
+    SurfaceSettings surface;
+    surface.climb = 0.1F;
+    edit.set<members::Surface>(surface);
+}
+
+std::string textOf(const Scene& scene)
+{
+    const auto text = projectToText(scene);
+    return text ? text.value() : text.error().message;
+}
+
+/// What a member of a scene may be made of, described by fields alone.
+struct Lamp
+{
+    std::uint32_t id = 0;
+    float strength = 1.0F;
+    std::string colourName;
+    std::string unknownMembers{};
+    friend bool operator==(const Lamp&, const Lamp&) = default;
+
+    static constexpr auto fields()
+    {
+        return std::tuple(field(&Lamp::id, {.key = "id", .high = 1000.0}),
+                          field(&Lamp::strength, {.key = "strength", .high = 10.0}),
+                          field(&Lamp::colourName, {.key = "colour"}));
+    }
+};
+
+struct Lamps
+{
+    using Type = std::vector<Lamp>;
+    static constexpr const char* key = "lamps";
+    static inline Type all;
+    static Type& of(const Scene&) { return all; }
+};
+
+} // namespace
+
+class tst_SceneMembers : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachIsUndoneAndSaved()
+    {
+        forEachMember([]<class M>(const M& member) {
+            SceneDocument document;
+            const std::string before = textOf(document.scene());
+            const auto edit = document.beginEdit();
+            alter(member, *edit);
+            QVERIFY(edit->commit(QStringLiteral("Alter")));
+            const std::string after = textOf(document.scene());
+            QVERIFY2(after != before, M::key);
+
+            const auto read = projectFromText(after);
+            QVERIFY2(read.isOk(), M::key);
+            QVERIFY2(isSame(M::of(read.value()), M::of(document.scene())), M::key);
+
+            document.undoStack().undo();
+            QVERIFY2(textOf(document.scene()) == before, M::key);
+            document.undoStack().redo();
+            QVERIFY2(textOf(document.scene()) == after, M::key);
+        });
+    }
+
+    void aDeltaNamesWhatChanged()
+    {
+        Scene scene;
+        EditRecord record(scene.nextId);
+        record.touch<members::Cues>(scene);
+        record.touch<members::Light>(scene);
+        scene.cues = {{1, "Go", "go", 0.0F, {}}};
+        const SceneDelta delta = record.delta(scene);
+        QVERIFY(delta.changedMembers().contains<members::Cues>());
+        QVERIFY(!delta.changedMembers().contains<members::Light>()); // touched and left as it was
+        QVERIFY(!delta.isEmpty());
+    }
+
+    void numbersAreComparedByTheirBits()
+    {
+        const float none = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(isSame(Lamp{1, none, {}}, Lamp{1, none, {}}));
+        QVERIFY(!isSame(Lamp{1, 0.0F, {}}, Lamp{1, -0.0F, {}}));
+        QVERIFY(!isSame(Lamp{1, 1.0F, "red"}, Lamp{1, 1.0F, "blue"}));
+        QVERIFY(bytesOf(Lamp{1, 1.0F, std::string(500, 'x')}) >= sizeof(Lamp) + 500);
+    }
+
+    void describedEntriesNeedNoFileOfTheirOwn()
+    {
+        const Scene scene;
+        Lamps::all = {{1, 2.5F, "red"}, {7, 0.5F, "blue", "{\"beam\":3}"}};
+        const Lamps::Type written = Lamps::all;
+        nlohmann::json top;
+        top[Lamps::key] = memberJson(Lamps(), scene);
+        Lamps::all.clear();
+
+        Message problem;
+        JsonFields fields(top, "", problem);
+        Scene read;
+        readMember(Lamps(), fields, read, problem);
+        QVERIFY2(problem.empty(), problem.english().c_str());
+        QVERIFY(Lamps::all == written);
+
+        top[Lamps::key][1]["strength"] = 11.0;
+        readMember(Lamps(), fields, read, problem);
+        QVERIFY2(problem.english().starts_with("lamps[1].strength"), problem.english().c_str());
+    }
+};
+
+CROWD_TEST(tst_SceneMembers)
+#include "tst_SceneMembers.moc"
