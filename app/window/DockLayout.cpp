@@ -46,6 +46,9 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
         if (m_isUntouched && !isHidden()) {
             arrange();
         }
+        if (!std::exchange(m_isTwice, true)) {
+            m_arrange.start();
+        }
     });
     window.installEventFilter(this);
 }
@@ -53,7 +56,7 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
 bool DockLayout::eventFilter(QObject* window, QEvent* event)
 {
     if (event->type() == QEvent::Resize) {
-        m_arrange.start();
+        arrangeSoon();
         for (auto* bar : m_window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
             fitToolBar(*bar, m_window.width());
         }
@@ -84,6 +87,12 @@ void DockLayout::addAll(const DockParts& parts)
             dock(*info.tabAfter)->raise();
         }
     }
+}
+
+void DockLayout::arrangeSoon()
+{
+    m_isTwice = false;
+    m_arrange.start();
 }
 
 void DockLayout::arrange()
@@ -145,6 +154,7 @@ void DockLayout::reset()
     m_window.restoreState(m_initial, kLayoutVersion);
     m_isUntouched = true;
     arrange();
+    arrangeSoon();
     if (wasHidden) {
         Q_EMIT hiddenChanged(false);
     }

@@ -61,13 +61,15 @@ private:
     /// The sizes of a new installation: at the start, and when the window has another size, until
     /// the artist moves a border.
     void arrange();
+    void arrangeSoon(); ///< once the window has its size, and once panels have their widths
 
     QMainWindow& m_window;
     std::vector<QDockWidget*> m_docks;
     QByteArray m_initial;
     QByteArray m_beforeHiding; ///< empty while the panels are there
     bool m_isUntouched = false;
-    QTimer m_arrange; ///< the window has got another size
+    QTimer m_arrange;       ///< the window has got another size
+    bool m_isTwice = false; ///< panels have had their new widths, on which their heights depend
 };
 
 } // namespace crowd::app

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <QtCore/QSettings>
 #include <QtCore/QTranslator>
@@ -41,6 +42,19 @@ Layout layoutOf(const app::MainWindow& window)
         layout[dock->objectName()] = isSeen ? dock->geometry() : QRect();
     }
     return layout;
+}
+
+/// Once nothing moves any more.
+Layout settledLayout(const app::MainWindow& window)
+{
+    Layout before;
+    Layout now = layoutOf(window);
+    (void)QTest::qWaitFor([&] {
+        QTest::qWait(200);
+        before = std::exchange(now, layoutOf(window));
+        return before == now;
+    });
+    return now;
 }
 
 /// Those that two entries of the same menu have, in the menus below too.
@@ -557,8 +571,7 @@ void PanelsTest::charactersFitANarrowPanel()
 
 void PanelsTest::resetLayoutIsThatOfTheFirstStart()
 {
-    QTest::qWait(200);
-    const Layout first = layoutOf(*m_window);
+    const Layout first = settledLayout(*m_window);
     const app::DockLayout& layout = m_window->dockLayout();
     layout.dock(app::DockId::Brushes)->hide();
     layout.dock(app::DockId::BrushSettings)->setFloating(true);
@@ -568,8 +581,7 @@ void PanelsTest::resetLayoutIsThatOfTheFirstStart()
     QTest::qWait(200);
     QVERIFY(layoutOf(*m_window) != first);
     m_window->actions().action("reset-layout")->trigger();
-    QTest::qWait(400);
-    const Layout after = layoutOf(*m_window);
+    const Layout after = settledLayout(*m_window);
     for (const auto& [name, place] : first) {
         QCOMPARE(std::pair(name, after.at(name)), std::pair(name, place));
     }
