@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include <QtTest/QTest>
+#include <nlohmann/json.hpp>
 
+#include "model/brush/BrushJson.h"
 #include "tests/model/BrushScene.h"
 #include "tests/program/Test.h"
 
@@ -15,10 +17,56 @@ class tst_BrushSettings : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyBrushIsTheSameAfterItsJson();
+    void wrongPresetsAreRefusedByName_data();
+    void wrongPresetsAreRefusedByName();
     void mainNumbersStayInTheirLimits();
     void mainNumberIsOneThatTheStrokeUses_data();
     void mainNumberIsOneThatTheStrokeUses();
 };
+
+void tst_BrushSettings::everyBrushIsTheSameAfterItsJson()
+{
+    for (const BrushType& type : brushTypes()) {
+        const auto kind = static_cast<BrushKind>(&type - brushTypes().data());
+        BrushSettings set = initialBrush(kind).withMainNumber(1.5);
+        set.selection = BrushSelection::AllInCircle;
+        set.radiusPixels = 77.0F;
+        const auto read = brushFromJson(brushJson(set));
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QVERIFY2(brushJson(read.value()) == brushJson(set), type.info.id);
+        QVERIFY(withRemembered(initialBrush(kind), brushJson(set)).radiusPixels == 77.0F);
+    }
+}
+
+void tst_BrushSettings::wrongPresetsAreRefusedByName_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("no object") << QStringLiteral("[1]") << QStringLiteral("must be an object");
+    QTest::newRow("no brush") << QStringLiteral("{}") << QStringLiteral("brush.brush is missing");
+    QTest::newRow("a brush that there is none of")
+        << QStringLiteral("{\"brush\":\"broom\"}") << QStringLiteral("must be one of: create");
+    QTest::newRow("a number that is too large")
+        << QStringLiteral("{\"brush\":\"colour\",\"radius\":1e9}")
+        << QStringLiteral("brush.radius");
+    QTest::newRow("a setting of another brush")
+        << QStringLiteral("{\"brush\":\"colour\",\"settings\":{\"speed\":1}}")
+        << QStringLiteral("brush.settings has no \"speed\"");
+    QTest::newRow("a member that nobody knows")
+        << QStringLiteral("{\"brush\":\"colour\",\"sparkle\":1}")
+        << QStringLiteral("no \"sparkle\"");
+}
+
+void tst_BrushSettings::wrongPresetsAreRefusedByName()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, named);
+    const auto read = brushFromJson(nlohmann::json::parse(text.toStdString()));
+    QVERIFY(!read);
+    const QString said = QString::fromStdString(read.error().message);
+    QVERIFY2(said.contains(named), qPrintable(said));
+}
 
 void tst_BrushSettings::mainNumbersStayInTheirLimits()
 {
