@@ -3963,13 +3963,6 @@
     </message>
 </context>
 <context>
-    <name>crowd::app::BackgroundTask</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>crowd::app::CameraBookmarks</name>
     <message>
         <source>The scene has no camera %1. %2 keeps this view as one.</source>
@@ -4054,6 +4047,13 @@
     <message>
         <source>Python, for example:  len(scene)</source>
         <translation>Python, zum Beispiel:  len(scene)</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::DialogTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

@@ -3963,13 +3963,6 @@
     </message>
 </context>
 <context>
-    <name>crowd::app::BackgroundTask</name>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>crowd::app::CameraBookmarks</name>
     <message>
         <source>The scene has no camera %1. %2 keeps this view as one.</source>
@@ -4052,6 +4045,13 @@
     <name>crowd::app::ConsoleInput</name>
     <message>
         <source>Python, for example:  len(scene)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::DialogTask</name>
+    <message>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -24,12 +24,12 @@ namespace {
 
 using model::Result;
 
-model::ImportProgress importProgress(const BackgroundTask::Progress& report, const QString& name)
+model::ImportProgress importProgress(const widgets::TaskReport& report, const QString& name)
 {
     return [report, name](float fraction) { return report(name, fraction); };
 }
 
-model::LoadProgress loadProgress(const BackgroundTask::Progress& report)
+model::LoadProgress loadProgress(const widgets::TaskReport& report)
 {
     return [report](const std::string& what, float fraction) {
         return report(AssetController::tr("Reading %1…").arg(QString::fromStdString(what)),
@@ -89,7 +89,7 @@ AssetController::AssetController(widgets::EditorState& state, QWidget* window)
     : QObject(window), m_state(state), m_window(window),
       m_task(window, [&state] { return !state.document().isEditOpen(); })
 {
-    connect(&m_task, &BackgroundTask::ended, this, &AssetController::goOn);
+    connect(&m_task, &DialogTask::ended, this, &AssetController::goOn);
 }
 
 void AssetController::goOn()
@@ -145,7 +145,7 @@ void AssetController::addFromLibrary()
     }
     m_task.start(
         tr("Reading the library…"),
-        [](const BackgroundTask::Progress& report) {
+        [](const widgets::TaskReport& report) {
             model::Scene library;
             library.templates = model::builtinCast();
             model::loadAssets(library, loadProgress(report));
@@ -253,7 +253,7 @@ void AssetController::proposeTemplate(const QString& path, QueuePlace place)
     }
     m_task.start(
         tr("Reading %1…").arg(fileName(path)),
-        [path](const BackgroundTask::Progress& report) {
+        [path](const widgets::TaskReport& report) {
             return model::importTemplate(path.toStdString(), {},
                                          importProgress(report, fileName(path)));
         },
@@ -298,7 +298,7 @@ void AssetController::addTemplate(const QString& path, const model::ImportSettin
     entry.clipRoles = clipRoles;
     m_task.start(
         tr("Importing %1…").arg(fileName(path)),
-        [path, settings](const BackgroundTask::Progress& report) {
+        [path, settings](const widgets::TaskReport& report) {
             return model::importTemplate(path.toStdString(), settings,
                                          importProgress(report, fileName(path)));
         },
@@ -332,7 +332,7 @@ void AssetController::addStage(const QString& path)
     }
     m_task.start(
         tr("Importing %1…").arg(fileName(path)),
-        [path](const BackgroundTask::Progress& report) {
+        [path](const widgets::TaskReport& report) {
             return model::importStage(path.toStdString(), importProgress(report, fileName(path)));
         },
         [this, path](const Result<model::StagePtr>& asset) {
@@ -378,7 +378,7 @@ void AssetController::editClips(model::TemplateId id)
     const QString name = QString::fromStdString(entry->name);
     m_task.start(
         tr("Reading %1…").arg(name),
-        [entry = *entry](const BackgroundTask::Progress& report) -> Result<model::TemplatePtr> {
+        [entry = *entry](const widgets::TaskReport& report) -> Result<model::TemplatePtr> {
             auto asset = model::loadTemplateAsset(entry, loadProgress(report));
             if (!asset) {
                 return asset.error();
@@ -460,7 +460,7 @@ void AssetController::locateAt(const model::MissingAsset& asset, const QString& 
     const model::Scene scene = m_state.scene(); // columns and assets are shared
     m_task.start(
         tr("Reading %1…").arg(fileName(path)),
-        [scene, asset, path](const BackgroundTask::Progress& report) {
+        [scene, asset, path](const widgets::TaskReport& report) {
             return findAssets(scene, asset, path.toStdString(), loadProgress(report));
         },
         [this](const Result<FoundAssets>& found) {

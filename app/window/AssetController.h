@@ -7,7 +7,7 @@
 #include <QtCore/QPointer>
 #include <QtCore/QStringList>
 
-#include "app/window/BackgroundTask.h"
+#include "app/window/DialogTask.h"
 #include "app/window/FoundAssets.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
@@ -93,7 +93,7 @@ private:
 
     widgets::EditorState& m_state;
     QWidget* m_window;
-    BackgroundTask m_task;
+    DialogTask m_task;
     QPointer<QDialog> m_dialog;             ///< open now
     QStringList m_waiting;                  ///< to be proposed after it
     int m_proposed = 0;                     ///< of those that wait together

@@ -33,7 +33,7 @@ QString sceneFilter()
     return QCoreApplication::translate("crowd::app::FileController", "Crowdbrush scenes (*.crowd)");
 }
 
-model::LoadProgress sceneProgress(const BackgroundTask::Progress& report)
+model::LoadProgress sceneProgress(const widgets::TaskReport& report)
 {
     return [report](const std::string& what, float fraction) {
         return report(QCoreApplication::translate("crowd::app::FileController", "Loading %1…")
@@ -74,7 +74,7 @@ FileController::FileController(widgets::EditorState& state, QWidget* window)
     : QObject(window), m_state(state), m_window(window),
       m_task(window, [&state] { return !state.document().isEditOpen(); }), m_autosaver(state, this)
 {
-    connect(&m_task, &BackgroundTask::ended, this, &FileController::becameIdle);
+    connect(&m_task, &DialogTask::ended, this, &FileController::becameIdle);
 }
 
 FileController::FileStamp FileController::stampOf(const QString& path)
@@ -116,7 +116,7 @@ void FileController::showNew(model::Scene scene)
     const std::uint64_t revision = m_state.document().revision();
     m_task.start(
         tr("Preparing a new scene…"),
-        [scene = std::move(scene)](const BackgroundTask::Progress& report) {
+        [scene = std::move(scene)](const widgets::TaskReport& report) {
             model::Scene loaded = scene;
             model::loadAssets(loaded, sceneProgress(report));
             return loaded;
@@ -277,7 +277,7 @@ void FileController::load(const Opening& opening)
     const std::uint64_t revision = m_state.document().revision();
     m_task.start(
         tr("Opening %1…").arg(QFileInfo(shown).fileName()),
-        [file = opening.file](const BackgroundTask::Progress& report) {
+        [file = opening.file](const widgets::TaskReport& report) {
             return model::loadScene(file, sceneProgress(report));
         },
         [this, opening, stamp, revision](model::Result<model::Scene> scene) {

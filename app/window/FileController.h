@@ -8,7 +8,7 @@
 #include <QtCore/QStringList>
 
 #include "app/window/Autosaver.h"
-#include "app/window/BackgroundTask.h"
+#include "app/window/DialogTask.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 #include "widgets/state/EditorState.h"
@@ -96,7 +96,7 @@ private:
 
     widgets::EditorState& m_state;
     QWidget* m_window;
-    BackgroundTask m_task;
+    DialogTask m_task;
     Autosaver m_autosaver;
     FileStamp m_stamp;      ///< of the document's file
     QString m_untitledName; ///< of the example that was opened

@@ -2,7 +2,6 @@
 #include "widgets/dialogs/ImportDialog.h"
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include <QtCore/QCoreApplication>
@@ -117,20 +116,6 @@ ImportDialog::ImportDialog(const QString& path, model::TemplatePtr asset,
     connect(m_clips, &QTableWidget::currentCellChanged, this,
             [this] { m_preview->show(m_asset, m_clips->shownClip()); });
     refresh();
-}
-
-ImportDialog::~ImportDialog()
-{
-    stopWorker();
-}
-
-void ImportDialog::stopWorker()
-{
-    m_isStale = true;
-    if (m_worker.joinable()) {
-        m_worker.join();
-    }
-    m_isStale = false;
 }
 
 void ImportDialog::buildLayout()
@@ -256,29 +241,20 @@ std::vector<std::optional<model::ClipRole>> ImportDialog::clipRoles() const
 
 void ImportDialog::refresh()
 {
-    stopWorker();
-    m_worker = std::thread(
-        [this, path = m_path.toStdString(), settings = settings(), generation = ++m_generation] {
-            auto asset = std::make_shared<model::Result<model::TemplatePtr>>(
-                model::importTemplate(path, settings, [this](float) { return !m_isStale; }));
-            if (m_isStale) {
-                return; // somebody waits for this thread, or the next one is about to start
-            }
-            QMetaObject::invokeMethod(
-                this,
-                [this, asset, settings, generation] {
-                    if (generation == m_generation) { // no later one is under way
-                        take(*asset, settings);
-                    }
-                },
-                Qt::QueuedConnection);
+    m_task.cancel();
+    m_task.start(
+        [path = m_path.toStdString(), settings = settings()](const TaskReport& report) {
+            return model::importTemplate(
+                path, settings, [&report](float) { return !report.stop().stop_requested(); });
+        },
+        [this, settings = settings()](const model::Result<model::TemplatePtr>& asset) {
+            take(asset, settings);
         });
 }
 
 void ImportDialog::take(const model::Result<model::TemplatePtr>& asset,
                         const model::ImportSettings& settings)
 {
-    stopWorker();
     m_import->setEnabled(asset.isOk());
     if (m_importAll != nullptr) {
         m_importAll->setEnabled(asset.isOk());

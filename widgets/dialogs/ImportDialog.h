@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <QtCore/QTimer>
@@ -13,6 +11,7 @@
 #include "model/base/Result.h"
 #include "model/gltf/ImportProposal.h"
 #include "model/scene/Scene.h"
+#include "widgets/tasks/BackgroundTask.h"
 
 class QCheckBox;
 class QComboBox;
@@ -38,7 +37,6 @@ public:
     /// `asset` was imported with default settings.
     ImportDialog(const QString& path, model::TemplatePtr asset, model::KeyframeStore& keyframes,
                  QWidget* parent);
-    ~ImportDialog() override;
 
     [[nodiscard]] model::ImportSettings settings() const;
     /// One per clip, NaN where the file's own speed stands; empty when none was edited.
@@ -50,7 +48,7 @@ public:
     /// It was pressed.
     [[nodiscard]] bool isForRest() const { return m_isForRest; }
     /// The preview shows the present settings.
-    [[nodiscard]] bool isSettled() const { return !m_worker.joinable() && !m_refresh.isActive(); }
+    [[nodiscard]] bool isSettled() const { return !m_task.isRunning() && !m_refresh.isActive(); }
 
 private:
     void buildLayout();
@@ -59,7 +57,6 @@ private:
     void refresh();
     void take(const model::Result<model::TemplatePtr>& asset,
               const model::ImportSettings& settings);
-    void stopWorker();
     void scaleToHeight(double metres);
     void putOnGround();
     [[nodiscard]] glm::quat rotation() const;
@@ -68,9 +65,7 @@ private:
     model::TemplatePtr m_asset;    ///< as it was imported last
     model::ImportSettings m_shown; ///< with these settings
     model::ImportProposal m_proposal;
-    std::thread m_worker;
-    std::atomic<bool> m_isStale{false}; ///< what the worker does is out of date
-    int m_generation = 0;               ///< of the import that was asked for last
+    BackgroundTask m_task; ///< the import with the settings that were asked for last
     QTimer m_refresh;
     // Children of this widget.
     TemplatePreview* m_preview;

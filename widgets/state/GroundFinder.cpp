@@ -36,21 +36,17 @@ void GroundFinder::begin()
     m_plan = std::move(plan);
     m_isBegun = true;
     if (m_plan.isWorthwhile()) {
-        m_builder.start(m_plan);
-    }
-}
-
-void GroundFinder::take()
-{
-    if (const auto built = m_builder.take(); built && *built) {
-        m_found = built->value();
+        m_builder.start(m_plan, [this](const model::Result<SurfacePtr>& built) {
+            if (built) {
+                m_found = built.value();
+            }
+        });
     }
 }
 
 model::WalkableGroundPtr GroundFinder::soon()
 {
     begin();
-    take();
     return m_found;
 }
 
@@ -60,7 +56,6 @@ model::WalkableGroundPtr GroundFinder::wait()
         Q_EMIT waiting(true);
         m_builder.wait();
         Q_EMIT waiting(false);
-        take();
     }
     return m_found;
 }

@@ -31,7 +31,6 @@ Q_SIGNALS:
 
 private:
     void begin();
-    void take();
     void forget(); ///< what belongs to other stages
 
     model::SceneDocument& m_document;

@@ -171,23 +171,18 @@ void SessionControl::buildSurface()
     m_isSurfaceStale = false;
     m_surfaceProblem.clear();
     m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
-    m_surface->builder.start(m_surface->plan, [this] {
-        QMetaObject::invokeMethod(this, &SessionControl::takeSurface, Qt::QueuedConnection);
-    });
+    m_surface->builder.start(
+        m_surface->plan, [this](const model::Result<SurfacePtr>& built) { takeSurface(built); });
     m_progress.start();
     Q_EMIT surfaceChanged();
 }
 
-void SessionControl::takeSurface()
+void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
 {
-    const auto built = m_surface->builder.take();
-    if (!built) {
-        return;
-    }
-    if (*built) {
-        m_surface->current = built->value();
+    if (built) {
+        m_surface->current = built.value();
     } else {
-        m_surfaceProblem = QString::fromStdString(built->error().message);
+        m_surfaceProblem = QString::fromStdString(built.error().message);
     }
     m_progress.stop();
     if (isRunning()) {

@@ -11,6 +11,7 @@
 
 #include "behavior/base/Problem.h"
 #include "behavior/session/SessionTally.h"
+#include "model/base/Result.h"
 #include "model/brush/BrushSettings.h"
 #include "model/document/SceneDocument.h"
 #include "model/scene/CrowdFrame.h"
@@ -18,6 +19,7 @@
 
 namespace crowd::behavior {
 class SessionPlayer;
+class WalkSurface;
 struct RuleFired;
 } // namespace crowd::behavior
 
@@ -95,7 +97,7 @@ private:
     void drop();
     [[nodiscard]] bool isReady();
     void buildSurface();
-    void takeSurface();
+    void takeSurface(const model::Result<std::shared_ptr<const behavior::WalkSurface>>& built);
     void followWays();
     void followProblems();
 

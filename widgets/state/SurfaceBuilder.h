@@ -3,40 +3,33 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
-#include <vector>
 
 #include "behavior/surface/SurfacePlan.h"
 #include "behavior/surface/WalkSurface.h"
+#include "widgets/tasks/BackgroundTask.h"
 
 namespace crowd::widgets {
 
 using SurfacePtr = std::shared_ptr<const behavior::WalkSurface>;
 
-/// Finds walkable surfaces in the background, one at a time. What is cancelled ends by itself soon,
-/// and its owner does not wait for it; only the destructor does. To be used by one thread.
+/// Finds walkable surfaces in the background, one at a time. Main thread.
 class SurfaceBuilder
 {
 public:
-    SurfaceBuilder();
-    ~SurfaceBuilder();
-    SurfaceBuilder(const SurfaceBuilder&) = delete;
-    SurfaceBuilder& operator=(const SurfaceBuilder&) = delete;
+    using Found = std::function<void(const model::Result<SurfacePtr>&)>;
 
-    /// Cancels the one before. `done` is called on the thread that finds it, when `take` has it.
-    void start(behavior::SurfacePlan plan, std::function<void()> done = {});
-    void cancel();
-    [[nodiscard]] bool isBuilding() const { return m_job != nullptr; } ///< until it is taken
+    /// Cancels the one before.
+    void start(behavior::SurfacePlan plan, Found found);
+    void cancel() { m_task.cancel(); }
+    [[nodiscard]] bool isBuilding() const { return m_task.isRunning(); } ///< until it is found
     [[nodiscard]] float progress() const; ///< 0..1, of what is building
-    void wait();
-    /// Nothing: it is not found yet, or nothing is being found.
-    [[nodiscard]] std::optional<model::Result<SurfacePtr>> take();
+    void wait() { m_task.wait(); }        ///< until it is found
 
 private:
-    struct Job;
+    using Progress = behavior::WalkSurface::Progress;
 
-    std::unique_ptr<Job> m_job;
-    std::vector<std::unique_ptr<Job>> m_cancelled;
+    std::shared_ptr<Progress> m_progress; ///< shared with the thread that is building
+    BackgroundTask m_task;
 };
 
 } // namespace crowd::widgets
