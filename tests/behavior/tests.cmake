@@ -1,11 +1,13 @@
 crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_CrowdSimulation
+    tst_EventQueue
     tst_FootSlide
     tst_Gaits
     tst_Ground
     tst_LongBodies
     tst_PlaceRooms
     tst_Problems
+    tst_PropertyOverrides
     tst_RuleActions
     tst_RuleAims
     tst_RuleLooks
@@ -14,6 +16,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleSeats
     tst_RuleSequences
     tst_RuleSets
+    tst_RuleStages
     tst_RuleStorm
     tst_RuleTriggers
     tst_RuleWalks

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "behavior/rules/Errands.h"
+
+#include <cmath>
+#include <optional>
+
+#include "behavior/motion/TravelEvents.h"
+#include "model/base/Random.h"
+
+namespace crowd::behavior {
+
+namespace {
+
+constexpr float kFullTurn = 6.2831853F;
+constexpr float kThereMetres = 1.5F;             ///< beside a place
+constexpr double kSecondsToAskAgain = 1.0 / 3.0; ///< for a free place
+
+bool isForFree(const PlaceWish& wish)
+{
+    return wish.choice == model::PlaceChoice::NearestFree ||
+           wish.choice == model::PlaceChoice::FirstFree;
+}
+
+void reportNowhere(const ActionScope& scope, const PlaceWish& wish)
+{
+    if (wish.choice == model::PlaceChoice::Given) {
+        scope.report(
+            " sends characters to a place that is not there any more. Choose another one.");
+    } else if (wish.path != 0) {
+        scope.report(" sends characters to places of a path that is not there any more, or has "
+                     "none. Choose another one.");
+    } else if (wish.place != 0) {
+        scope.report(" sends characters to places by a name that none has any more. Choose "
+                     "another one.");
+    } else if (wish.role == model::PlaceRole::Exit) {
+        scope.report(" lets characters leave at an exit, but there is none: they stay. "
+                     "Paint one with the environment brush.");
+    } else {
+        scope.report(" sends characters to a place, but there is none. Paint one with "
+                     "the path brush.");
+    }
+}
+
+/// Until one is free he goes on with what he does.
+void waitForPlace(const ActionScope& scope, const PlaceWish& wish)
+{
+    ActionProgress& progress = scope.progress();
+    progress.isStarted = true;
+    progress.until = scope.now() + kSecondsToAskAgain;
+    if (progress.ticket == 0) {
+        progress.ticket = scope.state.turns.append(scope.state.agents.ids()[scope.agent], wish);
+    }
+}
+
+/// The nearest one is that with the shortest way. Nothing: there is none now, or others wait for
+/// one already.
+std::optional<model::PlaceId> choosePlace(const ActionScope& scope, const PlaceWish& wish)
+{
+    RuleState& state = scope.state;
+    if (isForFree(wish) || wish.choice == model::PlaceChoice::Ahead) {
+        (void)countedPlaces(scope);
+    }
+    const model::PlaceId held = scope.self().heldPlace;
+    const bool mayChoose = !isForFree(wish) || state.places.isAmong(wish, held) ||
+                           state.turns.isFirst(state.agents, scope.agent, wish);
+    if (!mayChoose) {
+        return std::nullopt;
+    }
+    const glm::vec3 at = scope.host.position(scope.agent);
+    const auto wayTo = [&](const model::Place& to) {
+        return scope.host.wayMetres(at, to.position, to.radius + kThereMetres);
+    };
+    return state.places.choose(wish, at, held, wayTo);
+}
+
+void goToPlace(const ActionScope& scope, model::PlaceId place)
+{
+    scope.self().errand.goal = place;
+    scope.progress().until = scope.now() + kSecondsToAskAgain;
+    holdPlace(scope.state, scope.agent, place);
+    sendTo(scope, pointIn(scope, *scope.state.places.find(place)), 0.0F);
+}
+
+ActionStatus setOut(const ActionScope& scope, const PlaceWish& wish)
+{
+    if (!scope.state.places.hasAny(wish)) {
+        reportNowhere(scope, wish);
+    }
+    const std::optional<model::PlaceId> place = choosePlace(scope, wish);
+    if (place) {
+        scope.progress().isStarted = true;
+        scope.progress().isTravelling = true;
+        scope.progress().ticket = 0;
+        goToPlace(scope, *place);
+        return ActionStatus::Running;
+    }
+    if (isForFree(wish)) {
+        waitForPlace(scope, wish);
+        return ActionStatus::Running;
+    }
+    return ActionStatus::Done;
+}
+
+/// On his way to the end of a line he goes further up as that gets shorter, so that those behind
+/// him can set out too.
+void moveUp(const ActionScope& scope, PlaceWish wish)
+{
+    scope.progress().until = scope.now() + kSecondsToAskAgain;
+    if (!scope.state.places.isLine(wish)) {
+        return;
+    }
+    wish.choice = model::PlaceChoice::Ahead;
+    const std::optional<model::PlaceId> place =
+        countedPlaces(scope).choose(wish, scope.host.position(scope.agent), scope.self().heldPlace);
+    if (place) {
+        goToPlace(scope, *place);
+    }
+}
+
+} // namespace
+
+void sendTo(const ActionScope& scope, const glm::vec3& point, float atLeast)
+{
+    scope.self().errand.startedInStep = scope.state.clock.step;
+    scope.host.sendTo(scope.agent, point, atLeast);
+}
+
+void sendAway(const ActionScope& scope, const glm::vec3& point)
+{
+    scope.self().errand.goal = 0;
+    holdPlace(scope.state, scope.agent, 0);
+    sendTo(scope, point, 0.0F);
+}
+
+bool hasErrandEnded(const RuleScope& scope, std::uint32_t agent)
+{
+    return (scope.host.travelEvents()[agent] & kEndedErrand) != 0 &&
+           scope.state.agents[agent].errand.startedInStep != scope.state.clock.step;
+}
+
+glm::vec3 pointIn(const ActionScope& scope, const model::Place& place)
+{
+    const float radius =
+        place.radius * std::sqrt(draw(scope, scope.agent, model::hashKeys(place.id, 82)));
+    const float angle = kFullTurn * draw(scope, scope.agent, model::hashKeys(place.id, 83));
+    return scope.host.reached(place.position,
+                              place.position +
+                                  radius * glm::vec3(std::sin(angle), 0.0F, std::cos(angle)));
+}
+
+ActionStatus travel(const ActionScope& scope, const PlaceWish& wish)
+{
+    const ActionProgress& progress = scope.progress();
+    if (scope.host.isGone(scope.agent)) {
+        return ActionStatus::Done;
+    }
+    if (progress.isTravelling) {
+        if (hasErrandEnded(scope, scope.agent)) {
+            return ActionStatus::Done;
+        }
+        if (wish.choice == model::PlaceChoice::FirstFree && scope.now() >= progress.until) {
+            moveUp(scope, wish);
+        }
+        return ActionStatus::Running;
+    }
+    const bool asksAgain = !progress.isStarted || scope.now() >= progress.until;
+    return asksAgain ? setOut(scope, wish) : ActionStatus::Running;
+}
+
+bool isAtGoal(const ActionScope& scope, float ahead)
+{
+    const model::Place* place =
+        scope.progress().isTravelling ? scope.state.places.find(scope.self().errand.goal) : nullptr;
+    return place != nullptr && flatDistance(place->position, scope.host.position(scope.agent)) <=
+                                   place->radius + kThereMetres + ahead;
+}
+
+} // namespace crowd::behavior
