@@ -34,8 +34,10 @@ const std::vector<std::uint32_t>& PeopleIndex::only(std::uint32_t agent)
 const std::vector<std::uint32_t>* PeopleIndex::near(const RuleHost& host, std::uint32_t agent,
                                                     float metres)
 {
-    for (std::uint32_t other = 0; m_cells.isEmpty() && other < host.agents(); ++other) {
-        m_cells.add(other, host.position(other));
+    if (m_cells.isEmpty()) {
+        for (std::uint32_t other = 0; other < host.agents(); ++other) {
+            m_cells.add(other, host.position(other));
+        }
     }
     return m_cells.gather(host.position(agent), metres, m_few) ? &m_few : nullptr;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <numeric>
+#include <algorithm>
 
 #include <QtTest/QTest>
 
@@ -93,6 +93,7 @@ private Q_SLOTS:
     void loopsCountTheirRounds();
     void aClipThatEndsFiresOtherRules();
     void drawsDependOnWhatKeysThem();
+    void whoeverIsNearIsFoundWithoutAskingEverybody();
 };
 
 void TestRuleStages::aTriggerFiresForThoseToWhomItHappened()
@@ -273,6 +274,21 @@ void TestRuleStages::drawsDependOnWhatKeysThem()
     QVERIFY(draw(stage.scope, 0, 6) != first);
     ++stage.state.agents[0].firings;
     QVERIFY(draw(stage.scope, 0, 5) != first);
+}
+
+void TestRuleStages::whoeverIsNearIsFoundWithoutAskingEverybody()
+{
+    const FakeRuleHost host(100);
+    PeopleIndex index;
+    const std::vector<std::uint32_t>* few = index.near(host, 50, 3.0F);
+    QVERIFY(few != nullptr);
+    QVERIFY(few->size() < 20);
+    for (const std::uint32_t agent : {49U, 50U, 51U}) {
+        QVERIFY(std::ranges::binary_search(*few, agent));
+    }
+    index.noteAppeared(7, host.position(50));
+    QVERIFY(std::ranges::binary_search(*index.near(host, 50, 3.0F), 7U));
+    QVERIFY(index.near(host, 50, 500.0F) == nullptr); // it is shorter to ask everybody
 }
 
 CROWD_TEST(TestRuleStages)
