@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Every file, folder, class and function that a document names in backticks is there."""
 
+import collections
 import fnmatch
+import functools
 import pathlib
 import re
 import sys
 
 from sources import ROOMS, code, files, text, without_fences
 
-DOCUMENTS = ("docs/architecture.md",)
+DOCUMENTS = ("docs/architecture.md", "CONTRIBUTING.md")
 
 
 def is_path(name):
@@ -18,7 +20,7 @@ def is_path(name):
 def has_path(name):
     """`NAME` in a path stands for whatever something is called; a bare file name is found
     wherever it is."""
-    pattern = re.sub(r"NAME|Name|ROOM", "*", name)
+    pattern = re.sub(r"NAME|ROOM|\bname\b|(?<=_)name\b", "*", name)
     if name.endswith("/"):
         return any(fnmatch.fnmatch(each, pattern + "*") for each in files())
     if "/" not in name:
@@ -26,19 +28,30 @@ def has_path(name):
     return any(fnmatch.fnmatch(each, pattern) for each in files())
 
 
+@functools.cache
+def owners():
+    """Names of types and namespaces → the files that define them."""
+    found = collections.defaultdict(set)
+    for each in code(*ROOMS):
+        for name in re.findall(r"\b(?:class|struct|concept|using|namespace)\s+(\w+)", text(each)):
+            found[name].add(each)
+    return found
+
+
+@functools.cache
+def words(each):
+    return set(re.findall(r"\w+", text(each)))
+
+
 def is_defined(name):
-    """A type, or a function, a member or a constant by its use."""
+    """A type; or a function, a member or a constant, by its use."""
     if name[0].isupper() and not name.isupper():
-        found = rf"\b(class|struct|enum class|concept|using|namespace)\s+{name}\b"
-    else:
-        found = rf"\b{name}\b"
-    return any(re.search(found, text(each)) for each in code(*ROOMS, "cmake"))
+        return name in owners()
+    return any(name in words(each) for each in code(*ROOMS, "cmake"))
 
 
 def has_member(owner, member):
-    owns = re.compile(rf"\b(class|struct|enum class|namespace)\s+{owner}\b")
-    return any(owns.search(text(each)) and re.search(rf"\b{member}\b", text(each))
-               for each in code(*ROOMS))
+    return any(member in words(each) for each in owners().get(owner, ()))
 
 
 def has_command(words):

@@ -7,7 +7,7 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("app", "behavior", "model", "render", "widgets")
-FOLDERS = (*ROOMS, "cmake", "docs", "resources", "tests", "translations")
+FOLDERS = (*ROOMS, ".ci", ".githooks", "cmake", "docs", "resources", "tests", "translations")
 CODE = (".h", ".cpp", ".in", ".py", ".txt", ".cmake", ".glsl", ".vert", ".frag")
 
 
