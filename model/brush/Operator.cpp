@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/brush/Operator.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,24 +40,6 @@ std::optional<float> headingOfWay(const glm::vec3& way)
 double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra)
 {
     return unitDouble(hashKeys(key, static_cast<std::uint64_t>(purpose), extra));
-}
-
-OperatorResult GradientOperator::evaluate(const OperatorRequest& request)
-{
-    OperatorResult result;
-    result.shares.reserve(request.ids.size());
-    for (const glm::vec3& position : request.positions) {
-        const auto foot = request.view.project(position);
-        result.shares.push_back(foot ? gradientShare(request.line, {foot->x, foot->y}) : 0.0);
-    }
-    return result;
-}
-
-double gradientShare(const StrokeLine& line, glm::dvec2 point)
-{
-    const glm::dvec2 way = line.to - line.from;
-    const double length = glm::dot(way, way);
-    return length > 0.0 ? std::clamp(glm::dot(point - line.from, way) / length, 0.0, 1.0) : 0.0;
 }
 
 std::optional<float> headingOfLine(const View& view, const StageRays& stage, const StrokeLine& line)

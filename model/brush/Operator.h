@@ -39,9 +39,6 @@ enum class DrawPurpose : std::uint8_t {
 
 [[nodiscard]] double randomUnit(std::uint64_t key, DrawPurpose purpose, std::uint64_t extra = 0);
 
-/// Share of the way from `from` to `to` at which a point lies, 0..1; 0 for a line without length.
-[[nodiscard]] double gradientShare(const StrokeLine& line, glm::dvec2 point);
-
 /// Heading of the way between two points on screen as it runs on the surface under its end, on
 /// the horizontal plane through it. Nothing without length or where the view looks into the sky.
 [[nodiscard]] std::optional<float> headingOfLine(const View& view, const StageRays& stage,

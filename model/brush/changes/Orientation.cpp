@@ -15,12 +15,12 @@ std::optional<float> targetHeading(const ChangeRequest& request, double u,
                                    const glm::vec3& position)
 {
     HeadingSettings heading = request.settings.as<OrientationSettings>().heading;
-    if (request.settings.op == BrushOperator::Gradient) {
+    const OperatorInfo& op = operatorInfo(request.settings.op);
+    if (op.followsLine) {
         return request.strokeHeading;
     }
     const auto base = headingFor(heading, request.view, position, request.strokeHeading, u);
-    if (!base || request.settings.op != BrushOperator::Random ||
-        heading.mode == HeadingMode::Random) {
+    if (!base || !op.usesDistribution || heading.mode == HeadingMode::Random) {
         return base;
     }
     heading.mode = HeadingMode::Random;
