@@ -14,20 +14,11 @@
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
 #include "model/view/View.h"
+#include "render/Looks.h"
 
 /// What one picture is made of. All of it is read during Renderer::draw() only; spans and
 /// references need to live no longer. World frame: right-handed, metres, Y up; colours sRGB 0..1.
 namespace crowd::render {
-
-/// How the view is drawn.
-enum class Look : std::uint8_t {
-    Plain, ///< base colours, no light
-    Lit,   ///< directional light and hemisphere ambient
-    Count
-};
-
-/// Name in the command line and in menus' ids: "plain", "lit".
-[[nodiscard]] const char* lookName(Look look);
 
 /// A translucent character that is not there yet: the preview under the creation brush.
 struct Ghost

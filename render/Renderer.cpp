@@ -7,31 +7,14 @@
 
 #include <epoxy/gl.h>
 
-#include "model/base/Color.h"
-#include "render/gl/PictureTarget.h"
 #include "render/gl/SoftwareTuning.h"
-#include "render/passes/BackgroundPass.h"
-#include "render/passes/CrowdPass.h"
-#include "render/passes/OutlinePass.h"
-#include "render/passes/OverlayPass.h"
-#include "render/passes/StagePass.h"
+#include "render/passes/Passes.h"
 
 namespace crowd::render {
 
 namespace {
 
 constexpr int kLeastVersion = 33;
-
-/// Everything that holds GL names; lives while a context does.
-struct Passes
-{
-    PictureTarget target;
-    CrowdPass crowd;
-    StagePass stage;
-    BackgroundPass background;
-    OverlayPass overlay;
-    OutlinePass outline;
-};
 
 void beginState()
 {
@@ -64,17 +47,6 @@ void endState()
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-/// From now on, what is drawn says so in the stencil, for areas that are drawn later; nothing to do
-/// where there are none.
-void markDrawn(const PassContext& context, bool isPeople)
-{
-    if (!context.input.areas.empty()) {
-        glEnable(GL_STENCIL_TEST);
-        glStencilFunc(GL_ALWAYS, isPeople ? kPeopleStencil : 0, 0xFFU);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    }
-}
-
 bool isSoftwareRenderer()
 {
     const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -91,20 +63,7 @@ struct Renderer::Private
     RenderStatistics statistics;
 
     [[nodiscard]] model::Result<void> draw(const RenderInput& input, const std::uint32_t* target);
-    [[nodiscard]] model::Result<void> drawPasses(const PassContext& context) const;
 };
-
-const char* lookName(Look look)
-{
-    switch (look) {
-    case Look::Plain:
-        return "plain";
-    case Look::Lit:
-    case Look::Count:
-        break;
-    }
-    return "lit";
-}
 
 Renderer::Renderer() : m_private(std::make_unique<Private>()) {}
 
@@ -127,17 +86,8 @@ model::Result<void> Renderer::initialize()
         tuneForSoftwareRendering();
     }
     auto passes = std::make_unique<Passes>();
-    if (auto crowd = passes->crowd.initialize(); !crowd) {
-        return crowd;
-    }
-    if (auto background = passes->background.initialize(); !background) {
-        return background;
-    }
-    if (auto overlay = passes->overlay.initialize(); !overlay) {
-        return overlay;
-    }
-    if (auto outline = passes->outline.initialize(); !outline) {
-        return outline;
+    if (auto ready = passes->initialize(); !ready) {
+        return ready;
     }
     m_private->passes = std::move(passes);
     return {};
@@ -167,42 +117,6 @@ void Renderer::releaseUnused()
     }
 }
 
-model::Result<void> Renderer::Private::drawPasses(const PassContext& context) const
-{
-    glm::vec3 clear = context.light.horizon;
-    const bool hasSky = context.input.background.w <= 0.0F;
-    if (!hasSky) {
-        clear = model::linearFromSrgb(glm::vec3(context.input.background));
-    }
-    glClearColor(clear.x, clear.y, clear.z, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    // People first: they hide more of the stage than it hides of them.
-    markDrawn(context, true);
-    if (auto drawn = passes->crowd.drawPeople(context); !drawn) {
-        return drawn;
-    }
-    markDrawn(context, false);
-    if (auto drawn = passes->stage.draw(context); !drawn) {
-        return drawn;
-    }
-    if (context.input.showGround) {
-        passes->background.drawGround(context);
-    }
-    glDisable(GL_STENCIL_TEST);
-    if (hasSky) {
-        passes->background.drawSky(context);
-    }
-    passes->crowd.drawShadows(context);
-    if (auto drawn = passes->stage.drawBlended(context); !drawn) {
-        return drawn;
-    }
-    if (auto drawn = passes->crowd.drawSeeThrough(context); !drawn) {
-        return drawn;
-    }
-    passes->overlay.draw(context);
-    return passes->crowd.drawGhosts(context);
-}
-
 model::Result<void> Renderer::Private::draw(const RenderInput& input, const std::uint32_t* target)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -218,7 +132,7 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     beginState();
     model::Result<void> drawn = passes->crowd.prepare(context);
     if (drawn) {
-        drawn = drawPasses(context);
+        drawn = passes->draw(context);
     }
     const bool isHighlighted = passes->crowd.hasHighlighted();
     passes->target.end(target, isHighlighted);

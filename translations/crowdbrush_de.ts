@@ -1844,6 +1844,25 @@
     </message>
 </context>
 <context>
+    <name>Looks</name>
+    <message>
+        <source>&amp;Plain Colours</source>
+        <translation>&amp;Einfache Farben</translation>
+    </message>
+    <message>
+        <source>Base colours without light</source>
+        <translation>Grundfarben ohne Licht</translation>
+    </message>
+    <message>
+        <source>&amp;Lit</source>
+        <translation>&amp;Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Light of the sun and the sky</source>
+        <translation>Licht von Sonne und Himmel</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -1900,6 +1919,10 @@
     <message>
         <source>&amp;Make Path of Places</source>
         <translation>Aus Orten einen Weg &amp;machen</translation>
+    </message>
+    <message>
+        <source>Dra&amp;wn As</source>
+        <translation>Darstell&amp;ung</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2134,10 @@
     <message>
         <source>%1 must have heights and distances above zero</source>
         <translation>%1 muss Höhen und Abstände größer als null haben</translation>
+    </message>
+    <message>
+        <source>Drawing the %1 failed. %2</source>
+        <translation>Das Zeichnen (%1) ist misslungen. %2</translation>
     </message>
 </context>
 <context>

@@ -1844,6 +1844,25 @@
     </message>
 </context>
 <context>
+    <name>Looks</name>
+    <message>
+        <source>&amp;Plain Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base colours without light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light of the sun and the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -1899,6 +1918,10 @@
     </message>
     <message>
         <source>&amp;Make Path of Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dra&amp;wn As</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2110,6 +2133,10 @@
     </message>
     <message>
         <source>%1 must have heights and distances above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the %1 failed. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

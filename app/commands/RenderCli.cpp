@@ -10,6 +10,8 @@
 
 #include "app/commands/BenchRender.h"
 #include "app/commands/RenderCommand.h"
+#include "app/pictures/PictureFormats.h"
+#include "render/Looks.h"
 
 namespace crowd::app {
 
@@ -38,12 +40,14 @@ void addRenderCommand(CLI::App& cli, RenderOptions& options, int& status)
         ->add_option("SCENE", options.scene,
                      "A .crowd, .glb or .gltf file, or builtin:scenes/theatre.crowd")
         ->required();
-    command->add_option("--output", options.output, "Picture to write, .png; #### for the frame")
+    command
+        ->add_option("--output", options.output,
+                     "Picture to write (" + pictureEndings() + "); #### for the frame")
         ->required();
     command->add_option("--camera", options.camera, "Name of a camera of the scene");
     command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--time", options.time, "Seconds of the scene's time");
-    command->add_option("--look", options.look, "How it is drawn: plain, lit")
+    command->add_option("--look", options.look, "How it is drawn: " + render::lookKeys())
         ->capture_default_str();
     command->add_option("--frames", options.frames, "Draw frames A-B");
     command->add_option("--fps", options.framesPerSecond, "Frames per second")

@@ -14,26 +14,6 @@ namespace {
 constexpr double kLeastRate = 0.01; ///< frames per second
 constexpr double kMostRate = 1000.0;
 
-std::optional<render::Look> lookNamed(const std::string& name)
-{
-    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
-        const auto look = static_cast<render::Look>(i);
-        if (name == render::lookName(look)) {
-            return look;
-        }
-    }
-    return std::nullopt;
-}
-
-std::string knownLooks()
-{
-    std::string names;
-    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
-        names += (i > 0 ? ", " : "") + std::string(render::lookName(static_cast<render::Look>(i)));
-    }
-    return names;
-}
-
 /// No number is one, too.
 bool isInRange(double value, double least, double most)
 {
@@ -86,10 +66,10 @@ model::Result<RenderPlan> planOf(const RenderOptions& options)
                             "at most 16384 a side."};
     }
     plan.size = *size;
-    const auto look = lookNamed(options.look);
+    const auto look = render::lookOfKey(options.look);
     if (!look) {
-        return model::Error{"--look " + options.look + " is unknown; there are: " + knownLooks() +
-                            "."};
+        return model::Error{"--look " + options.look +
+                            " is unknown; there are: " + render::lookKeys() + "."};
     }
     plan.look = *look;
     plan.startSeconds = options.time;

@@ -58,15 +58,12 @@ Camera makeCamera(const Point3& from, const Point3& at, float fovDegrees)
 
 render::Look lookNamed(const std::string& name)
 {
-    std::string names;
-    for (int i = 0; i < static_cast<int>(render::Look::Count); ++i) {
-        const auto look = static_cast<render::Look>(i);
-        if (name == render::lookName(look)) {
-            return look;
-        }
-        names += (i > 0 ? ", " : "") + std::string(render::lookName(look));
+    const auto look = render::lookOfKey(name);
+    if (!look) {
+        throw ScriptError("There is no look \"" + name + "\"; there are: " + render::lookKeys() +
+                          ".");
     }
-    throw ScriptError("There is no look \"" + name + "\"; there are: " + names + ".");
+    return *look;
 }
 
 void refuseMissing(const Scene& scene)

@@ -20,6 +20,7 @@
 #include "app/console/ScriptGuard.h"
 #include "app/window/FieldKeys.h"
 #include "app/window/KeysDialog.h"
+#include "app/window/LookMenu.h"
 #include "app/window/MemoryRelease.h"
 #include "app/window/ModalKeys.h"
 #include "app/window/PreferencesDialog.h"
@@ -160,6 +161,7 @@ void MainWindow::buildMenus()
     fillRecentMenu();
     fillExamplesMenu(specials.at("@examples"));
     m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
+    fillLookMenu(*specials.at("@looks"), m_state);
     fillStepMenu(*specials.at("@step-length"), m_state);
     for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
         specials.at("@path-of-places")->addAction(m_actions.action(id));

@@ -21,7 +21,8 @@ constexpr std::array kSwitches{Switch{"view/showGroundGrid", &ViewOptions::showG
                                Switch{"view/showShadows", &ViewOptions::showShadows},
                                Switch{"view/showPaths", &ViewOptions::showPaths},
                                Switch{"view/showTags", &ViewOptions::showTags}};
-constexpr const char* kLitKey = "view/lit";
+constexpr const char* kLookKey = "view/look";
+constexpr const char* kLitKey = "view/lit"; ///< before there were more looks than two
 
 void restore(ViewOptions& options)
 {
@@ -30,9 +31,10 @@ void restore(ViewOptions& options)
         bool& value = options.*each.member;
         value = settings.value(QLatin1String(each.key), value).toBool();
     }
-    const bool isLit =
-        settings.value(QLatin1String(kLitKey), options.look == render::Look::Lit).toBool();
-    options.look = isLit ? render::Look::Lit : render::Look::Plain;
+    const bool isLit = settings.value(QLatin1String(kLitKey), true).toBool();
+    const QString key =
+        settings.value(QLatin1String(kLookKey), QLatin1String(isLit ? "lit" : "plain")).toString();
+    options.look = render::lookOfKey(key.toStdString()).value_or(options.look);
 }
 
 void save(const ViewOptions& options)
@@ -41,7 +43,7 @@ void save(const ViewOptions& options)
     for (const Switch& each : kSwitches) {
         settings.setValue(QLatin1String(each.key), options.*each.member);
     }
-    settings.setValue(QLatin1String(kLitKey), options.look == render::Look::Lit);
+    settings.setValue(QLatin1String(kLookKey), QLatin1String(render::lookInfo(options.look).key));
 }
 
 } // namespace

@@ -283,10 +283,10 @@ constexpr const char* kEditMenu[] = {
     "path-end",   "",     "select-all", "select-none", "select-invert", "",
     "preferences"};
 constexpr const char* kViewMenu[] = {
-    "frame-selection", "frame-all",  "",      "view-front", "view-side",
-    "view-top",        "projection", "",      "camera-add", "@cameras",
-    "@keep-cameras",   "",           "paths", "tags",       "ground-grid",
-    "shadows",         "look-lit",   "",      "full-screen"};
+    "frame-selection", "frame-all",  "",       "view-front", "view-side",
+    "view-top",        "projection", "",       "camera-add", "@cameras",
+    "@keep-cameras",   "",           "paths",  "tags",       "ground-grid",
+    "shadows",         "look-lit",   "@looks", "",           "full-screen"};
 constexpr const char* kPlayMenu[] = {"play",   "step",         "stop", "",         "faster",
                                      "slower", "@step-length", "",     "keep-pose"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
@@ -333,6 +333,7 @@ constexpr Submenu kSubmenus[] = {
     {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
     {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera")},
     {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places")},
+    {"@looks", QT_TRANSLATE_NOOP("Menus", "Dra&wn As")},
     {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 

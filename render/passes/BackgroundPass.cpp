@@ -42,7 +42,7 @@ void BackgroundPass::drawGround(const PassContext& context)
     ShaderProgram& program = context.input.lighting.showGroundGrid ? m_grid : m_ground;
     program.use();
     context.setCommon(program);
-    const bool isLit = context.input.look != Look::Plain;
+    const bool isLit = lookInfo(context.input.look).isLit;
     program.set("center", glm::vec2(eye.x, eye.z));
     program.set("halfSize", kHalfSize);
     program.set("groundColor",

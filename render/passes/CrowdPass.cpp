@@ -381,7 +381,7 @@ Result<void> CrowdPass::drawPeople(const PassContext& context)
     if (!context.input.frame) {
         return {};
     }
-    Drawing drawing{m_rows, m_rows.instances, definesOf(context.input.look)};
+    Drawing drawing{m_rows, m_rows.instances, lookInfo(context.input.look).defines};
     drawing.defines += m_records.replacesColours() ? "REPLACED " : "";
     for (const InstanceRun& run : m_plan.runs()) {
         const TemplateEntry& entry = (*m_entries)[static_cast<std::size_t>(run.entry)];
@@ -444,7 +444,7 @@ Result<void> CrowdPass::drawSeeThrough(const PassContext& context)
     if (!context.input.frame || m_seeThrough.empty()) {
         return {};
     }
-    Drawing drawing{m_rows, m_seeThroughInstances, definesOf(context.input.look)};
+    Drawing drawing{m_rows, m_seeThroughInstances, lookInfo(context.input.look).defines};
     drawing.defines += m_records.replacesColours() ? "REPLACED " : "";
     drawing.surface = Surface::SeeThrough;
     glDepthMask(GL_FALSE);
@@ -566,7 +566,7 @@ Result<void> CrowdPass::drawGhost(const PassContext& context, const Ghost& ghost
     m_ghostRows.appearance.write(0, std::as_bytes(std::span(appearance)));
     uploadInstances(m_ghostRows.instances, {&instance, 1});
     const InstanceRun run{0, 0, 0, 1};
-    Drawing drawing{m_ghostRows, m_ghostRows.instances, definesOf(context.input.look)};
+    Drawing drawing{m_ghostRows, m_ghostRows.instances, lookInfo(context.input.look).defines};
     if (ghost.alpha < 1.0F) {
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         auto drawn = drawRun(context, drawing, gpu, run);

@@ -45,9 +45,4 @@ void PassContext::countDraw(std::int64_t triangles) const
     statistics.triangles += triangles;
 }
 
-const char* definesOf(Look look)
-{
-    return look == Look::Lit ? "LIT " : "";
-}
-
 } // namespace crowd::render

@@ -44,7 +44,4 @@ struct PassContext
     void countDraw(std::int64_t triangles) const;
 };
 
-/// "LIT" for looks with light, else nothing.
-[[nodiscard]] const char* definesOf(Look look);
-
 } // namespace crowd::render

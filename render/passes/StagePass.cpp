@@ -84,7 +84,7 @@ void pointAttributes()
 
 std::string definesOf(const MaterialChoice& material, Look look)
 {
-    std::string defines = crowd::render::definesOf(look);
+    std::string defines = lookInfo(look).defines;
     defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
     defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";

@@ -1,8 +1,10 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_Interruptions
+    tst_LookMenu
     tst_MainWindow
     tst_MemoryRelease
     tst_Panels
+    tst_PictureFormats
     tst_SceneFiles
     tst_StepMenu
     tst_Welcome

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+class QMenu;
+
+namespace crowd::widgets {
+class EditorState;
+}
+
+namespace crowd::app {
+
+/// The looks of render/Looks.h, to choose how the view is drawn. Texts are those of the language in
+/// which the menu opens.
+void fillLookMenu(QMenu& menu, widgets::EditorState& state);
+
+} // namespace crowd::app
