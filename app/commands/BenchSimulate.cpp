@@ -14,7 +14,7 @@
 
 #include "app/commands/BenchReport.h"
 #include "behavior/validation/Validation.h"
-#include "behavior/workload/Workload.h"
+#include "behavior/workload/WorkloadRun.h"
 #include "model/base/Parallel.h"
 
 namespace crowd::app {

@@ -6,15 +6,16 @@
 
 #include <recastnavigation/DetourNavMeshQuery.h>
 
+#include "behavior/crowd/WallField.h"
 #include "behavior/surface/NavMeshBuilder.h"
-#include "behavior/surface/WalkSurface.h"
 #include "model/base/Bounds.h"
 #include "model/pick/StageRays.h"
 
 namespace crowd::behavior {
 
-/// What a surface holds: for the files that it is made of.
-struct WalkSurface::Private
+/// What a WalkSurface holds and its parts ask: where people stand (SurfaceFooting), which ways they
+/// take (SurfaceWays). Immutable once built. World frame, metres.
+struct SurfaceData
 {
     NavMesh mesh;
     std::vector<Wall> walls;

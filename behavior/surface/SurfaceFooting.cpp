@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "behavior/surface/SurfaceFooting.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "behavior/surface/SurfaceData.h"
 
-/// Where on the surface people stand, and what is under their feet.
 namespace crowd::behavior {
 
 namespace {
@@ -82,32 +83,27 @@ bool isBeyond(const model::Bounds& covered, const glm::vec3& point)
 
 } // namespace
 
-float WalkSurface::margin() const
+float SurfaceFooting::underfoot(float x, float z, float surfaceHeight) const
 {
-    return m_private->radius;
-}
-
-float WalkSurface::underfoot(float x, float z, float surfaceHeight) const
-{
-    const float step = m_private->climb + kMeshError;
+    const float step = m_data.climb + kMeshError;
     const model::Ray down{{x, surfaceHeight + step, z}, {0.0F, -1.0F, 0.0F}};
-    const auto hit = m_private->rays.hit(down, 2.0F * step);
+    const auto hit = m_data.rays.hit(down, 2.0F * step);
     return hit && hit->normal.y > kUprightCosine ? hit->point.y : surfaceHeight;
 }
 
-float WalkSurface::height(float x, float z, float near) const
+float SurfaceFooting::height(float x, float z, float near) const
 {
     Footing footing;
     return follow(footing, {x, near, z}) ? underfoot(x, z, footing.point.y) : near;
 }
 
-bool WalkSurface::follow(Footing& footing, const glm::vec3& feet) const
+bool SurfaceFooting::follow(Footing& footing, const glm::vec3& feet) const
 {
-    const dtNavMeshQuery* query = m_private->query();
+    const dtNavMeshQuery* query = m_data.query();
     if (query == nullptr) {
         return false;
     }
-    const dtQueryFilter& filter = m_private->everything;
+    const dtQueryFilter& filter = m_data.everything;
     float point[3];
     dtPolyRef polygon = 0;
     if (footing.polygon != 0) {
@@ -132,45 +128,43 @@ bool WalkSurface::follow(Footing& footing, const glm::vec3& feet) const
     float height = point[1];
     (void)query->getPolyHeight(polygon, point, &height);
     // Recast lays its surface a cell's height above what it was made from.
-    footing.point = {point[0], height - m_private->cellHeight, point[2]};
+    footing.point = {point[0], height - m_data.cellHeight, point[2]};
     return true;
 }
 
-bool WalkSurface::isWalkable(const glm::vec3& point) const
+bool SurfaceFooting::isWalkable(const glm::vec3& point) const
 {
-    const dtNavMeshQuery* query = m_private->query();
-    if (query == nullptr || isBeyond(m_private->covered, point)) {
+    const dtNavMeshQuery* query = m_data.query();
+    if (query == nullptr || isBeyond(m_data.covered, point)) {
         return query == nullptr || std::fabs(point.y) < kOpenGround;
     }
-    const float reach[3] = {kBesideMetres, m_private->climb + kMeshError, kBesideMetres};
-    NearestGround search(*query, *m_private->mesh, m_private->isGround, point);
-    return dtStatusSucceed(
-               query->queryPolygons(&point.x, reach, &m_private->everything, &search)) &&
+    const float reach[3] = {kBesideMetres, m_data.climb + kMeshError, kBesideMetres};
+    NearestGround search(*query, *m_data.mesh, m_data.isGround, point);
+    return dtStatusSucceed(query->queryPolygons(&point.x, reach, &m_data.everything, &search)) &&
            search.isFound() && search.flatSquared() <= kBesideMetres * kBesideMetres &&
            std::fabs(search.point().y - point.y) <= reach[1];
 }
 
-std::optional<glm::vec3> WalkSurface::nearest(const glm::vec3& point) const
+std::optional<glm::vec3> SurfaceFooting::nearest(const glm::vec3& point) const
 {
     if (isWalkable(point)) {
         return point;
     }
-    if (isBeyond(m_private->covered, point)) {
+    if (isBeyond(m_data.covered, point)) {
         return glm::vec3(point.x, 0.0F, point.z);
     }
-    const dtNavMeshQuery* query = m_private->query();
-    const model::Bounds& covered = m_private->covered;
+    const dtNavMeshQuery* query = m_data.query();
+    const model::Bounds& covered = m_data.covered;
     const float tall =
         std::max(std::fabs(point.y - covered.low.y), std::fabs(covered.high.y - point.y));
     // Only what lies within the circle is the nearest for sure; the box reaches further.
     for (const float metres : {4.0F, 32.0F, 256.0F}) {
         const float reach[3] = {metres, tall, metres};
-        NearestGround search(*query, *m_private->mesh, m_private->isGround, point);
-        if (dtStatusSucceed(
-                query->queryPolygons(&point.x, reach, &m_private->everything, &search)) &&
+        NearestGround search(*query, *m_data.mesh, m_data.isGround, point);
+        if (dtStatusSucceed(query->queryPolygons(&point.x, reach, &m_data.everything, &search)) &&
             search.isFound() && search.flatSquared() <= metres * metres) {
             const glm::vec3 found = search.point();
-            return glm::vec3(found.x, underfoot(found.x, found.z, found.y - m_private->cellHeight),
+            return glm::vec3(found.x, underfoot(found.x, found.z, found.y - m_data.cellHeight),
                              found.z);
         }
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "behavior/surface/SurfaceWays.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "behavior/surface/SurfaceData.h"
+#include "behavior/surface/SurfaceFooting.h"
 
-/// Ways over a surface, spread over the width of a flow.
 namespace crowd::behavior {
 
 namespace {
@@ -40,7 +42,7 @@ struct Bend
 
 /// The corner of somebody's own lane: further out in the bend, where there is room for that.
 /// `from`: where his lane has led him before, beside the shortest way.
-glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& from, const Bend& of,
+glm::vec3 inLane(const SurfaceWays& surface, const glm::vec3& from, const Bend& of,
                  const Lane& lane)
 {
     const glm::vec3& corner = of.corner;
@@ -69,14 +71,14 @@ glm::vec3 inLane(const WalkSurface& surface, const glm::vec3& from, const Bend& 
 
 } // namespace
 
-std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& to,
+std::vector<glm::vec3> SurfaceWays::way(const glm::vec3& from, const glm::vec3& to,
                                         const Lane& lane) const
 {
-    const dtNavMeshQuery* query = m_private->query();
+    const dtNavMeshQuery* query = m_data.query();
     if (query == nullptr) {
         return {};
     }
-    const dtQueryFilter& filter = m_private->filter;
+    const dtQueryFilter& filter = m_data.filter;
     dtPolyRef start = 0;
     dtPolyRef end = 0;
     float startPoint[3];
@@ -119,7 +121,7 @@ std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
     return way;
 }
 
-std::optional<float> WalkSurface::wayMetres(const glm::vec3& from, const glm::vec3& to,
+std::optional<float> SurfaceWays::wayMetres(const glm::vec3& from, const glm::vec3& to,
                                             float within) const
 {
     const auto flat = [](const glm::vec3& a, const glm::vec3& b) {
@@ -142,7 +144,7 @@ std::optional<float> WalkSurface::wayMetres(const glm::vec3& from, const glm::ve
     return isThere ? metres : std::numeric_limits<float>::infinity();
 }
 
-std::optional<bool> WalkSurface::isStraight(const glm::vec3& from, const glm::vec3& to) const
+std::optional<bool> SurfaceWays::isStraight(const glm::vec3& from, const glm::vec3& to) const
 {
     const auto reached = straight(from, to);
     if (!reached) {
@@ -153,6 +155,37 @@ std::optional<bool> WalkSurface::isStraight(const glm::vec3& from, const glm::ve
     const float length = glm::distance(glm::vec2(from.x, from.z), glm::vec2(to.x, to.z));
     return left < kReachedMetres + kReachedShare * length &&
            std::fabs(reached->y - to.y) < kOnLevelMetres;
+}
+
+std::optional<glm::vec3> SurfaceWays::straight(const glm::vec3& from, const glm::vec3& to) const
+{
+    constexpr float kReach[3] = {0.3F, 2.0F, 0.3F};
+    constexpr float kWithinEdge = 0.98F; // of the way to it
+    const dtNavMeshQuery* query = m_data.query();
+    const dtQueryFilter& filter = m_data.filter;
+    dtPolyRef start = 0;
+    float at[3];
+    if (query == nullptr || !model::Bounds::isPlace(to) ||
+        dtStatusFailed(query->findNearestPoly(&from.x, kReach, &filter, &start, at)) ||
+        start == 0) {
+        return std::nullopt;
+    }
+    const float end[3] = {to.x, at[1], to.z};
+    float share = 1.0F;
+    float normal[3];
+    dtPolyRef polygons[kMostOnWay];
+    int count = 0;
+    query->raycast(start, at, end, &filter, &share, normal, polygons, &count, kMostOnWay);
+    share = share > 1.0F ? 1.0F : share * kWithinEdge;
+    const float point[3] = {at[0] + (end[0] - at[0]) * share, at[1],
+                            at[2] + (end[2] - at[2]) * share};
+    float found = at[1];
+    if (count > 0) {
+        (void)query->getPolyHeight(polygons[count - 1], point, &found);
+    }
+    return glm::vec3(
+        point[0], SurfaceFooting(m_data).underfoot(point[0], point[2], found - m_data.cellHeight),
+        point[2]);
 }
 
 } // namespace crowd::behavior

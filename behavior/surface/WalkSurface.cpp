@@ -10,14 +10,15 @@
 #include "behavior/surface/NavMeshBuilder.h"
 #include "behavior/surface/SurfaceAreas.h"
 #include "behavior/surface/SurfaceData.h"
+#include "behavior/surface/SurfaceFooting.h"
 #include "behavior/surface/SurfaceGround.h"
 #include "behavior/surface/SurfaceWalls.h"
+#include "behavior/surface/SurfaceWays.h"
 
 namespace crowd::behavior {
 
 namespace {
 
-constexpr int kMaxPolygons = 1024;  ///< of a way
 constexpr float kPreference = 2.0F; ///< a metre elsewhere counts like so many on liked ground
 
 void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)
@@ -52,7 +53,7 @@ SurfaceSettings tamed(const SurfaceSettings& settings)
 
 } // namespace
 
-WalkSurface::WalkSurface(std::unique_ptr<Private> data) : m_private(std::move(data)) {}
+WalkSurface::WalkSurface(std::unique_ptr<SurfaceData> data) : m_data(std::move(data)) {}
 WalkSurface::~WalkSurface() = default;
 
 model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const SurfacePlan& given,
@@ -72,7 +73,7 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
                                   "ground. Check its size, which way is up, and how wide, tall and "
                                   "steep characters can walk (Environment panel)."};
     }
-    auto data = std::make_unique<Private>();
+    auto data = std::make_unique<SurfaceData>();
     data->walls = wallsOf(builder.mesh(), plan.settings);
     data->polygons = static_cast<std::size_t>(builder.mesh().npolys);
     data->cellHeight = builder.mesh().ch;
@@ -98,56 +99,78 @@ std::vector<glm::vec2> WalkSurface::way(const glm::vec3& from, const glm::vec3& 
     return flat;
 }
 
+std::vector<glm::vec3> WalkSurface::way(const glm::vec3& from, const glm::vec3& to,
+                                        const Lane& lane) const
+{
+    return SurfaceWays(*m_data).way(from, to, lane);
+}
+
+std::optional<float> WalkSurface::wayMetres(const glm::vec3& from, const glm::vec3& to,
+                                            float within) const
+{
+    return SurfaceWays(*m_data).wayMetres(from, to, within);
+}
+
+std::optional<bool> WalkSurface::isStraight(const glm::vec3& from, const glm::vec3& to) const
+{
+    return SurfaceWays(*m_data).isStraight(from, to);
+}
+
 std::optional<glm::vec3> WalkSurface::straight(const glm::vec3& from, const glm::vec3& to) const
 {
-    constexpr float kReach[3] = {0.3F, 2.0F, 0.3F};
-    constexpr float kWithinEdge = 0.98F; // of the way to it
-    const dtNavMeshQuery* query = m_private->query();
-    const dtQueryFilter& filter = m_private->filter;
-    dtPolyRef start = 0;
-    float at[3];
-    if (query == nullptr || !model::Bounds::isPlace(to) ||
-        dtStatusFailed(query->findNearestPoly(&from.x, kReach, &filter, &start, at)) ||
-        start == 0) {
-        return std::nullopt;
-    }
-    const float end[3] = {to.x, at[1], to.z};
-    float share = 1.0F;
-    float normal[3];
-    dtPolyRef polygons[kMaxPolygons];
-    int count = 0;
-    query->raycast(start, at, end, &filter, &share, normal, polygons, &count, kMaxPolygons);
-    share = share > 1.0F ? 1.0F : share * kWithinEdge;
-    const float point[3] = {at[0] + (end[0] - at[0]) * share, at[1],
-                            at[2] + (end[2] - at[2]) * share};
-    float found = at[1];
-    if (count > 0) {
-        (void)query->getPolyHeight(polygons[count - 1], point, &found);
-    }
-    return glm::vec3(point[0], underfoot(point[0], point[2], found - m_private->cellHeight),
-                     point[2]);
+    return SurfaceWays(*m_data).straight(from, to);
+}
+
+float WalkSurface::height(float x, float z, float near) const
+{
+    return SurfaceFooting(*m_data).height(x, z, near);
+}
+
+bool WalkSurface::follow(Footing& footing, const glm::vec3& feet) const
+{
+    return SurfaceFooting(*m_data).follow(footing, feet);
+}
+
+float WalkSurface::underfoot(float x, float z, float surfaceHeight) const
+{
+    return SurfaceFooting(*m_data).underfoot(x, z, surfaceHeight);
+}
+
+bool WalkSurface::isWalkable(const glm::vec3& point) const
+{
+    return SurfaceFooting(*m_data).isWalkable(point);
+}
+
+std::optional<glm::vec3> WalkSurface::nearest(const glm::vec3& point) const
+{
+    return SurfaceFooting(*m_data).nearest(point);
+}
+
+float WalkSurface::margin() const
+{
+    return m_data->radius;
 }
 
 bool WalkSurface::reaches(const glm::vec3& point, float metres) const
 {
-    const dtNavMeshQuery* query = m_private->query();
+    const dtNavMeshQuery* query = m_data->query();
     const float reach[3] = {metres, 2.0F, metres};
     dtPolyRef polygon = 0;
     float nearest[3];
     return query != nullptr &&
            dtStatusSucceed(
-               query->findNearestPoly(&point.x, reach, &m_private->filter, &polygon, nearest)) &&
+               query->findNearestPoly(&point.x, reach, &m_data->filter, &polygon, nearest)) &&
            polygon != 0;
 }
 
 std::span<const Wall> WalkSurface::walls() const
 {
-    return m_private->walls;
+    return m_data->walls;
 }
 
 std::size_t WalkSurface::polygons() const
 {
-    return m_private->polygons;
+    return m_data->polygons;
 }
 
 } // namespace crowd::behavior

@@ -12,25 +12,14 @@
 #include <glm/vec3.hpp>
 
 #include "behavior/crowd/WallField.h"
+#include "behavior/surface/Footing.h"
 #include "behavior/surface/SurfacePlan.h"
 #include "model/base/Result.h"
 #include "model/pick/WalkableGround.h"
 
 namespace crowd::behavior {
 
-/// Where on a surface somebody walks.
-struct Footing
-{
-    std::uint32_t polygon = 0; ///< 0: nowhere
-    glm::vec3 point{0.0F};     ///< of the polygon, nearest to him; world frame, metres
-};
-
-/// Where in the width of a flow somebody walks. Metres.
-struct Lane
-{
-    glm::vec2 side{0.0F}; ///< from its middle, in the unit disk
-    float width = 0.0F;   ///< of the flow
-};
+struct SurfaceData;
 
 /// What can be walked on: made by Recast from the stages and the ground (the plane y = 0), asked
 /// through Detour. Immutable once built; all queries are thread-safe. World frame, metres.
@@ -95,9 +84,8 @@ public:
     [[nodiscard]] std::optional<glm::vec3> nearest(const glm::vec3& point) const override;
 
 private:
-    struct Private;
-    explicit WalkSurface(std::unique_ptr<Private> data);
-    std::unique_ptr<Private> m_private;
+    explicit WalkSurface(std::unique_ptr<SurfaceData> data);
+    std::unique_ptr<SurfaceData> m_data;
 };
 
 } // namespace crowd::behavior

@@ -10,7 +10,7 @@
 
 #include "behavior/validation/SessionExperiments.h"
 #include "behavior/validation/Track.h"
-#include "behavior/workload/Workload.h"
+#include "behavior/workload/WorkloadRun.h"
 
 namespace crowd::behavior {
 

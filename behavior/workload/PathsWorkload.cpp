@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "behavior/workload/PathsWorkload.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "behavior/session/Session.h"
-#include "behavior/workload/Workload.h"
 #include "model/rules/RuleSets.h"
 
 namespace crowd::behavior {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "behavior/crowd/Chunks.h"
+#include "behavior/workload/PathsWorkload.h"
 #include "model/base/Random.h"
 
 namespace crowd::behavior {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -59,25 +58,6 @@ protected:
 /// after every step.
 [[nodiscard]] model::Result<std::unique_ptr<Workload>>
 makeWorkload(std::string_view name, std::size_t count, std::uint64_t seed);
-
-[[nodiscard]] std::unique_ptr<Workload> makePathsWorkload(std::size_t count, std::uint64_t seed);
-
-/// What a run shows beside its time.
-struct WorkloadFigures
-{
-    double overlapsPer1000 = 0.0; ///< pairs closer than 0.4 m per 1000 people, worst of all samples
-    double efficiency = 0.0;      ///< mean progress to the goal / preferred speed
-    double rmsAcceleration = 0.0; ///< m/s²
-    double outsideWalls = 0.0;    ///< share of people, worst of all samples
-    std::size_t brokenNumbers = 0; ///< coordinates that are no numbers
-    double bytesPerAgent = 0.0;
-    std::vector<double> stepMs; ///< steering and stepping, without measuring
-};
-
-/// Steps the workload and watches. `clockMs` tells the time in milliseconds; null: none is taken.
-/// `beforeStep` hears the number of each step, from 0 on, before it is timed.
-[[nodiscard]] WorkloadFigures runWorkload(Workload& workload, int steps, double (*clockMs)(),
-                                          const std::function<void(int)>& beforeStep = {});
 
 /// Random places in a rectangle, at least `apart` from each other (as far as they fit: later ones
 /// come as close as they must), `margin` from its sides.

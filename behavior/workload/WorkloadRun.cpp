@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "behavior/workload/WorkloadRun.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "behavior/workload/Workload.h"
 
 namespace crowd::behavior {
 

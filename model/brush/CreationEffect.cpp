@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "model/brush/StrokeEffect.h"
+#include "model/brush/CreationEffect.h"
+
+#include "model/brush/NewPeople.h"
+#include "model/brush/Operator.h"
 
 namespace crowd::model {
 

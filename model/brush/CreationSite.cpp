@@ -9,6 +9,7 @@
 
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
+#include "model/brush/NewPeople.h"
 #include "model/brush/Operator.h"
 
 namespace crowd::model {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "model/brush/NewPeople.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "model/base/Random.h"
 #include "model/brush/ClipChoice.h"
-#include "model/brush/CreationSite.h"
 #include "model/brush/Operator.h"
 #include "model/brush/SlotChoice.h"
 

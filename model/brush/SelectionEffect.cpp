@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/brush/StrokeEffect.h"
+#include "model/brush/SelectionEffect.h"
 
 #include <algorithm>
 

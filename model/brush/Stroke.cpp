@@ -9,7 +9,10 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/Random.h"
-#include "model/brush/StrokeEffect.h"
+#include "model/brush/CreationEffect.h"
+#include "model/brush/NewPeople.h"
+#include "model/brush/Operator.h"
+#include "model/brush/SelectionEffect.h"
 #include "model/brush/StrokeText.h"
 
 namespace crowd::model {

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "behavior/workload/Workload.h"
+#include "behavior/workload/WorkloadRun.h"
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
 #include "tests/program/Test.h"
