@@ -655,6 +655,14 @@
         <source>Give the characters under the brush other materials</source>
         <translation>Figuren unter dem Pinsel andere Materialien geben</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -4437,22 +4445,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>%1[*] – Crowdbrush</source>
         <translation>%1[*] – Crowdbrush</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>No scenes yet</source>

@@ -14,6 +14,7 @@
 #include "app/python/EmbeddedPython.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/PythonBrush.h"
+#include "widgets/state/SceneChanges.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
@@ -173,7 +174,7 @@ Interpreter::Interpreter(widgets::EditorState& state, QObject* parent)
 {
     connect(this, &Interpreter::brushRegistered, &state, &widgets::EditorState::putScriptBrush);
     connect(&state.document(), &model::SceneDocument::changed, this, [this](const auto& change) {
-        if (std::holds_alternative<model::SceneReplaced>(change)) {
+        if (widgets::isOneOf<model::SceneReplaced>(change)) {
             m_stage.setStages({}); // the old scene's memory is wanted back
         }
     });

@@ -38,15 +38,8 @@ ScriptGuard::ScriptGuard(Interpreter& interpreter, widgets::EditorState& state, 
                          QWidget& console, QAction& stop)
     : QObject(&window), m_state(state), m_window(window), m_console(console), m_stop(stop)
 {
-    m_stop.setEnabled(interpreter.isRunning());
-    connect(&interpreter, &Interpreter::started, this, [this] {
-        qApp->installEventFilter(this);
-        m_stop.setEnabled(true);
-    });
-    connect(&interpreter, &Interpreter::finished, this, [this] {
-        qApp->removeEventFilter(this);
-        m_stop.setEnabled(false);
-    });
+    connect(&interpreter, &Interpreter::started, this, [this] { qApp->installEventFilter(this); });
+    connect(&interpreter, &Interpreter::finished, this, [this] { qApp->removeEventFilter(this); });
 }
 
 /// Escape takes back the stroke of a script brush, also after the button was let go.

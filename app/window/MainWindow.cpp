@@ -88,7 +88,6 @@ MainWindow::MainWindow()
     m_layout.restore();
     applyPreferences(Preferences::load());
     rememberView(m_state);
-    refreshActions();
     refreshTitle();
     WelcomeHint::showOnce(m_viewport, m_document);
     m_viewport->setFocus();
@@ -229,16 +228,7 @@ void MainWindow::connectParts()
     });
     connect(&m_document, &model::SceneDocument::undoMemoryExceeded, this,
             [this](const QString& why) { warn(tr("Undo"), why); });
-    const auto refresh = [this] { refreshActions(); };
     connect(&m_recorder, &Recorder::remarked, &m_state, &widgets::EditorState::showStatus);
-    connect(&m_recorder, &Recorder::recordingChanged, this, refresh);
-    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, refresh);
-    connect(&m_state, &widgets::EditorState::toolChanged, this, refresh);
-    connect(&m_state, &widgets::EditorState::brushChanged, this, refresh);
-    connect(&m_state, &widgets::EditorState::viewOptionsChanged, this, refresh);
-    connect(&m_state.selection(), &widgets::Selection::changed, this, refresh);
-    connect(&m_state.paths(), &widgets::PathFocus::changed, this, refresh);
-    connect(&m_state.session(), &widgets::SessionControl::stateChanged, this, refresh);
     connect(&m_state.session(), &widgets::SessionControl::posesKept, this, [this](int people) {
         m_state.showStatus(tr("%n characters are kept where they are", nullptr, people));
     });
@@ -248,13 +238,11 @@ void MainWindow::connectParts()
             m_state.showStatus(widgets::problemText(m_document.scene(), problems.back()));
         }
     });
-    connect(&m_state.transport(), &widgets::Transport::stateChanged, this, refresh);
     connect(&m_layout, &DockLayout::hiddenChanged, this, &MainWindow::followHiding);
 }
 
 void MainWindow::followHiding(bool isHidden)
 {
-    refreshActions();
     m_viewport->setFocus(); // the key that brings the panels back is the picture's
     if (!isHidden) {
         m_status->clearMessage(); // they are back
@@ -277,43 +265,6 @@ void MainWindow::refreshTitle()
     setWindowFilePath(m_document.path());
     setWindowTitle(tr("%1[*] – Crowdbrush").arg(m_files.documentName()));
     setWindowModified(m_document.isModified());
-}
-
-void MainWindow::refreshActions()
-{
-    const auto check = [this](const char* id, bool on) { m_actions.action(id)->setChecked(on); };
-    const QUndoStack& stack = m_document.undoStack();
-    m_actions.action("undo")->setEnabled(stack.canUndo());
-    m_actions.action("redo")->setEnabled(stack.canRedo());
-    m_actions.action("undo")->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText())
-                                                      : tr("&Undo"));
-    m_actions.action("redo")->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText())
-                                                      : tr("&Redo"));
-    for (const widgets::ToolInfo& info : widgets::toolTable()) {
-        check(info.stableId, info.id == m_state.tool());
-    }
-    for (const char* id : {"brush-larger", "brush-smaller"}) {
-        m_actions.action(id)->setEnabled(m_state.activeBrush() != nullptr);
-    }
-    const bool hasSelection = !m_state.selection().isEmpty();
-    m_actions.action("delete")->setEnabled(hasSelection || !m_state.paths().places().empty());
-    m_actions.action("select-none")->setEnabled(hasSelection);
-    check("seat-grid", m_state.isSeatGridOn());
-    check("ground-grid", m_state.viewOptions().showGroundGrid);
-    check("shadows", m_state.viewOptions().showShadows);
-    check("paths", m_state.viewOptions().showPaths);
-    check("tags", m_state.viewOptions().showTags);
-    const bool isRunning = m_state.session().isRunning();
-    m_actions.action("keep-pose")->setEnabled(isRunning);
-    for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
-        m_actions.action(id)->setEnabled(m_state.paths().places().size() > 1);
-    }
-    m_actions.action("path-end")->setEnabled(m_state.paths().isPainting());
-    check("look-lit", m_state.viewOptions().look == render::Look::Lit);
-    const bool isPlaying = m_state.transport().isPlaying();
-    check("play", isPlaying);
-    check("script-record", m_recorder.isRecording());
-    check("hide-panels", m_layout.isHidden());
 }
 
 void MainWindow::fillRecentMenu()
@@ -480,7 +431,7 @@ void MainWindow::changeEvent(QEvent* event)
 {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
-        m_actions.action("full-screen")->setChecked(isFullScreen());
+        m_actions.refresh(widgets::ActionInput::Window);
     }
 }
 

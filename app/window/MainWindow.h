@@ -73,7 +73,6 @@ private:
     void warn(const QString& title, const QString& message);
     void followHiding(bool isHidden);
     void refreshTitle();
-    void refreshActions();
     void fillRecentMenu();
     void fillExamplesMenu(QMenu* menu);
     void applyPreferences(const Preferences& preferences);

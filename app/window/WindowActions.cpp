@@ -20,12 +20,23 @@ namespace crowd::app {
 
 namespace {
 
+using widgets::ActionInput;
 using widgets::ActionSpec;
+
+/// As ActionState, of a window that is still to come.
+struct WindowState
+{
+    widgets::ActionInputs inputs;
+    bool (*isEnabled)(MainWindow& window) = nullptr;
+    bool (*isChecked)(MainWindow& window) = nullptr;
+    QString (*text)(MainWindow& window) = nullptr;
+};
 
 struct WindowAction
 {
     ActionSpec spec;
     void (*run)(MainWindow& window, bool isChecked);
+    WindowState state = {};
 };
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};
@@ -55,6 +66,32 @@ void resizeBrush(widgets::EditorState& state, double steps)
         state.setBrush(resized);
         state.showStatus(widgets::brushSizeText(resized));
     }
+}
+
+bool hasSeveralPlaces(MainWindow& window)
+{
+    return window.state().paths().places().size() > 1;
+}
+
+bool hasBrush(MainWindow& window)
+{
+    return window.state().activeBrush() != nullptr;
+}
+
+QString undoText(MainWindow& window)
+{
+    const QUndoStack& stack = window.document().undoStack();
+    return stack.canUndo()
+               ? QCoreApplication::translate("Actions", "&Undo %1").arg(stack.undoText())
+               : QCoreApplication::translate("Actions", "&Undo");
+}
+
+QString redoText(MainWindow& window)
+{
+    const QUndoStack& stack = window.document().undoStack();
+    return stack.canRedo()
+               ? QCoreApplication::translate("Actions", "&Redo %1").arg(stack.redoText())
+               : QCoreApplication::translate("Actions", "&Redo");
 }
 
 const WindowAction kFileActions[] = {
@@ -93,13 +130,24 @@ const WindowAction kFileActions[] = {
 const WindowAction kEditActions[] = {
     {{"undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", "Ctrl+Z",
       QT_TRANSLATE_NOOP("Actions", "Take the last change back")},
-     [](MainWindow& w, bool) { w.document().undoStack().undo(); }},
+     [](MainWindow& w, bool) { w.document().undoStack().undo(); },
+     {.inputs = ActionInput::History,
+      .isEnabled = [](MainWindow& w) { return w.document().undoStack().canUndo(); },
+      .text = undoText}},
     {{"redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
       QT_TRANSLATE_NOOP("Actions", "Do again what was taken back")},
-     [](MainWindow& w, bool) { w.document().undoStack().redo(); }},
+     [](MainWindow& w, bool) { w.document().undoStack().redo(); },
+     {.inputs = ActionInput::History,
+      .isEnabled = [](MainWindow& w) { return w.document().undoStack().canRedo(); },
+      .text = redoText}},
     {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected characters")},
-     [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); }},
+     [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); },
+     {.inputs = ActionInput::Selection | ActionInput::Paths,
+      .isEnabled =
+          [](MainWindow& w) {
+              return !w.state().selection().isEmpty() || !w.state().paths().places().empty();
+          }}},
     {{"put-on-ground", QT_TRANSLATE_NOOP("Actions", "Put on the &Ground"), "locate", "",
       QT_TRANSLATE_NOOP("Actions",
                         "Put those of the selected characters, or of all, who stand where "
@@ -109,25 +157,32 @@ const WindowAction kEditActions[] = {
       "brush-path", "Ctrl+Shift+P",
       QT_TRANSLATE_NOOP("Actions",
                         "A path over the selected places, in order; characters stop there")},
-     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Simple); }},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Simple); },
+     {.inputs = ActionInput::Paths, .isEnabled = hasSeveralPlaces}},
     {{"path-round-places", QT_TRANSLATE_NOOP("Actions", "Path Going &Round and Round"),
       "brush-path", "Ctrl+Alt+P",
       QT_TRANSLATE_NOOP("Actions", "A path over the selected places, and on to the first one")},
-     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Cyclic); }},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Cyclic); },
+     {.inputs = ActionInput::Paths, .isEnabled = hasSeveralPlaces}},
     {{"path-jump-places", QT_TRANSLATE_NOOP("Actions", "Path &Jumping to the First Place"),
       "brush-path", "Ctrl+Alt+Shift+P",
       QT_TRANSLATE_NOOP("Actions", "A path over the selected places; characters jump from its last "
                                    "place to its first")},
-     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Teleport); }},
+     [](MainWindow& w, bool) { widgets::makePathOfPlaces(w.state(), model::PathKind::Teleport); },
+     {.inputs = ActionInput::Paths, .isEnabled = hasSeveralPlaces}},
     {{"path-end", QT_TRANSLATE_NOOP("Actions", "&End Path"), "path-end", "Return; Enter",
       QT_TRANSLATE_NOOP("Actions", "End the path that is being painted")},
-     [](MainWindow& w, bool) { w.state().paths().end(); }},
+     [](MainWindow& w, bool) { w.state().paths().end(); },
+     {.inputs = ActionInput::Paths,
+      .isEnabled = [](MainWindow& w) { return w.state().paths().isPainting(); }}},
     {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
       QT_TRANSLATE_NOOP("Actions", "Select everybody")},
      [](MainWindow& w, bool) { w.state().selection().selectAll(); }},
     {{"select-none", QT_TRANSLATE_NOOP("Actions", "Select &None"), "select-none", "Ctrl+Shift+A",
       QT_TRANSLATE_NOOP("Actions", "Select nobody")},
-     [](MainWindow& w, bool) { w.state().selection().clear(); }},
+     [](MainWindow& w, bool) { w.state().selection().clear(); },
+     {.inputs = ActionInput::Selection,
+      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
     {{"select-invert", QT_TRANSLATE_NOOP("Actions", "In&vert Selection"), "select-invert",
       "Ctrl+Alt+I", QT_TRANSLATE_NOOP("Actions", "Select those who are not selected")},
      [](MainWindow& w, bool) { w.state().selection().invert(); }},
@@ -163,57 +218,75 @@ const WindowAction kViewActions[] = {
      [](MainWindow& w, bool) { (void)widgets::addCamera(w.state()); }},
     {{"seat-grid", QT_TRANSLATE_NOOP("Actions", "Seat &Grid"), "seats", "G",
       QT_TRANSLATE_NOOP("Actions", "Create characters only on free seats"), true},
-     [](MainWindow& w, bool on) { w.state().setSeatGridOn(on); }},
+     [](MainWindow& w, bool on) { w.state().setSeatGridOn(on); },
+     {.inputs = ActionInput::Brush,
+      .isChecked = [](MainWindow& w) { return w.state().isSeatGridOn(); }}},
     {{"ground-grid", QT_TRANSLATE_NOOP("Actions", "Gr&ound Grid"), "grid", "Ctrl+G",
       QT_TRANSLATE_NOOP("Actions", "Show a grid of metres on the ground"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showGroundGrid = on;
          w.state().setViewOptions(options);
-     }},
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showGroundGrid; }}},
     {{"shadows", QT_TRANSLATE_NOOP("Actions", "Sha&dows"), "shadows", "Ctrl+H",
       QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showShadows = on;
          w.state().setViewOptions(options);
-     }},
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showShadows; }}},
     {{"paths", QT_TRANSLATE_NOOP("Actions", "Pat&hs"), "brush-path", "Ctrl+Shift+H",
       QT_TRANSLATE_NOOP("Actions", "Show places and paths"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showPaths = on;
          w.state().setViewOptions(options);
-     }},
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showPaths; }}},
     {{"tags", QT_TRANSLATE_NOOP("Actions", "Ta&gs"), "brush-tag", "Ctrl+Shift+T",
       QT_TRANSLATE_NOOP("Actions", "Show who has which tag by a coloured disc"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.showTags = on;
          w.state().setViewOptions(options);
-     }},
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showTags; }}},
     {{"look-lit", QT_TRANSLATE_NOOP("Actions", "&Lighting"), "look", "Ctrl+L",
       QT_TRANSLATE_NOOP("Actions", "Light the scene; otherwise plain colours"), true},
      [](MainWindow& w, bool on) {
          auto options = w.state().viewOptions();
          options.look = on ? render::Look::Lit : render::Look::Plain;
          w.state().setViewOptions(options);
-     }},
+     },
+     {.inputs = ActionInput::View,
+      .isChecked =
+          [](MainWindow& w) { return w.state().viewOptions().look == render::Look::Lit; }}},
     {{"full-screen", QT_TRANSLATE_NOOP("Actions", "F&ull Screen"), "full-screen", "F11",
       QT_TRANSLATE_NOOP("Actions", "Fill the screen with the window"), true},
      [](MainWindow& w, bool on) {
          w.setWindowState(on ? w.windowState() | Qt::WindowFullScreen
                              : w.windowState() & ~Qt::WindowFullScreen);
-     }},
+     },
+     {.inputs = ActionInput::Window, .isChecked = [](MainWindow& w) { return w.isFullScreen(); }}},
     {{"hide-panels", QT_TRANSLATE_NOOP("Actions", "Picture &Only"), "dock", "Tab",
       QT_TRANSLATE_NOOP("Actions", "Hide panels and tool bar, or show them again"), true},
-     [](MainWindow& w, bool on) { w.dockLayout().setHidden(on); }},
+     [](MainWindow& w, bool on) { w.dockLayout().setHidden(on); },
+     {.inputs = ActionInput::Window,
+      .isChecked = [](MainWindow& w) { return w.dockLayout().isHidden(); }}},
 };
 
 const WindowAction kPlayActions[] = {
     {{"play", QT_TRANSLATE_NOOP("Actions", "&Play"), "play", "Ctrl+Space",
       QT_TRANSLATE_NOOP("Actions", "Play or pause"), true},
-     [](MainWindow& w, bool on) { w.state().transport().setPlaying(on); }},
+     [](MainWindow& w, bool on) { w.state().transport().setPlaying(on); },
+     {.inputs = ActionInput::Playback,
+      .isChecked = [](MainWindow& w) { return w.state().transport().isPlaying(); }}},
     {{"step", QT_TRANSLATE_NOOP("Actions", "&Step"), "step", "Ctrl+Right",
       QT_TRANSLATE_NOOP("Actions", "One step, then pause")},
      [](MainWindow& w, bool) { w.state().session().stepOnce(); }},
@@ -228,7 +301,9 @@ const WindowAction kPlayActions[] = {
      [](MainWindow& w, bool) { changeSpeed(w.state(), -1); }},
     {{"keep-pose", QT_TRANSLATE_NOOP("Actions", "&Keep Pose"), "keep-pose", "Ctrl+Return",
       QT_TRANSLATE_NOOP("Actions", "Put everybody in the scene where they are now")},
-     [](MainWindow& w, bool) { w.state().session().keepPose(); }},
+     [](MainWindow& w, bool) { w.state().session().keepPose(); },
+     {.inputs = ActionInput::Session,
+      .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
 };
 
 const WindowAction kScriptActions[] = {
@@ -240,19 +315,25 @@ const WindowAction kScriptActions[] = {
      [](MainWindow& w, bool) { w.console().runScript(); }},
     {{"script-record", QT_TRANSLATE_NOOP("Actions", "R&ecord Script"), "record", "Ctrl+Alt+R",
       QT_TRANSLATE_NOOP("Actions", "Write down as Python what is done by hand from now on"), true},
-     [](MainWindow& w, bool on) { w.console().setRecording(on); }},
+     [](MainWindow& w, bool on) { w.console().setRecording(on); },
+     {.inputs = ActionInput::Recording,
+      .isChecked = [](MainWindow& w) { return w.recorder().isRecording(); }}},
     {{"script-cancel", QT_TRANSLATE_NOOP("Actions", "&Stop Script"), "script-cancel", "Ctrl+.",
       QT_TRANSLATE_NOOP("Actions", "Stop the script that runs")},
-     [](MainWindow& w, bool) { w.interpreter().cancel(); }},
+     [](MainWindow& w, bool) { w.interpreter().cancel(); },
+     {.inputs = ActionInput::Script,
+      .isEnabled = [](MainWindow& w) { return w.interpreter().isRunning(); }}},
 };
 
 const WindowAction kOtherActions[] = {
     {{"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Larger Brush"), "larger", "]",
       QT_TRANSLATE_NOOP("Actions", "Make the brush larger")},
-     [](MainWindow& w, bool) { resizeBrush(w.state(), 1.0); }},
+     [](MainWindow& w, bool) { resizeBrush(w.state(), 1.0); },
+     {.inputs = ActionInput::Tool, .isEnabled = hasBrush}},
     {{"brush-smaller", QT_TRANSLATE_NOOP("Actions", "S&maller Brush"), "smaller", "[",
       QT_TRANSLATE_NOOP("Actions", "Make the brush smaller")},
-     [](MainWindow& w, bool) { resizeBrush(w.state(), -1.0); }},
+     [](MainWindow& w, bool) { resizeBrush(w.state(), -1.0); },
+     {.inputs = ActionInput::Tool, .isEnabled = hasBrush}},
     {{"brush-reset", QT_TRANSLATE_NOOP("Actions", "Reset &Brushes"), "reset", "Ctrl+Alt+B",
       QT_TRANSLATE_NOOP("Actions", "Set all brushes as they were in the beginning")},
      [](MainWindow& w, bool) { w.brushes().reset(); }},
@@ -346,7 +427,9 @@ void addTool(MainWindow& window, widgets::ToolId id, const char* text, const cha
 {
     const widgets::ToolInfo& info = widgets::toolInfo(id);
     window.actions().add({info.stableId, text, info.stableId, info.shortcut, tip, true},
-                         [&window, id](bool) { window.state().setTool(id); });
+                         [&window, id](bool) { window.state().setTool(id); },
+                         {.inputs = ActionInput::Tool,
+                          .isChecked = [&window, id] { return window.state().tool() == id; }});
 }
 
 void addTools(MainWindow& window)
@@ -361,12 +444,44 @@ void addTools(MainWindow& window)
     }
 }
 
+/// Of one that asks the window, one that asks this window.
+template<class Value>
+std::function<Value()> bound(MainWindow& window, Value (*ask)(MainWindow&))
+{
+    return ask == nullptr ? std::function<Value()>() : [&window, ask] { return ask(window); };
+}
+
 void addAll(MainWindow& window, std::span<const WindowAction> actions)
 {
     for (const WindowAction& action : actions) {
         const auto run = action.run;
-        window.actions().add(action.spec, [&window, run](bool on) { run(window, on); });
+        const WindowState& state = action.state;
+        window.actions().add(action.spec, [&window, run](bool on) { run(window, on); },
+                             {state.inputs, bound(window, state.isEnabled),
+                              bound(window, state.isChecked), bound(window, state.text)});
     }
+}
+
+/// The one place that says which signal changes which input.
+void connectInputs(MainWindow& window)
+{
+    widgets::ActionRegistry& actions = window.actions();
+    const auto follow = [&actions](const auto* sender, auto signal, ActionInput input) {
+        QObject::connect(sender, signal, &actions, [&actions, input] { actions.refresh(input); });
+    };
+    widgets::EditorState& state = window.state();
+    follow(&window.document().undoStack(), &QUndoStack::indexChanged, ActionInput::History);
+    follow(&state.selection(), &widgets::Selection::changed, ActionInput::Selection);
+    follow(&state.paths(), &widgets::PathFocus::changed, ActionInput::Paths);
+    follow(&state, &widgets::EditorState::toolChanged, ActionInput::Tool);
+    follow(&state, &widgets::EditorState::brushChanged, ActionInput::Brush);
+    follow(&state, &widgets::EditorState::viewOptionsChanged, ActionInput::View);
+    follow(&state.transport(), &widgets::Transport::stateChanged, ActionInput::Playback);
+    follow(&state.session(), &widgets::SessionControl::stateChanged, ActionInput::Session);
+    follow(&window.interpreter(), &Interpreter::started, ActionInput::Script);
+    follow(&window.interpreter(), &Interpreter::finished, ActionInput::Script);
+    follow(&window.recorder(), &Recorder::recordingChanged, ActionInput::Recording);
+    follow(&window.dockLayout(), &DockLayout::hiddenChanged, ActionInput::Window);
 }
 
 } // namespace
@@ -380,6 +495,7 @@ void addWindowActions(MainWindow& window)
     addAll(window, kScriptActions);
     addAll(window, kOtherActions);
     addTools(window);
+    connectInputs(window);
 }
 
 std::span<const MenuSpec> menuTable()

@@ -1,4 +1,5 @@
 crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
+    tst_ActionRegistry
     tst_BehaviourDocks
     tst_BrushTool
     tst_ClipTable

@@ -27,7 +27,8 @@ QList<QKeySequence> ActionRegistry::defaultShortcuts(const ActionSpec& spec)
     return QKeySequence::listFromString(QLatin1String(spec.shortcut), QKeySequence::PortableText);
 }
 
-QAction* ActionRegistry::add(const ActionSpec& spec, std::function<void(bool)> run)
+QAction* ActionRegistry::add(const ActionSpec& spec, std::function<void(bool)> run,
+                             ActionState state)
 {
     Q_ASSERT(!m_actions.contains(spec.id));
     auto* action = new QAction(m_window);
@@ -37,11 +38,38 @@ QAction* ActionRegistry::add(const ActionSpec& spec, std::function<void(bool)> r
     setTexts(spec, *action);
     loadShortcut(spec, *action);
     connect(action, &QAction::triggered, this, std::move(run));
+    if (state.inputs) {
+        refresh(state, *action);
+        // What was clicked may not have come about: a chosen tool stays chosen.
+        connect(action, &QAction::triggered, this, [state, action] { refresh(state, *action); });
+        m_states.emplace_back(std::move(state), action);
+    }
     m_window->addAction(action);
     m_specs.push_back(spec);
     m_actions[spec.id] = action;
-    setTexts(spec, *action);
     return action;
+}
+
+void ActionRegistry::refresh(ActionInputs changed)
+{
+    for (const auto& [state, action] : m_states) {
+        if (state.inputs & changed) {
+            refresh(state, *action);
+        }
+    }
+}
+
+void ActionRegistry::refresh(const ActionState& state, QAction& action)
+{
+    if (state.isEnabled) {
+        action.setEnabled(state.isEnabled());
+    }
+    if (state.isChecked) {
+        action.setChecked(state.isChecked());
+    }
+    if (state.text) {
+        action.setText(state.text());
+    }
 }
 
 QAction* ActionRegistry::action(const std::string& id) const

@@ -10,6 +10,8 @@
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 MissingAssetsDialog::MissingAssetsDialog(EditorState& state, QWidget* parent)
@@ -35,12 +37,11 @@ MissingAssetsDialog::MissingAssetsDialog(EditorState& state, QWidget* parent)
     connect(m_list, &QTreeWidget::itemActivated, this, &MissingAssetsDialog::locateCurrent);
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::TemplatesChanged>(change) ||
-                    std::holds_alternative<model::StagesChanged>(change)) {
-                    refresh();
-                } else if (std::holds_alternative<model::SceneReplaced>(change)) {
-                    reject(); // the list belongs to the scene that has gone
-                }
+                visitChange(
+                    change, [this](const model::TemplatesChanged&) { refresh(); },
+                    [this](const model::StagesChanged&) { refresh(); },
+                    // The list belongs to the scene that has gone.
+                    [this](const model::SceneReplaced&) { reject(); });
             });
     refresh();
 }

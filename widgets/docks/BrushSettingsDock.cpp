@@ -5,6 +5,8 @@
 #include <QtGui/QAction>
 #include <QtWidgets/QLabel>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
@@ -27,12 +29,10 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
     // Slots, clips and seats on offer are those of the scene.
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::TemplatesChanged>(change) ||
-                    std::holds_alternative<model::StagesChanged>(change) ||
-                    std::holds_alternative<model::RulesChanged>(change) ||
-                    (std::holds_alternative<model::PathsChanged>(change) &&
-                     brushKindOf(m_state.tool()) == model::BrushKind::Walk) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                const bool isWalk = brushKindOf(m_state.tool()) == model::BrushKind::Walk;
+                if (isOneOf<model::TemplatesChanged, model::StagesChanged, model::RulesChanged,
+                            model::SceneReplaced>(change) ||
+                    (isWalk && isOneOf<model::PathsChanged>(change))) {
                     m_rebuild.start();
                 }
             });

@@ -14,6 +14,7 @@
 #include "widgets/docks/CueForm.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -42,8 +43,7 @@ CueBar::CueBar(EditorState& state, QWidget* parent)
     m_grid->setSpacing(3);
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::RulesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::RulesChanged, model::SceneReplaced>(change)) {
                     rebuild();
                 }
             });

@@ -19,6 +19,7 @@
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/SurfaceForm.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -90,13 +91,17 @@ void EnvironmentDock::followScene()
     connect(&m_rebuild, &QTimer::timeout, this, &EnvironmentDock::rebuild);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                const auto* columns = std::get_if<model::ColumnsChanged>(&change);
-                const bool isWalk =
-                    columns != nullptr && columns->columns.contains(model::ColumnId::Path);
-                const bool isOther = columns == nullptr &&
-                                     !std::holds_alternative<model::LightingChanged>(change) &&
-                                     !std::holds_alternative<model::CamerasChanged>(change);
-                if ((isWalk || isOther) && !m_rebuild.isActive()) {
+                const bool isShown =
+                    std::visit(model::Overloaded{
+                                   [](const model::ColumnsChanged& columns) {
+                                       return columns.columns.contains(model::ColumnId::Path);
+                                   },
+                                   [](const model::LightingChanged&) { return false; },
+                                   [](const model::CamerasChanged&) { return false; },
+                                   [](const auto&) { return true; },
+                               },
+                               change);
+                if (isShown && !m_rebuild.isActive()) {
                     m_rebuild.start();
                 }
             });

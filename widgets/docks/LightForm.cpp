@@ -7,6 +7,7 @@
 #include <QtWidgets/QSlider>
 
 #include "model/document/SceneEdit.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -27,8 +28,7 @@ LightForm::LightForm(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     addSlider(tr("Sky"), 0, 200, &model::Lighting::ambientStrength, kPerCent);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::LightingChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::LightingChanged, model::SceneReplaced>(change)) {
                     refresh();
                 }
             });

@@ -14,6 +14,7 @@
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/WrapRow.h"
+#include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -61,8 +62,7 @@ NamesForm::NamesForm(EditorState& state, QWidget* parent)
     connect(&m_rebuild, &QTimer::timeout, this, &NamesForm::rebuild);
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::RulesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::RulesChanged, model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
             });

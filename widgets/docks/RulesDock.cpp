@@ -19,6 +19,7 @@
 #include "widgets/docks/RuleEditor.h"
 #include "widgets/docks/RuleItemDelegate.h"
 #include "widgets/docks/RuleTexts.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -88,13 +89,11 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     });
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::SceneReplaced>(change)) {
                     forgetLog(); // it is of another scene
                 }
-                if (std::holds_alternative<model::RulesChanged>(change) ||
-                    std::holds_alternative<model::PathsChanged>(change) ||
-                    std::holds_alternative<model::TemplatesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::RulesChanged, model::PathsChanged, model::TemplatesChanged,
+                            model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
             });

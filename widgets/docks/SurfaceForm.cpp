@@ -9,6 +9,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/NumberField.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -46,8 +47,7 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     });
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::PathsChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::PathsChanged, model::SceneReplaced>(change)) {
                     refresh();
                 }
             });

@@ -14,6 +14,7 @@
 #include "widgets/dialogs/TemplatePictures.h"
 #include "widgets/docks/TemplateDelegate.h"
 #include "widgets/docks/ValueSlider.h"
+#include "widgets/state/SceneChanges.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -75,8 +76,7 @@ void TemplatesDock::connectParts()
     connect(&m_rebuild, &QTimer::timeout, this, &TemplatesDock::rebuild);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::TemplatesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::TemplatesChanged, model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
             });

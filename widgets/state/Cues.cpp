@@ -7,6 +7,8 @@
 #include <QtGui/QShortcut>
 #include <QtWidgets/QWidget>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -55,8 +57,7 @@ CueKeys::CueKeys(EditorState& state, QWidget* window)
 {
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::RulesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
+                if (isOneOf<model::RulesChanged, model::SceneReplaced>(change)) {
                     rebuild();
                 }
             });

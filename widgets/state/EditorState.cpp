@@ -8,6 +8,7 @@
 
 #include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -238,23 +239,19 @@ bool EditorState::isAnimating() const
 
 void EditorState::followScene(const model::SceneChange& change)
 {
-    if (std::holds_alternative<model::TemplatesChanged>(change)) {
-        refreshMix(false);
-    }
-    if (std::holds_alternative<model::StagesChanged>(change)) {
-        refreshSeatGrid(false);
-    }
-    if (std::holds_alternative<model::PathsChanged>(change) ||
-        std::holds_alternative<model::SceneReplaced>(change)) {
-        refreshWalk(std::holds_alternative<model::SceneReplaced>(change));
-    }
-    if (std::holds_alternative<model::RulesChanged>(change) ||
-        std::holds_alternative<model::SceneReplaced>(change)) {
-        refreshEvent(*this);
-    }
-    if (!std::holds_alternative<model::SceneReplaced>(change)) {
-        return;
-    }
+    visitChange(
+        change, [this](const model::TemplatesChanged&) { refreshMix(false); },
+        [this](const model::StagesChanged&) { refreshSeatGrid(false); },
+        [this](const model::PathsChanged&) { refreshWalk(false); },
+        [this](const model::RulesChanged&) { refreshEvent(*this); },
+        [this](const model::SceneReplaced&) { beginScene(); });
+}
+
+/// Another one is open now.
+void EditorState::beginScene()
+{
+    refreshWalk(true);
+    refreshEvent(*this);
     refreshMix(true);
     refreshSeatGrid(true);
     m_transport.rewind();

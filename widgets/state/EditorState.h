@@ -176,6 +176,7 @@ Q_SIGNALS:
 private:
     void placeCamera(const model::Camera& camera, const QString& name);
     void followScene(const model::SceneChange& change);
+    void beginScene();
     void refreshWalk(bool isNewScene);
     void refreshMix(bool isNewScene);
     void refreshSeatGrid(bool isNewScene);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/state/GroundFinder.h"
 
-#include <variant>
+#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
@@ -9,8 +9,7 @@ GroundFinder::GroundFinder(model::SceneDocument& document, QObject* parent)
     : QObject(parent), m_document(document)
 {
     connect(&document, &model::SceneDocument::changed, this, [this](const auto& change) {
-        if (std::holds_alternative<model::SceneReplaced>(change) ||
-            std::holds_alternative<model::StagesChanged>(change)) {
+        if (isOneOf<model::SceneReplaced, model::StagesChanged>(change)) {
             forget();
         }
     });

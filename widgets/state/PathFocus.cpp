@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 PathFocus::PathFocus(model::SceneDocument& document, QObject* parent)
@@ -62,8 +64,7 @@ void PathFocus::toggle(model::PlaceId place)
 
 void PathFocus::follow(const model::SceneChange& change)
 {
-    if (!std::holds_alternative<model::PathsChanged>(change) &&
-        !std::holds_alternative<model::SceneReplaced>(change)) {
+    if (!isOneOf<model::PathsChanged, model::SceneReplaced>(change)) {
         return;
     }
     std::vector<model::PlaceId> places = m_places;

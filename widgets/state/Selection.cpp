@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 using model::IndividualId;
@@ -79,14 +81,14 @@ void Selection::replace(Ids ids)
 
 void Selection::follow(const model::SceneChange& change)
 {
-    if (std::holds_alternative<model::SceneReplaced>(change)) {
-        replace({});
-    } else if (const auto* removed = std::get_if<model::IndividualsRemoved>(&change)) {
-        Ids rest;
-        std::set_difference(m_ids.begin(), m_ids.end(), removed->ids.begin(), removed->ids.end(),
-                            std::back_inserter(rest));
-        replace(std::move(rest));
-    }
+    visitChange(
+        change, [this](const model::SceneReplaced&) { replace({}); },
+        [this](const model::IndividualsRemoved& removed) {
+            Ids rest;
+            std::set_difference(m_ids.begin(), m_ids.end(), removed.ids.begin(), removed.ids.end(),
+                                std::back_inserter(rest));
+            replace(std::move(rest));
+        });
 }
 
 } // namespace crowd::widgets

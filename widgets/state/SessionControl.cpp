@@ -11,6 +11,7 @@
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
 #include "model/document/SceneEdit.h"
+#include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
 
 namespace crowd::widgets {
@@ -44,13 +45,6 @@ bool isGroundOfInterest(const model::Scene& scene)
            std::ranges::any_of(scene.places, [](const model::Place& place) {
                return model::changesWays(place.role) || place.role == model::PlaceRole::Obstacle;
            });
-}
-
-bool touchesPeople(const model::SceneChange& change)
-{
-    return std::holds_alternative<model::IndividualsAdded>(change) ||
-           std::holds_alternative<model::IndividualsRemoved>(change) ||
-           std::holds_alternative<model::ColumnsChanged>(change);
 }
 
 } // namespace
@@ -100,33 +94,35 @@ bool SessionControl::isRunning() const
 
 void SessionControl::followScene(const model::SceneChange& change)
 {
-    if (std::holds_alternative<model::SceneReplaced>(change) ||
-        std::holds_alternative<model::StagesChanged>(change)) {
-        m_surface->builder.cancel();
-        m_surface->current.reset();
-        m_isSurfaceStale = true;
-        m_progress.stop();
-        Q_EMIT surfaceChanged();
-    }
-    if (std::holds_alternative<model::SceneReplaced>(change)) {
-        m_surface->plan = {}; // it holds the stages
-        drop();
-    }
+    visitChange(
+        change, [this](const model::StagesChanged&) { forgetSurface(); },
+        [this](const model::SceneReplaced&) {
+            forgetSurface();
+            m_surface->plan = {}; // it holds the stages
+            drop();
+        });
     m_isBehaviourStale = true;
-    const bool isOfInterest = touchesPeople(change) ||
-                              std::holds_alternative<model::PathsChanged>(change) ||
-                              std::holds_alternative<model::RulesChanged>(change) ||
-                              std::holds_alternative<model::TemplatesChanged>(change) ||
-                              std::holds_alternative<model::StagesChanged>(change);
-    if (isRunning() && isOfInterest && !m_isKeepingPose) {
+    const bool isOfNoInterest =
+        isOneOf<model::CamerasChanged, model::LightingChanged, model::SceneReplaced>(change);
+    if (isRunning() && !isOfNoInterest && !m_isKeepingPose) {
         m_hand.start();
     }
-    if (std::holds_alternative<model::PathsChanged>(change)) {
+    visitChange(change, [this](const model::PathsChanged&) {
         m_ways.start();
         if (!isRunning()) {
             (void)isReady(); // it will be wanted soon
         }
-    }
+    });
+}
+
+/// It is of other stages.
+void SessionControl::forgetSurface()
+{
+    m_surface->builder.cancel();
+    m_surface->current.reset();
+    m_isSurfaceStale = true;
+    m_progress.stop();
+    Q_EMIT surfaceChanged();
 }
 
 /// Areas or the settings of the surface are others now.

@@ -99,6 +99,7 @@ private:
     void buildSurface();
     void takeSurface(const model::Result<std::shared_ptr<const behavior::WalkSurface>>& built);
     void followWays();
+    void forgetSurface();
     void followProblems();
 
     model::SceneDocument& m_document;

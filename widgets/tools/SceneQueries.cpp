@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "widgets/state/SceneChanges.h"
+
 namespace crowd::widgets {
 
 namespace {
@@ -18,12 +20,13 @@ SceneQueries::SceneQueries(EditorState& state)
     connect(&state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
                 m_seats.follow(change);
-                m_isStageStale |= std::holds_alternative<model::StagesChanged>(change) ||
-                                  std::holds_alternative<model::SceneReplaced>(change);
-                if (std::holds_alternative<model::SceneReplaced>(change)) {
-                    m_picker.forget(); // the old scene's memory is wanted back
-                    m_stage.setStages({});
-                }
+                visitChange(
+                    change, [this](const model::StagesChanged&) { m_isStageStale = true; },
+                    [this](const model::SceneReplaced&) {
+                        m_isStageStale = true;
+                        m_picker.forget(); // the old scene's memory is wanted back
+                        m_stage.setStages({});
+                    });
             });
 }
 

@@ -10,6 +10,7 @@
 
 #include "render/Renderer.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/state/SceneChanges.h"
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
 #include "widgets/viewport/ViewportOverlay.h"
@@ -84,18 +85,15 @@ void ViewportWidget::connectState()
     };
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this, redrawPaths](const model::SceneChange& change) {
-                m_isSceneNew |= std::holds_alternative<model::SceneReplaced>(change);
-                if (std::holds_alternative<model::PathsChanged>(change) ||
-                    std::holds_alternative<model::StagesChanged>(change) ||
-                    std::holds_alternative<model::SceneReplaced>(change)) {
-                    redrawPaths();
-                }
-            });
-    connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                if (std::holds_alternative<model::RulesChanged>(change)) {
-                    refreshPlaces(); // those that rules speak of have their names shown
-                }
+                visitChange(
+                    change, [redrawPaths](const model::PathsChanged&) { redrawPaths(); },
+                    [redrawPaths](const model::StagesChanged&) { redrawPaths(); },
+                    [this, redrawPaths](const model::SceneReplaced&) {
+                        m_isSceneNew = true;
+                        redrawPaths();
+                    },
+                    // Places that rules speak of have their names shown.
+                    [this](const model::RulesChanged&) { refreshPlaces(); });
             });
     connect(&m_state.paths(), &PathFocus::changed, this, redrawPaths);
     connect(&m_state, &EditorState::viewOptionsChanged, this, redrawPaths);
