@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QMenu>
 
-#include "widgets/viewport/ViewCommands.h"
+#include "widgets/commands/ViewCommands.h"
 
 namespace crowd::app {
 

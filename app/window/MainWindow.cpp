@@ -30,11 +30,11 @@
 #include "app/window/ViewMemory.h"
 #include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"
-#include "widgets/viewport/ViewCommands.h"
 
 namespace crowd::app {
 

@@ -10,11 +10,11 @@
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
 #include "app/window/ViewMemory.h"
+#include "widgets/commands/SelectionCommands.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/tools/BrushTool.h"
 #include "widgets/tools/PlaceHandles.h"
-#include "widgets/viewport/SelectionCommands.h"
-#include "widgets/viewport/ViewCommands.h"
 
 namespace crowd::app {
 

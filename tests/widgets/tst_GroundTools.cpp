@@ -4,7 +4,7 @@
 #include "tests/behavior/BoxStage.h"
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
-#include "widgets/viewport/SelectionCommands.h"
+#include "widgets/commands/SelectionCommands.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -3,7 +3,7 @@
 
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
-#include "widgets/viewport/ViewCommands.h"
+#include "widgets/commands/ViewCommands.h"
 
 using namespace crowd;
 using namespace crowd::widgets;

@@ -4,8 +4,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "tests/program/Test.h"
+#include "widgets/commands/CameraMoves.h"
 #include "widgets/state/CameraMotion.h"
-#include "widgets/viewport/CameraMoves.h"
 
 using namespace crowd::widgets;
 using crowd::model::Bounds;

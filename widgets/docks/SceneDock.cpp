@@ -12,9 +12,9 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/document/SceneEdit.h"
+#include "widgets/commands/ViewCommands.h"
 #include "widgets/docks/LightForm.h"
 #include "widgets/theme/Icons.h"
-#include "widgets/viewport/ViewCommands.h"
 
 namespace crowd::widgets {
 

@@ -8,7 +8,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 
-#include "widgets/viewport/CameraMoves.h"
+#include "widgets/commands/CameraMoves.h"
 
 namespace crowd::widgets {
 

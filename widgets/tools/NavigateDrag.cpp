@@ -5,8 +5,8 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "widgets/commands/CameraMoves.h"
 #include "widgets/tools/FlySession.h"
-#include "widgets/viewport/CameraMoves.h"
 
 namespace crowd::widgets {
 

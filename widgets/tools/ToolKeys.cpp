@@ -6,8 +6,8 @@
 
 #include <QtGui/QKeySequence>
 
-#include "widgets/viewport/SelectionCommands.h"
-#include "widgets/viewport/ViewCommands.h"
+#include "widgets/commands/SelectionCommands.h"
+#include "widgets/commands/ViewCommands.h"
 
 namespace crowd::widgets {
 

@@ -4,8 +4,8 @@
 #include <QtCore/QString>
 
 #include "model/base/Bounds.h"
+#include "widgets/commands/CameraMoves.h"
 #include "widgets/state/EditorState.h"
-#include "widgets/viewport/CameraMoves.h"
 
 /// What menus and keys do with the view. Bookmarks are part of the scene: undoable edits; moving
 /// the view is not.

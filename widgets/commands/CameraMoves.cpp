@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/CameraMoves.h"
+#include "widgets/commands/CameraMoves.h"
 
 #include <algorithm>
 #include <array>

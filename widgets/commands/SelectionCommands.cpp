@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/SelectionCommands.h"
+#include "widgets/commands/SelectionCommands.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/ViewCommands.h"
+#include "widgets/commands/ViewCommands.h"
 
 #include <algorithm>
 #include <array>
