@@ -5138,65 +5138,6 @@ Verworfen ist sie fort.</translation>
         <translation>Einen Weg färben</translation>
     </message>
     <message>
-        <source>Go On Painting It</source>
-        <translation>Weitermalen</translation>
-    </message>
-    <message>
-        <source>Reverse</source>
-        <translation>Umkehren</translation>
-    </message>
-    <message>
-        <source>Reverse a path</source>
-        <translation>Einen Weg umkehren</translation>
-    </message>
-    <message>
-        <source>Join with</source>
-        <translation>Verbinden mit</translation>
-    </message>
-    <message>
-        <source>Join two paths</source>
-        <translation>Zwei Wege verbinden</translation>
-    </message>
-    <message>
-        <source>Delete the Path</source>
-        <translation>Den Weg löschen</translation>
-    </message>
-    <message>
-        <source>Delete a path</source>
-        <translation>Einen Weg löschen</translation>
-    </message>
-    <message>
-        <source>Delete It with Its Places</source>
-        <translation>Samt seinen Orten löschen</translation>
-    </message>
-    <message>
-        <source>Insert a Place After It</source>
-        <translation>Danach einen Ort einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a place</source>
-        <translation>Einen Ort einfügen</translation>
-    </message>
-    <message>
-        <source>Take It Out of the Path</source>
-        <translation>Aus dem Weg nehmen</translation>
-    </message>
-    <message>
-        <source>Take a place out of a path</source>
-        <translation>Einen Ort aus einem Weg nehmen</translation>
-    </message>
-    <message>
-        <source>Delete the Place</source>
-        <translation>Den Ort löschen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n place(s)</source>
-        <translation>
-            <numerusform>Einen Ort löschen</numerusform>
-            <numerusform>%n Orte löschen</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Room for</source>
         <translation>Platz für</translation>
     </message>
@@ -5235,25 +5176,6 @@ Verworfen ist sie fort.</translation>
         <source>Characters stop</source>
         <translation>Figuren halten an</translation>
     </message>
-    <message>
-        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
-        <translation>Niemand ist ausgewählt: Zuerst Figuren auswählen (V) oder sie mit dem Gehpinsel malen (W).</translation>
-    </message>
-    <message numerus="yes">
-        <source>Let %n character(s) walk</source>
-        <translation>
-            <numerusform>Eine Figur gehen lassen</numerusform>
-            <numerusform>%n Figuren gehen lassen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Let the Selected Characters Walk It</source>
-        <translation>Die ausgewählten Figuren darauf gehen lassen</translation>
-    </message>
-    <message>
-        <source>Select Its Characters</source>
-        <translation>Seine Figuren auswählen</translation>
-    </message>
     <message numerus="yes">
         <source>%n characters</source>
         <translation>
@@ -5264,6 +5186,87 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
         <translation>%1 &lt;a href=&quot;people&quot;&gt;Auswählen&lt;/a&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentMenu</name>
+    <message>
+        <source>Go On Painting It</source>
+        <translation>Weitermalen</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Reverse a path</source>
+        <translation>Einen Weg umkehren</translation>
+    </message>
+    <message>
+        <source>Delete the Path</source>
+        <translation>Den Weg löschen</translation>
+    </message>
+    <message>
+        <source>Delete a path</source>
+        <translation>Einen Weg löschen</translation>
+    </message>
+    <message>
+        <source>Delete It with Its Places</source>
+        <translation>Samt seinen Orten löschen</translation>
+    </message>
+    <message>
+        <source>Join with</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>Join two paths</source>
+        <translation>Zwei Wege verbinden</translation>
+    </message>
+    <message>
+        <source>Let the Selected Characters Walk It</source>
+        <translation>Die ausgewählten Figuren darauf gehen lassen</translation>
+    </message>
+    <message>
+        <source>Select Its Characters</source>
+        <translation>Seine Figuren auswählen</translation>
+    </message>
+    <message>
+        <source>Insert a Place After It</source>
+        <translation>Danach einen Ort einfügen</translation>
+    </message>
+    <message>
+        <source>Take It Out of the Path</source>
+        <translation>Aus dem Weg nehmen</translation>
+    </message>
+    <message>
+        <source>Delete the Place</source>
+        <translation>Den Ort löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Einen Ort löschen</numerusform>
+            <numerusform>%n Orte löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Insert a place</source>
+        <translation>Einen Ort einfügen</translation>
+    </message>
+    <message>
+        <source>Take a place out of a path</source>
+        <translation>Einen Ort aus einem Weg nehmen</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
+        <translation>Niemand ist ausgewählt: Zuerst Figuren auswählen (V) oder sie mit dem Gehpinsel malen (W).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n character(s) walk</source>
+        <translation>
+            <numerusform>Eine Figur gehen lassen</numerusform>
+            <numerusform>%n Figuren gehen lassen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

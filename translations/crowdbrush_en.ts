@@ -5131,65 +5131,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go On Painting It</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reverse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reverse a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Join with</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Join two paths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete the Path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete It with Its Places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Insert a Place After It</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Insert a place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take It Out of the Path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take a place out of a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete the Place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n place(s)</source>
-        <translation>
-            <numerusform>Delete %n place</numerusform>
-            <numerusform>Delete %n places</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Room for</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5228,25 +5169,6 @@ Thrown away, it is gone.</source>
         <source>Characters stop</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Let %n character(s) walk</source>
-        <translation>
-            <numerusform>Let %n character walk</numerusform>
-            <numerusform>Let %n characters walk</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Let the Selected Characters Walk It</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select Its Characters</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n characters</source>
         <translation>
@@ -5257,6 +5179,87 @@ Thrown away, it is gone.</source>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentMenu</name>
+    <message>
+        <source>Go On Painting It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete It with Its Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join two paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the Selected Characters Walk It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Its Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a Place After It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take It Out of the Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n place(s)</source>
+        <translation>
+            <numerusform>Delete %n place</numerusform>
+            <numerusform>Delete %n places</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Insert a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a place out of a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: select characters first (V), or paint them with the walk brush (W).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Let %n character(s) walk</source>
+        <translation>
+            <numerusform>Let %n character walk</numerusform>
+            <numerusform>Let %n characters walk</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@
 #include "model/project/AssetPaths.h"
 #include "model/project/ProjectFile.h"
 #include "model/project/SceneAssets.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleProblems.h"
 
 namespace crowd::app {
 

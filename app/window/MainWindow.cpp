@@ -33,7 +33,7 @@
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/Docks.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleProblems.h"
 #include "widgets/state/Cues.h"
 
 namespace crowd::app {

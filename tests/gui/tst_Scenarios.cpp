@@ -9,7 +9,6 @@
 #include "model/scene/NearestPath.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/WindowTest.h"
-#include "widgets/docks/RuleTexts.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -255,3 +254,4 @@ void TestScenarios::clappingSpreadsFromWhereItWasSprayed()
 
 CROWD_WINDOW_TEST(TestScenarios)
 #include "tst_Scenarios.moc"
+#include "widgets/docks/RuleNames.h"

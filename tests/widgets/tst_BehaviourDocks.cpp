@@ -568,3 +568,5 @@ void TestBehaviourDocks::everythingFitsASmallPanel()
 
 CROWD_WINDOW_TEST(TestBehaviourDocks)
 #include "tst_BehaviourDocks.moc"
+#include "widgets/docks/RuleNames.h"
+#include "widgets/docks/RuleProblems.h"

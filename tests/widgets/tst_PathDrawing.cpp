@@ -332,7 +332,7 @@ void TestPathDrawing::labelsSayWhatPanelsAndRulesSay()
                            {640.0F, 480.0F});
     const auto namesOf = [&] {
         QStringList names;
-        for (const PlaceLabel& label : PathDrawing::labels(state, view)) {
+        for (const PlaceLabel& label : pathLabels(state, view)) {
             if (label.text.startsWith(QStringLiteral("Place "))) {
                 names << label.text;
             }
@@ -349,3 +349,4 @@ void TestPathDrawing::labelsSayWhatPanelsAndRulesSay()
 
 CROWD_TEST(TestPathDrawing)
 #include "tst_PathDrawing.moc"
+#include "widgets/viewport/PathLabels.h"

@@ -299,3 +299,4 @@ void TestRulePanel::theFieldKeepsTheKeyboard()
 
 CROWD_WINDOW_TEST(TestRulePanel)
 #include "tst_RulePanel.moc"
+#include "widgets/docks/RuleProblems.h"

@@ -12,6 +12,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/rules/RuleSets.h"
 #include "widgets/docks/CueForm.h"
+#include "widgets/docks/RuleNames.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/Cues.h"
 #include "widgets/state/SceneChanges.h"

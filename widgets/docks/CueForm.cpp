@@ -13,7 +13,7 @@
 
 #include "model/rules/RuleSets.h"
 #include "widgets/docks/RuleFields.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleNames.h"
 #include "widgets/docks/WrapRow.h"
 #include "widgets/state/Cues.h"
 

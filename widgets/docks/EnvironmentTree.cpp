@@ -11,6 +11,7 @@
 
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/EnvironmentDock.h"
+#include "widgets/docks/EnvironmentMenu.h"
 
 /// Paths and places as a tree: what is in it, what is selected in it, and how many people are
 /// where.
@@ -209,6 +210,26 @@ void EnvironmentDock::scrollToSelection()
         m_tree->scrollToItem(last->child(length - 1));
     }
     m_tree->scrollToItem(last);
+}
+
+void EnvironmentDock::showMenu(const QPoint& position)
+{
+    const QTreeWidgetItem* item = m_tree->itemAt(position);
+    if (item == nullptr || m_state.document().isEditOpen() || item->type() == KindItem) {
+        return;
+    }
+    EnvironmentMenu menu(m_state, this);
+    const auto id = item->data(0, kIdRole).toUInt();
+    if (item->type() == PathItem) {
+        menu.fillForPath(id);
+    } else if (item->parent()->type() == PathItem) {
+        const auto index = static_cast<std::size_t>(item->data(0, kIndexRole).toInt());
+        menu.fillForPlace(id,
+                          EnvironmentMenu::Stop{item->parent()->data(0, kIdRole).toUInt(), index});
+    } else {
+        menu.fillForPlace(id, std::nullopt);
+    }
+    menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 
 void EnvironmentDock::takeSelection()

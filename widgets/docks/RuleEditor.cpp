@@ -12,7 +12,7 @@
 
 #include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleFields.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleNames.h"
 #include "widgets/docks/WrapRow.h"
 
 namespace crowd::widgets {

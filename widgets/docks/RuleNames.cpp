@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "widgets/docks/RuleNames.h"
+
 #include <QtCore/QCoreApplication>
 
-#include "widgets/docks/RuleTexts.h"
-
-/// What can be chosen in a rule, by name.
 namespace crowd::widgets {
 
 using namespace model;

@@ -9,7 +9,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "widgets/docks/RuleFields.h"
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleNames.h"
 
 namespace crowd::widgets {
 

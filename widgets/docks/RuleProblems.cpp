@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "widgets/docks/RuleProblems.h"
+
 #include <algorithm>
 
 #include <QtCore/QCoreApplication>
 
 #include "model/rules/RuleFlaws.h"
 #include "model/rules/RuleSequence.h"
-#include "widgets/docks/RuleTexts.h"
 
-/// What is wrong with rules as they stand.
 namespace crowd::widgets {
 
 using namespace model;

@@ -9,6 +9,7 @@
 #include <QtGui/QColor>
 
 #include "model/rules/RuleSequence.h"
+#include "widgets/docks/RuleNames.h"
 
 /// Rules as sentences.
 namespace crowd::widgets {

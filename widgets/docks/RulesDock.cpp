@@ -18,6 +18,7 @@
 #include "widgets/docks/NamesForm.h"
 #include "widgets/docks/RuleEditor.h"
 #include "widgets/docks/RuleItemDelegate.h"
+#include "widgets/docks/RuleProblems.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/state/SceneChanges.h"
 

@@ -7,7 +7,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
-#include "widgets/docks/RuleTexts.h"
+#include "widgets/docks/RuleNames.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/theme/Icons.h"
 

@@ -6,10 +6,6 @@
 #include <span>
 #include <vector>
 
-#include <QtCore/QPointF>
-#include <QtCore/QString>
-#include <QtGui/QColor>
-
 #include "model/view/View.h"
 #include "render/RenderInput.h"
 #include "widgets/state/EditorState.h"
@@ -17,18 +13,8 @@
 
 namespace crowd::widgets {
 
-/// A handle or a name over the picture, logical pixels.
-struct PlaceLabel
-{
-    QPointF at;
-    QString text; ///< empty: only the handle
-    QColor color;
-    bool isSelected = false;
-    friend bool operator==(const PlaceLabel&, const PlaceLabel&) = default;
-};
-
 /// Places as rings and paths as lanes with arrows, laid on the ground, branches from one path to
-/// another, and their names. Made anew only when they changed.
+/// another. Made anew only when they changed.
 class PathDrawing
 {
 public:
@@ -38,8 +24,6 @@ public:
                                                                  const model::StageRays& stage);
     /// Another one for other areas; never 0 once they were asked for.
     [[nodiscard]] std::uint64_t version() const { return m_version; }
-    [[nodiscard]] static std::vector<PlaceLabel> labels(const EditorState& state,
-                                                        const model::View& view);
     /// Something else is to be drawn.
     void forget() { m_isStale = true; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/PathDrawing.h"
+#include "widgets/viewport/PathLabels.h"
 
 #include <algorithm>
 
@@ -38,7 +38,7 @@ bool isAtHand(const EditorState& state, model::PlaceId place)
 
 } // namespace
 
-std::vector<PlaceLabel> PathDrawing::labels(const EditorState& state, const model::View& view)
+std::vector<PlaceLabel> pathLabels(const EditorState& state, const model::View& view)
 {
     std::vector<PlaceLabel> labels;
     if (!state.viewOptions().showPaths) {

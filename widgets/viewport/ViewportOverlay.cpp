@@ -8,6 +8,7 @@
 
 #include "widgets/viewport/BrushCursor.h"
 #include "widgets/viewport/LabelLayout.h"
+#include "widgets/viewport/PathLabels.h"
 
 namespace crowd::widgets {
 

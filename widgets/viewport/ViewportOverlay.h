@@ -7,6 +7,7 @@
 
 #include "widgets/tools/ToolPicture.h"
 #include "widgets/viewport/PathDrawing.h"
+#include "widgets/viewport/PathLabels.h"
 #include "widgets/viewport/PeopleMarks.h"
 
 namespace crowd::widgets {

@@ -13,6 +13,7 @@
 #include "widgets/state/SceneChanges.h"
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/BrushPopup.h"
+#include "widgets/viewport/PathLabels.h"
 #include "widgets/viewport/ViewportOverlay.h"
 #include "widgets/viewport/WorkBar.h"
 
@@ -201,7 +202,7 @@ render::RenderInput ViewportWidget::renderInput()
 
 void ViewportWidget::refreshPlaces()
 {
-    m_overlay->setPlaces(PathDrawing::labels(m_state, m_tools.queries().view()));
+    m_overlay->setPlaces(pathLabels(m_state, m_tools.queries().view()));
 }
 
 void ViewportWidget::paintGL()
