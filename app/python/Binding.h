@@ -193,6 +193,8 @@ void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& 
 void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
 void bindEnvironment(SceneClass& scene);                   ///< places, paths, rules
+/// Classes for places, rules and so on; after the scene.
+void bindEntries(py::module_& module);
 void bindScene(py::module_& module);
 void bindSession(py::module_& module); ///< after the scene
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include <pybind11/eval.h>
+
+#include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "model/project/EnvironmentSchema.h"
 #include "model/project/EnvironmentText.h"
 
 namespace crowd::app {
@@ -104,13 +108,22 @@ void bindEnvironment(SceneClass& scene)
         .def_property_readonly(
             "environment", &environment,
             "A dict of lists as the project file has them: places, paths, tags, rules, "
-            "numbers, cues, the surface to walk on, and stepsPerSecond.")
-        .def("set_environment", &setEnvironment, py::arg("environment"), py::kw_only(),
-             py::arg("strict") = true,
-             "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
-             "text; what is not in it stays. Raises Error where a member is wrong, or misspelt, or "
-             "a rule names a clip or slot that no template has. strict=False takes what a project "
-             "file may hold: members of a later version, clips of templates that are gone.");
+            "numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and "
+            "so on give the lists as typed classes.")
+        .def(
+            "set_environment", &setEnvironment, py::arg("environment"), py::kw_only(),
+            py::arg("strict") = true,
+            "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
+            "text; what is not in it stays. What stands in them are dicts, or Rule, Place and so "
+            "on. Raises Error where a member is wrong, or misspelt, or a rule names a clip or slot "
+            "that no template has. strict=False takes what a project file may hold: members of a "
+            "later version, clips of templates that are gone.");
+}
+
+void bindEntries(py::module_& module)
+{
+    module.def("_environment_schema", &environmentSchema);
+    py::exec(kEntriesSource, module.attr("__dict__"));
 }
 
 } // namespace crowd::app

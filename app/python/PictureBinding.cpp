@@ -118,7 +118,7 @@ class Picture(_numpy.ndarray):
     def __new__(cls, pixels: "Array") -> "Picture":
         return _numpy.asarray(pixels).view(cls)
 
-    def save_png(self, path: "Path") -> None:
+    def save_png(self, path: "FilePath") -> None:
         """Writes the picture to a file, whole or not at all."""
         _save_png(str(path), _numpy.ascontiguousarray(self, dtype=_numpy.uint8))
 )",

@@ -31,6 +31,7 @@ void registerModule(py::module_& module)
     bindBrushes(module);
     bindScriptBrushes(module);
     bindScene(module);
+    bindEntries(module);
     bindSession(module);
     speakOfArguments(module);
     watchPythonsEnd();

@@ -2,17 +2,19 @@
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """Everything the editor can do to a crowd, scripted. Metres, seconds, radians; Y is up and characters face +Z at heading 0. Columns are NumPy arrays."""
 import os
-from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
 
 _Array = numpy.typing.NDArray[Any]
-Path = Union[str, "os.PathLike[str]"]
+FilePath = Union[str, "os.PathLike[str]"]
 Array = Any
 """Whatever NumPy makes an array of: an array, a list, a number that stands for all."""
 Ids = Any
 """Ids as an array or a list, or a mask with a bool for each individual."""
+Clips = Union[str, Sequence[str], Mapping[str, float], Sequence[Mapping[str, Any]]]
+"""A clip, several, or several with weights."""
 _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
@@ -561,7 +563,6 @@ class Brush:
         """Another one, set the same."""
     def __eq__(self, other: Any) -> bool:
         ...
-    def __hash__(self) -> int: ...
     @property
     def kind(self) -> BrushKind:
         ...
@@ -732,7 +733,7 @@ class Scene:
     """A document: people, templates, stages, cameras, history."""
     def __init__(self) -> None:
         """An empty scene."""
-    def save(self, path: Optional[Path] = ...) -> None:
+    def save(self, path: Optional[FilePath] = ...) -> None:
         """Writes a .crowd file, whole or not at all. Without a path: where it was opened or
         saved last. Raises Error where the file cannot be written."""
     @property
@@ -794,23 +795,23 @@ class Scene:
         """Characters to make copies of."""
     def template(self, name: str) -> Template:
         """The first one of that name."""
-    def add_template(self, path: Path, name: str = ..., *, id: int = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> Template:
+    def add_template(self, path: FilePath, name: str = ..., *, id: int = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> Template:
         """A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb. The rest is
         what the import dialog asks for: a scale, a rotation (w, x, y, z), metres added to Y,
         and clip by clip ground speeds in m/s (None: the file's) and roles, which say what
         people stand, walk and sit with: "idle", "walk", "run", "fly", "sit" or "other" (None:
         the proposed one)."""
-    def change_template(self, template: Union[Template, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> None:
+    def change_template(self, template: Union[Template, int], *, path: Optional[FilePath] = ..., name: Optional[str] = ..., scale: Optional[float] = ..., rotation: Optional[Sequence[float]] = ..., ground_offset: Optional[float] = ..., remove_root_motion: Optional[bool] = ..., clip_speeds: Optional[List[Optional[float]]] = ..., clip_roles: Optional[List[Optional[str]]] = ...) -> None:
         """By handle or id; what is not given stays. See add_template."""
     def remove_template(self, template: Union[Template, int]) -> None:
         """By handle or id; refused as long as somebody is of it."""
     @property
     def stages(self) -> List[Stage]:
         """Geometry that people stand on, as it is placed."""
-    def add_stage(self, path: Path, name: str = ..., position: Sequence[float] = ..., heading: float = ..., scale: float = ..., *, id: int = ...) -> Stage:
+    def add_stage(self, path: FilePath, name: str = ..., position: Sequence[float] = ..., heading: float = ..., scale: float = ..., *, id: int = ...) -> Stage:
         """A .glb or .gltf file, or a built-in one such as builtin:stages/theatre.glb. Metres,
         radians."""
-    def change_stage(self, stage: Union[Stage, int], *, path: Optional[Path] = ..., name: Optional[str] = ..., position: Optional[Sequence[float]] = ..., heading: Optional[float] = ..., scale: Optional[float] = ...) -> None:
+    def change_stage(self, stage: Union[Stage, int], *, path: Optional[FilePath] = ..., name: Optional[str] = ..., position: Optional[Sequence[float]] = ..., heading: Optional[float] = ..., scale: Optional[float] = ...) -> None:
         """By stage or id; what is not given stays."""
     def remove_stage(self, stage: Union[Stage, int]) -> None:
         """By stage or id."""
@@ -831,16 +832,54 @@ class Scene:
     @property
     def environment(self) -> Any:
         """A dict of lists as the project file has them: places, paths, tags, rules, numbers,
-        cues, the surface to walk on, and stepsPerSecond."""
+        cues, the surface to walk on, and stepsPerSecond. scene.rules and so on give the lists
+        as typed classes."""
     def set_environment(self, environment: Union[str, Dict[str, Any]], *, strict: bool = ...) -> None:
         """Lists of places, paths, tags, rules and so on as in environment, or the same as JSON
-        text; what is not in it stays. Raises Error where a member is wrong, or misspelt, or a
-        rule names a clip or slot that no template has. strict=False takes what a project file
-        may hold: members of a later version, clips of templates that are gone."""
+        text; what is not in it stays. What stands in them are dicts, or Rule, Place and so
+        on. Raises Error where a member is wrong, or misspelt, or a rule names a clip or slot
+        that no template has. strict=False takes what a project file may hold: members of a
+        later version, clips of templates that are gone."""
     def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
         on screen, for all of them with time=."""
+    @property
+    def places(self) -> List[Place]:
+        """A new list of Place, as the environment has them; setting it is a step of undo."""
+    @places.setter
+    def places(self, value: List[Place]) -> None:
+        ...
+    @property
+    def paths(self) -> List[Path]:
+        """A new list of Path, as the environment has them; setting it is a step of undo."""
+    @paths.setter
+    def paths(self, value: List[Path]) -> None:
+        ...
+    @property
+    def tags(self) -> List[Tag]:
+        """A new list of Tag, as the environment has them; setting it is a step of undo."""
+    @tags.setter
+    def tags(self, value: List[Tag]) -> None:
+        ...
+    @property
+    def numbers(self) -> List[Number]:
+        """A new list of Number, as the environment has them; setting it is a step of undo."""
+    @numbers.setter
+    def numbers(self, value: List[Number]) -> None:
+        ...
+    @property
+    def cues(self) -> List[Cue]:
+        """A new list of Cue, as the environment has them; setting it is a step of undo."""
+    @cues.setter
+    def cues(self, value: List[Cue]) -> None:
+        ...
+    @property
+    def rules(self) -> List[Rule]:
+        """A new list of Rule, as the environment has them; setting it is a step of undo."""
+    @rules.setter
+    def rules(self, value: List[Rule]) -> None:
+        ...
 
 
 class Edit:
@@ -883,12 +922,11 @@ class Camera:
         """Metres."""
     def __eq__(self, other: Any) -> bool:
         ...
-    def __hash__(self) -> int: ...
 
 
 class Picture(numpy.ndarray[Any, Any]):
     """A picture: height × width × 4 uint8, red, green, blue, alpha, sRGB, rows from the top."""
-    def save_png(self, path: Path) -> None:
+    def save_png(self, path: FilePath) -> None:
         """Writes the picture to a file, whole or not at all."""
 
 
@@ -963,6 +1001,681 @@ class StrokeOutcome:
         """Why nothing happened; empty otherwise."""
 
 
+class Entry(Dict[str, Any]):
+    """What a scene's environment is made of: a dict as the project file has it, with typed attributes.
+    
+    Made with its members as keywords; those that are not given have the value that they begin with.
+    An attribute is the member of the dict of that name. Goes wherever the dict goes."""
+    def __init__(self, **members: Any) -> None:
+        ...
+    @classmethod
+    def from_dict(cls, members: Dict[str, Any]) -> Entry:
+        """Of a dict as the project file has it; members that this version does not know stay in it."""
+    def to_dict(self) -> Dict[str, Any]:
+        """A plain dict, with plain ones in it."""
+    def __eq__(self, other: Any) -> bool:
+        """To a dict too: what it leaves out is what it begins with. Numbers are as precise as files."""
+
+
+class Trigger(Entry):
+    """What makes a rule fire: one of crowdbrush.triggers."""
+
+
+class Condition(Entry):
+    """What must hold for a rule to fire: one of crowdbrush.conditions."""
+
+
+class Action(Entry):
+    """What a rule does: one of crowdbrush.actions."""
+
+
+class triggers:
+    """The kinds of triggers."""
+
+    class Start(Trigger):
+        """The session begins."""
+        def __init__(self) -> None:
+            ...
+
+    class Event(Trigger):
+        """An event of that name reaches somebody."""
+        def __init__(self, *, event: str = ...) -> None:
+            ...
+        event: str
+        """its name"""
+
+    class Arrived(Trigger):
+        """Somebody reaches the place that he was going to."""
+        def __init__(self, *, place: Union[int, Place] = ...) -> None:
+            ...
+        place: int
+        """0: any; begins as 0"""
+
+    class Entered(Trigger):
+        """Somebody comes into a place's circle."""
+        def __init__(self, *, place: Union[int, Place] = ...) -> None:
+            ...
+        place: int
+        """0: any; begins as 0"""
+
+    class Left(Trigger):
+        """Somebody comes out of a place's circle."""
+        def __init__(self, *, place: Union[int, Place] = ...) -> None:
+            ...
+        place: int
+        """0: any; begins as 0"""
+
+    class PathEnded(Trigger):
+        """Somebody reaches the end of a simple path."""
+        def __init__(self, *, path: Union[int, Path] = ...) -> None:
+            ...
+        path: int
+        """0: any; begins as 0"""
+
+    class ClipEnded(Trigger):
+        """A clip that a rule let somebody play is over."""
+        def __init__(self) -> None:
+            ...
+
+    class Every(Trigger):
+        """Again and again, for each at other times."""
+        def __init__(self, *, seconds: float = ..., jitter: float = ...) -> None:
+            ...
+        seconds: float
+        """between two times; 0 to 86400 s; begins as 5.0"""
+        jitter: float
+        """how much earlier or later it may be, as a share of the time; 0 to 1; begins as 0.2"""
+
+    class TagNear(Trigger):
+        """Somebody with a tag comes near."""
+        def __init__(self, *, tag: Union[int, Tag] = ..., metres: float = ...) -> None:
+            ...
+        tag: int
+        """of who comes near; 0 to 63; begins as 0"""
+        metres: float
+        """how near; 0 to 10000 m; begins as 3.0"""
+
+    class SpeedLimit(Trigger):
+        """Somebody gets faster or slower than a speed."""
+        def __init__(self, *, above: bool = ..., metres_per_second: float = ...) -> None:
+            ...
+        above: bool
+        """whether he gets faster than it, else slower; begins as True"""
+        metres_per_second: float
+        """the speed, m/s; 0 to 100 m/s; begins as 2.0"""
+
+    class Waited(Trigger):
+        """Somebody has stood still for so long."""
+        def __init__(self, *, seconds: float = ...) -> None:
+            ...
+        seconds: float
+        """how long; 0 to 86400 s; begins as 5.0"""
+
+    class AheadFree(Trigger):
+        """The place before somebody's in a path's order gets free."""
+        def __init__(self, *, path: Union[int, Path] = ...) -> None:
+            ...
+        path: int
+        """0: any; begins as 0"""
+
+
+class conditions:
+    """The kinds of conditions."""
+
+    class Tag(Condition):
+        """Has a tag."""
+        def __init__(self, *, tag: Union[int, Tag] = ..., not_: bool = ...) -> None:
+            ...
+        tag: int
+        """the tag; 0 to 63; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Template(Condition):
+        """Is made from a template."""
+        def __init__(self, *, template: Union[int, Template] = ..., not_: bool = ...) -> None:
+            ...
+        template: int
+        """its id; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class InPlace(Condition):
+        """Is in a place's circle."""
+        def __init__(self, *, place: Union[int, Place] = ..., not_: bool = ...) -> None:
+            ...
+        place: int
+        """its id; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Follows(Condition):
+        """Walks along a path."""
+        def __init__(self, *, path: Union[int, Path] = ..., not_: bool = ...) -> None:
+            ...
+        path: int
+        """0: any; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Seated(Condition):
+        """Sits on a seat."""
+        def __init__(self, *, not_: bool = ...) -> None:
+            ...
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Chance(Condition):
+        """Holds in a share of cases, drawn anew each time."""
+        def __init__(self, *, chance: float = ..., not_: bool = ...) -> None:
+            ...
+        chance: float
+        """the share; 0 to 1; begins as 0.5"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Number(Condition):
+        """An artist's number of his, compared."""
+        def __init__(self, *, number: Union[int, Number] = ..., compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        number: int
+        """its id; begins as 0"""
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Speed(Condition):
+        """How fast he goes over the ground, m/s, compared."""
+        def __init__(self, *, compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6 m/s; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Payload(Condition):
+        """The number that the event carries, compared."""
+        def __init__(self, *, compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Full(Condition):
+        """A place has no room left."""
+        def __init__(self, *, place: Union[int, Place] = ..., not_: bool = ...) -> None:
+            ...
+        place: int
+        """its id; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class PeopleIn(Condition):
+        """How many are in a place, compared."""
+        def __init__(self, *, place: Union[int, Place] = ..., compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        place: int
+        """its id; begins as 0"""
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Property(Condition):
+        """A property of his, compared."""
+        def __init__(self, *, property: Literal["height", "girth", "playback speed", "walk speed", "clip"] = ..., clip: str = ..., compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        property: Literal["height", "girth", "playback speed", "walk speed", "clip"]
+        """which; begins as 'height'"""
+        clip: str
+        """of the property clip: its name"""
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6 ×; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+
+class actions:
+    """The kinds of actions."""
+
+    class Play(Action):
+        """Plays one of the clips, drawn by weight."""
+        def __init__(self, *, clips: Clips = ..., loop: bool = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        clips: List[Dict[str, Any]]
+        """with their weights; whoever has none of them goes on at once"""
+        loop: bool
+        """for so many seconds, else once; begins as False"""
+        seconds: float
+        """how long a loop goes on; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Turn(Action):
+        """Turns to somebody or something."""
+        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., depth: int = ...) -> None:
+            ...
+        aim: Literal["sender", "tagged", "place"]
+        """whom or what it is about; begins as 'sender'"""
+        tag: int
+        """of whom is meant; 0 to 63; begins as 0"""
+        place: int
+        """that is meant; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class LookAt(Action):
+        """Keeps facing somebody or something."""
+        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        aim: Literal["sender", "tagged", "place"]
+        """whom or what it is about; begins as 'sender'"""
+        tag: int
+        """of whom is meant; 0 to 63; begins as 0"""
+        place: int
+        """that is meant; begins as 0"""
+        seconds: float
+        """how long; 0: until another rule comes; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class SitDown(Action):
+        """Goes to the nearest free seat and sits down."""
+        def __init__(self, *, metres: float = ..., depth: int = ...) -> None:
+            ...
+        metres: float
+        """how far the seat may be; 0: however far; 0 to 10000 m; begins as 2.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class StandUp(Action):
+        """Gets up from his seat."""
+        def __init__(self, *, depth: int = ...) -> None:
+            ...
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Follow(Action):
+        """Walks along a path."""
+        def __init__(self, *, path: Union[int, Path] = ..., depth: int = ...) -> None:
+            ...
+        path: int
+        """its id; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class GoTo(Action):
+        """Goes to a place, and on when he is there."""
+        def __init__(self, *, choice: Literal["given", "nearest", "nearest free", "first free", "ahead"] = ..., path: Union[int, Path] = ..., place: Union[int, Place] = ..., depth: int = ...) -> None:
+            ...
+        choice: Literal["given", "nearest", "nearest free", "first free", "ahead"]
+        """which place; begins as 'given'"""
+        path: int
+        """whose places are meant, of all choices but given; 0: any; begins as 0"""
+        place: int
+        """the one that is given, or one whose name those have that are meant; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class GoToPerson(Action):
+        """Goes to somebody, who may walk himself."""
+        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        aim: Literal["sender", "tagged", "place"]
+        """whom or what it is about; begins as 'sender'"""
+        tag: int
+        """of whom is meant; 0 to 63; begins as 0"""
+        place: int
+        """that is meant; begins as 0"""
+        metres: float
+        """how near he comes; 0 to 10000 m; begins as 2.0"""
+        seconds: float
+        """gives up after so long; 0: never; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class FollowPerson(Action):
+        """Stays near somebody who walks."""
+        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        aim: Literal["sender", "tagged", "place"]
+        """whom or what it is about; begins as 'sender'"""
+        tag: int
+        """of whom is meant; 0 to 63; begins as 0"""
+        place: int
+        """that is meant; begins as 0"""
+        metres: float
+        """how near he comes; 0 to 10000 m; begins as 2.0"""
+        seconds: float
+        """how long; 0: until another rule comes; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Flee(Action):
+        """Goes away from somebody or something."""
+        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., depth: int = ...) -> None:
+            ...
+        aim: Literal["sender", "tagged", "place"]
+        """whom or what it is about; begins as 'sender'"""
+        tag: int
+        """of whom is meant; 0 to 63; begins as 0"""
+        place: int
+        """that is meant; begins as 0"""
+        metres: float
+        """how far; 0 to 10000 m; begins as 2.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Stop(Action):
+        """Stands still."""
+        def __init__(self, *, depth: int = ...) -> None:
+            ...
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class GoOn(Action):
+        """Walks on along what he walked before he stopped."""
+        def __init__(self, *, depth: int = ...) -> None:
+            ...
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Speed(Action):
+        """Walks so fast from now on."""
+        def __init__(self, *, value: float = ..., depth: int = ...) -> None:
+            ...
+        value: float
+        """m/s; 0: the number of the event; -1e6 to 1e6 m/s; begins as 0.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Wait(Action):
+        """Waits so long, half of that more or less."""
+        def __init__(self, *, seconds: float = ..., depth: int = ...) -> None:
+            ...
+        seconds: float
+        """about how long; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class WaitForEvent(Action):
+        """Waits until an event reaches him."""
+        def __init__(self, *, event: str = ..., seconds: float = ..., depth: int = ...) -> None:
+            ...
+        event: str
+        """its name"""
+        seconds: float
+        """at most; 0: for ever; 0 to 86400 s; begins as 3.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Repeat(Action):
+        """Does the deeper actions below it so many times."""
+        def __init__(self, *, times: int = ..., depth: int = ...) -> None:
+            ...
+        times: int
+        """how often; 0: for ever; 0 to 1000 ×; begins as 2"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class OneOf(Action):
+        """One alternative of a choice, drawn by weight: several of them, each with the deeper
+    actions below it, make the choice."""
+        def __init__(self, *, weight: float = ..., depth: int = ...) -> None:
+            ...
+        weight: float
+        """how often it comes, against the others; 0 to 1e6 ×; begins as 1.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Again(Action):
+        """Begins with the first action again."""
+        def __init__(self, *, depth: int = ...) -> None:
+            ...
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Send(Action):
+        """Sends an event, which arrives in the next step or later."""
+        def __init__(self, *, event: str = ..., reach: Literal["self", "near", "tagged", "group", "everybody"] = ..., metres: float = ..., tag: Union[int, Tag] = ..., seconds_per_metre: float = ..., value: float = ..., depth: int = ...) -> None:
+            ...
+        event: str
+        """its name"""
+        reach: Literal["self", "near", "tagged", "group", "everybody"]
+        """whom it reaches; begins as 'near'"""
+        metres: float
+        """how near those are who are near; 0 to 10000 m; begins as 2.0"""
+        tag: int
+        """of those tagged; 0 to 63; begins as 0"""
+        seconds_per_metre: float
+        """how long it takes to get there, s/m; 0 to 86400 s/m; begins as 0.0"""
+        value: float
+        """the number that it carries; -1e6 to 1e6; begins as 0.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Tag(Action):
+        """Gets a tag."""
+        def __init__(self, *, tag: Union[int, Tag] = ..., depth: int = ...) -> None:
+            ...
+        tag: int
+        """the tag; 0 to 63; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Untag(Action):
+        """Loses a tag."""
+        def __init__(self, *, tag: Union[int, Tag] = ..., depth: int = ...) -> None:
+            ...
+        tag: int
+        """the tag; 0 to 63; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class SetProperty(Action):
+        """Sets a property for the rest of the session; Keep Pose puts it into the scene."""
+        def __init__(self, *, property: Literal["tint", "height", "playback speed", "clip", "phase"] = ..., slot: str = ..., color: Union[str, Sequence[int]] = ..., strength: int = ..., value: float = ..., clips: Clips = ..., depth: int = ...) -> None:
+            ...
+        property: Literal["tint", "height", "playback speed", "clip", "phase"]
+        """which; begins as 'tint'"""
+        slot: str
+        """of tint: its name; empty: all that can be tinted"""
+        color: str
+        """of tint, sRGB; begins as '#c83c3c'"""
+        strength: int
+        """of tint: how much of the colour, 0 to 255; 0 to 255; begins as 255"""
+        value: float
+        """of height, playback speed and phase; -1e6 to 1e6 ×; begins as 0.0"""
+        clips: List[Dict[str, Any]]
+        """of clip: those drawn from, with their weights"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class SetNumber(Action):
+        """Sets an artist's number of his."""
+        def __init__(self, *, number: Union[int, Number] = ..., value: float = ..., depth: int = ...) -> None:
+            ...
+        number: int
+        """its id; begins as 0"""
+        value: float
+        """what it becomes; -1e6 to 1e6; begins as 0.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class AddToNumber(Action):
+        """Adds to an artist's number of his."""
+        def __init__(self, *, number: Union[int, Number] = ..., value: float = ..., depth: int = ...) -> None:
+            ...
+        number: int
+        """its id; begins as 0"""
+        value: float
+        """what is added; -1e6 to 1e6; begins as 0.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class Appear(Action):
+        """Is at a place from now on, also after leaving the scene."""
+        def __init__(self, *, place: Union[int, Place] = ..., depth: int = ...) -> None:
+            ...
+        place: int
+        """its id; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+    class LeaveScene(Action):
+        """Leaves the scene."""
+        def __init__(self, *, choice: Literal["given", "nearest", "nearest free", "first free", "ahead"] = ..., path: Union[int, Path] = ..., place: Union[int, Place] = ..., depth: int = ...) -> None:
+            ...
+        choice: Literal["given", "nearest", "nearest free", "first free", "ahead"]
+        """at which place; given and place 0: where he is; begins as 'given'"""
+        path: int
+        """whose places are meant, of all choices but given; 0: all exits; begins as 0"""
+        place: int
+        """the one that is given, or one whose name those have that are meant; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
+
+class Place(Entry):
+    """A spot with a size on the ground."""
+    def __init__(self, *, id: int, name: str = ..., position: Sequence[float], radius: float = ..., color: Union[str, Sequence[int]] = ..., role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"] = ..., capacity: int = ..., speed_share: float = ...) -> None:
+        ...
+    id: int
+    """by which others name it, never 0; must be given"""
+    name: str
+    """as the editor shows it"""
+    position: List[float]
+    """of its middle; m; must be given"""
+    radius: float
+    """its size on the ground; 0.05 to 200 m; begins as 1.0"""
+    color: str
+    """in which the editor shows it; begins as '#f09628'"""
+    role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"]
+    """what it does to those who walk; begins as 'spot'"""
+    capacity: int
+    """how many have room; 0: as many as can stand in it; 0 to 100000; begins as 0"""
+    speed_share: float
+    """of a slow place: share of the speed that people would walk with; 0.05 to 1; begins as 0.5"""
+
+
+class Branch(Entry):
+    """Where some leave a path for the beginning of another one."""
+    def __init__(self, *, place: Union[int, Place], path: Union[int, Path], weight: float = ...) -> None:
+        ...
+    place: int
+    """of the path, where some leave it; must be given"""
+    path: int
+    """to whose beginning they go; must be given"""
+    weight: float
+    """how many leave, against 1 who go on; 0 to 1000; begins as 1.0"""
+
+
+class Path(Entry):
+    """Places to walk along, in order."""
+    def __init__(self, *, id: int, name: str = ..., kind: Literal["simple", "cyclic", "teleport"] = ..., color: Union[str, Sequence[int]] = ..., places: Sequence[Union[int, Place]] = ..., branches: Sequence[Union[Branch, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """by which others name it, never 0; must be given"""
+    name: str
+    """as the editor shows it"""
+    kind: Literal["simple", "cyclic", "teleport"]
+    """at the last place: stop, go on to the first, jump to the first; begins as 'simple'"""
+    color: str
+    """in which the editor shows it; begins as '#f09628'"""
+    places: List[int]
+    """in the order in which they are walked to"""
+    branches: List[Branch]
+    """where some leave it"""
+
+
+class Tag(Entry):
+    """A tag that characters can have, 0 to 63."""
+    def __init__(self, *, tag: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ...) -> None:
+        ...
+    tag: int
+    """which one it names; 0 to 63; begins as 0"""
+    name: str
+    """as the editor shows it"""
+    color: str
+    """in which the editor shows it; begins as '#c850c8'"""
+
+
+class Number(Entry):
+    """A number that everybody has, for rules."""
+    def __init__(self, *, id: int, name: str = ..., low: float = ..., high: float = ..., values_: Sequence[Sequence[float]] = ...) -> None:
+        ...
+    id: int
+    """by which others name it, never 0; must be given"""
+    name: str
+    """as the editor shows it"""
+    low: float
+    """the least that anybody begins with; -1e6 to 1e6; begins as 0.0"""
+    high: float
+    """the most that anybody begins with, not below low; -1e6 to 1e6; begins as 0.0"""
+    values_: List[List[float]]
+    """[id, number] of each individual that begins with another one"""
+
+
+class Cue(Entry):
+    """A button that sends an event."""
+    def __init__(self, *, id: int, name: str = ..., event: str = ..., payload: float = ..., key: str = ..., reach: Literal["everybody", "selected", "tagged"] = ..., tag: Union[int, Tag] = ...) -> None:
+        ...
+    id: int
+    """by which others name it, never 0; must be given"""
+    name: str
+    """as the editor shows it"""
+    event: str
+    """what it sends"""
+    payload: float
+    """the number that comes along; -1e6 to 1e6; begins as 0.0"""
+    key: str
+    """that sends it, "F3" to "F10"; empty: none"""
+    reach: Literal["everybody", "selected", "tagged"]
+    """whom it reaches; begins as 'everybody'"""
+    tag: int
+    """of those whom "tagged" reaches; 0 to 63; begins as 0"""
+
+
+class Rule(Entry):
+    """When this happens, and the conditions hold, do this."""
+    def __init__(self, *, id: int, name: str = ..., enabled: bool = ..., any: bool = ..., meeting: Literal["interrupt", "queue", "ignore"] = ..., yields: Literal["further up", "anybody", "nobody"] = ..., cooldown: float = ..., limit: int = ..., when: Union[Trigger, Dict[str, Any]] = ..., if_: Sequence[Union[Condition, Dict[str, Any]]] = ..., do: Sequence[Union[Action, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """by which others name it, never 0; must be given"""
+    name: str
+    """as the editor shows it"""
+    enabled: bool
+    """whether it runs; begins as True"""
+    any: bool
+    """whether one of the conditions is enough, else all; begins as False"""
+    meeting: Literal["interrupt", "queue", "ignore"]
+    """what happens to somebody who is busy with another rule; begins as 'interrupt'"""
+    yields: Literal["further up", "anybody", "nobody"]
+    """which rules may break it off; begins as 'further up'"""
+    cooldown: float
+    """between two times for the same individual; 0 to 86400 s; begins as 0.0"""
+    limit: int
+    """how often for the same individual; 0: as often as it comes; begins as 0"""
+    when: Trigger
+    """what makes it fire"""
+    if_: List[Condition]
+    """what must hold"""
+    do: List[Action]
+    """what is done, in order"""
+
+
 class Session:
     """A run of the simulation: people walk, rules fire. Never changes the scene by itself; edits
     of the scene reach it at its next step. The same scene, edits, events and steps give the
@@ -1025,7 +1738,7 @@ def register_brush(brush: _B, name: Optional[str] = ...) -> _B:
     where it reaches at first. Returns the brush. Raises TypeError when it is none."""
 
 
-def open(path: Path) -> Scene:
+def open(path: FilePath) -> Scene:
     """Opens a .crowd file, or a ready-made scene such as builtin:scenes/theatre.crowd. Raises
     Error with the reason why it cannot be read; warns (UserWarning) of stages and templates
     that could not be loaded, and of what in the file was odd."""

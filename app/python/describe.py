@@ -16,17 +16,19 @@ HEAD = '''# SPDX-License-Identifier: MIT
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """{doc}"""
 import os
-from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
 
 _Array = numpy.typing.NDArray[Any]
-Path = Union[str, "os.PathLike[str]"]
+FilePath = Union[str, "os.PathLike[str]"]
 Array = Any
 """Whatever NumPy makes an array of: an array, a list, a number that stands for all."""
 Ids = Any
 """Ids as an array or a list, or a mask with a bool for each individual."""
+Clips = Union[str, Sequence[str], Mapping[str, float], Sequence[Mapping[str, Any]]]
+"""A clip, several, or several with weights."""
 _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
@@ -38,7 +40,7 @@ NEAREST_PATH: int
 # What pybind11 writes of types, in words of typing.
 TYPES = [
     (r"\bcrowdbrush\.", ""),
-    (r"\bos\.PathLike\b", "Path"),
+    (r"\bos\.PathLike\b", "FilePath"),
     (r"List\[(float|int)\[\d+\]\]", r"Sequence[\1]"),
     (r"\bdict\b", "Dict[Any, Any]"),
     (r"\blist\b", "List[Any]"),
@@ -111,6 +113,8 @@ def plain(annotation, missing="Any"):
 class Function:
     def __init__(self, owner, name, value):
         doc = value.__doc__ or ""
+        self.is_of_class = bool(owner) and isinstance(
+            inspect.getattr_static(getattr(crowdbrush, owner), name), classmethod)
         self.is_static = isinstance(inspect.getattr_static(getattr(crowdbrush, owner), name), staticmethod) if owner else False
         if re.match(r"\w+\(.*\) -> ", doc.partition("\n")[0]):
             arguments, result, self.doc = of_pybind(doc)
@@ -128,6 +132,8 @@ class Function:
             self.doc = inspect.getdoc(value) or ""
             if self.doc.startswith("Initialize self."):
                 self.doc = ""
+            if self.is_of_class:
+                self.arguments.insert(0, "cls")
         if name in ("__eq__", "__ne__"):
             self.arguments = ["self", "other: Any"]
             self.result = "bool"
@@ -172,8 +178,88 @@ def of_property(cls, name, value):
         value.fset is not None
 
 
+def is_entry(cls):
+    """Of those that entries.py makes of the schema."""
+    return issubclass(cls, crowdbrush.Entry) and bool(cls._fields)
+
+
+def is_space(cls):
+    """Holds the kinds of a part of rules."""
+    return any(isinstance(each, type) and is_entry(each) for each in vars(cls).values())
+
+
+def kinds_of(space):
+    return [each for each in vars(space).values() if isinstance(each, type)]
+
+
+def entry_type(field, is_argument):
+    """Of a member of an entry: what it is, or what it can be made of."""
+    def of_entry(name):
+        return f"Union[{name}, Dict[str, Any]]" if is_argument else name
+
+    a_list = "Sequence" if is_argument else "List"
+    if field.type.startswith("list of "):
+        return f"{a_list}[{of_entry(field.type[8:])}]"
+    if field.type.startswith("ids of "):
+        return f"Sequence[Union[int, {field.type[7:]}]]" if is_argument else "List[int]"
+    if field.type == "choice":
+        return f"Literal[{', '.join(chr(34) + each + chr(34) for each in field.choices)}]"
+    if field.refers and is_argument:
+        return f"Union[int, {field.refers}]"
+    plain_types = {"color": ("str", "Union[str, Sequence[int]]"), "tint": ("str", "Union[str, Sequence[int]]"),
+                   "point": ("List[float]", "Sequence[float]"), "range": ("List[float]", "Sequence[float]"),
+                   "clips": ("List[Dict[str, Any]]", "Clips"), "any": ("Any", "Any"),
+                   "values": ("List[List[float]]", "Sequence[Sequence[float]]")}
+    if field.type[0].isupper():
+        return of_entry(field.type)
+    return plain_types.get(field.type, (field.type, field.type))[is_argument]
+
+
+NOT_CHOSEN = 0xFFFFFFFF
+
+
+def facts_of(field):
+    """What it says, its range and what it begins with."""
+    facts = [field.doc]
+    if field.low is not None and field.high < NOT_CHOSEN:
+        facts.append(f"{field.low:g} to {field.high:g}".replace("e+0", "e") + f" {field.unit}".rstrip())
+    elif field.unit:
+        facts.append(field.unit)
+    if field.is_needed:
+        facts.append("must be given")
+    elif field.refers and field.default == NOT_CHOSEN:
+        facts.append("to be chosen")
+    elif not isinstance(field.default, (list, dict)) and field.default not in ("", None):
+        facts.append(f"begins as {field.default!r}")
+    return "; ".join(each for each in facts if each)
+
+
+def entry_lines(cls):
+    base = cls.__mro__[1].__name__
+    lines = ["", "", f"class {cls.__name__}({base}):"] + documented(inspect.getdoc(cls) or "", INDENT)
+    arguments = [f"{name}: {entry_type(field, True)}" + ("" if field.is_needed else " = ...")
+                 for name, field in cls._fields.items()]
+    signature = ", ".join(["self"] + (["*"] + arguments if arguments else []))
+    lines += [f"{INDENT}def __init__({signature}) -> None:", f"{2 * INDENT}..."]
+    for name, field in cls._fields.items():
+        lines += [f"{INDENT}{name}: {entry_type(field, False)}"] + documented(facts_of(field), INDENT)
+    return lines
+
+
+def space_lines(cls):
+    lines = ["", "", f"class {cls.__name__}:"] + documented(inspect.getdoc(cls) or "", INDENT)
+    for kind in kinds_of(cls):
+        lines += [INDENT + line if line else "" for line in entry_lines(kind)[1:]]
+    return lines
+
+
 def class_lines(name, cls):
-    base = "numpy.ndarray[Any, Any]" if name == "Picture" else "RuntimeError" if name == "Error" else ""
+    if is_entry(cls):
+        return entry_lines(cls)
+    if is_space(cls):
+        return space_lines(cls)
+    bases = {"Picture": "numpy.ndarray[Any, Any]", "Error": "RuntimeError", "Entry": "Dict[str, Any]"}
+    base = bases.get(name, "Entry" if issubclass(cls, crowdbrush.Entry) else "")
     lines = ["", "", f"class {name}({base}):" if base else f"class {name}:"]
     doc = ERROR_DOC if name == "Error" else inspect.getdoc(cls) or ""
     if is_enum(cls):
@@ -189,6 +275,8 @@ def class_lines(name, cls):
     for field, kind in getattr(cls, "__annotations__", {}).items():
         lines.append(f"{INDENT}{field}: {plain(kind)}")
     for member, value in members(cls):
+        if value is None:
+            continue
         if isinstance(value, property):
             kind, said, can_set = of_property(cls, member, value)
             lines += [f"{INDENT}@property", f"{INDENT}def {member}(self) -> {kind}:"]
@@ -204,6 +292,8 @@ def class_lines(name, cls):
             function = Function(name, member, getattr(cls, member))
             if function.is_static:
                 lines.append(f"{INDENT}@staticmethod")
+            if function.is_of_class:
+                lines.append(f"{INDENT}@classmethod")
             lines.append(INDENT + function.line(member))
             lines += documented(function.doc, 2 * INDENT)
     return lines
@@ -315,6 +405,56 @@ def manual_class(name, cls):
     return [line for i, line in enumerate(lines) if line or i == 0 or lines[i - 1]]
 
 
+ENVIRONMENT = """## The environment
+
+Places, paths, tags, numbers, cues and rules, as `scene.environment` and project files have them.
+Each is a dict with a typed attribute for each member: `Place(id=1, position=(0, 0, 4), radius=2)` is
+the dict `{"id": 1, "position": [0.0, 0.0, 4.0], "radius": 2.0, …}` and goes wherever the dict goes.
+`scene.rules`, `scene.places` and so on give lists of them and take them back. A member is the
+attribute's name, but for names that Python has already, which end with `_` (`rule.if_` is the member
+`if`), and for capitals (`place.speed_share` is `speedShare`). Colours are `"#rrggbb"`, or numbers
+from 0 to 255 where they are given; an id is a number or what has one. All conditions have
+`not_: bool` too: whether it must not hold; and all actions `depth: int`: deeper ones belong to the
+`actions.Repeat` or `actions.OneOf` above them.
+
+```python
+door = crowdbrush.Place(id=1, name="door", position=(4, 0, 2))
+scene.places += [door]
+scene.rules += [crowdbrush.Rule(
+    id=1, name="to the door",
+    when=crowdbrush.triggers.Event(event="bell"),
+    if_=[crowdbrush.conditions.Chance(chance=0.5)],
+    do=[crowdbrush.actions.GoTo(place=door), crowdbrush.actions.Stop()])]
+```
+"""
+
+
+# What all conditions and all actions have is said once.
+COMMON = {crowdbrush.Condition: ("not",), crowdbrush.Action: ("depth",)}
+
+
+def manual_entry(cls):
+    kind = f" (`{cls._kind}`)" if cls._kind else ""
+    lines = ["", f"**{cls.__qualname__}**{kind} – {inspect.getdoc(cls)}"]
+    fields = [(name, field) for name, field in cls._fields.items() if field.key not in COMMON.get(cls.__mro__[1], ())]
+    if fields:
+        lines.append("")
+    for name, field in fields:
+        lines.append(f"- `{name}: {entry_type(field, False)}`" +
+                     (f" (`{field.key}`)" if name != field.key else "") + f" – {facts_of(field)}")
+    return lines
+
+
+def environment_lines(classes):
+    lines = ENVIRONMENT.rstrip().split("\n")
+    for title, kinds in [("Entries", [cls for _, cls in classes if is_entry(cls)])] + [
+            (name.capitalize(), kinds_of(cls)) for name, cls in classes if is_space(cls)]:
+        lines += ["", f"### {title}"]
+        for cls in kinds:
+            lines += manual_entry(cls)
+    return lines
+
+
 def manual():
     classes, functions = public()
     lines = [INTRODUCTION.format(doc=crowdbrush.__doc__, columns=columns()).rstrip(), "", "## Functions", ""]
@@ -322,9 +462,11 @@ def manual():
         function = Function("", name, value)
         lines.append(f"- `{name}({', '.join(function.arguments)})` → `{function.result}` – " +
                      function.doc.replace("\n", " "))
+    lines += [""] + environment_lines(classes)
     lines += ["", "## Classes"]
     for name, cls in classes:
-        lines += manual_class(name, cls)
+        if not is_entry(cls) and not is_space(cls):
+            lines += manual_class(name, cls)
     return "\n".join(lines) + "\n"
 
 
