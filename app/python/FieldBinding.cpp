@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/FieldBinding.h"
 
+#include <array>
 #include <cmath>
 
 #include "app/python/PythonBrush.h"
@@ -57,6 +58,28 @@ void choiceAttribute(py::object& type, const FieldInfo& field, const StructOf& s
         [](Enum value) { return FieldValue(static_cast<std::int64_t>(value)); });
 }
 
+/// A member of an enumeration that has no class in Python: its choice's key.
+void keyAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    const auto choices = field.meta.choices;
+    const auto name = py::str(type.attr("__name__")).cast<std::string>() + "." + field.meta.key;
+    attribute<std::string>(
+        type, field, structOf,
+        [choices](const FieldValue& value) -> std::string {
+            return choices[static_cast<std::size_t>(std::get<std::int64_t>(value))].key;
+        },
+        [choices, name](const std::string& key) {
+            std::string all;
+            for (std::size_t i = 0; i < choices.size(); ++i) {
+                if (key == choices[i].key) {
+                    return FieldValue(static_cast<std::int64_t>(i));
+                }
+                all += (all.empty() ? "" : ", ") + std::string(choices[i].key);
+            }
+            throw ScriptError(name + " must be one of: " + all);
+        });
+}
+
 /// Whole numbers are refused at once where they do not fit: the member may be narrower.
 void numberAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
@@ -80,6 +103,8 @@ void integerAttribute(py::object& type, const FieldInfo& field, const StructOf& 
         choiceAttribute<BrushSelection>(type, field, structOf);
     } else if (choices == kOperatorChoices) {
         choiceAttribute<BrushOperator>(type, field, structOf);
+    } else if (choices != nullptr) {
+        keyAttribute(type, field, structOf);
     } else {
         numberAttribute(type, field, structOf);
     }
@@ -107,30 +132,51 @@ void listAttribute(py::object& type, const FieldInfo& field, const StructOf& str
     }
 }
 
-py::dict mixOf(const py::object& self)
+/// Templates by number. Settings of creation remember whose they were.
+void mixAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
-    py::dict mix;
-    for (const TemplateWeight& each : self.cast<const PythonCreateSettings&>().mix) {
-        mix[py::int_(each.id)] = each.weight;
-    }
-    return mix;
+    const FieldInfo* kept = &field;
+    const auto mixOf = [kept, structOf](const py::object& self) {
+        py::dict mix;
+        const FieldValue value = kept->get(structOf(self));
+        for (const TemplateWeight& each : std::get<std::vector<TemplateWeight>>(value)) {
+            mix[py::int_(each.id)] = each.weight;
+        }
+        return mix;
+    };
+    const auto setMix = [kept, structOf](const py::object& self, const py::dict& mix) {
+        std::vector<TemplateWeight> weights;
+        std::vector<std::weak_ptr<ScriptScene>> owners;
+        for (const auto& [key, weight] : mix) {
+            ScenePtr owner;
+            if (py::isinstance<TemplateHandle>(key)) {
+                owner = key.cast<const TemplateHandle&>().owner;
+                owners.push_back(owner);
+            }
+            weights.push_back({templateIdOf(owner, key), weightFrom(weight)});
+        }
+        kept->set(structOf(self), std::move(weights));
+        if (py::isinstance<PythonCreateSettings>(self)) {
+            self.cast<PythonCreateSettings&>().owners = std::move(owners);
+        }
+    };
+    define(type, field, py::cpp_function(mixOf, py::is_method(type)),
+           py::cpp_function(setMix, py::is_method(type)));
 }
 
-void setMix(const py::object& self, const py::dict& mix)
+/// Colours with their strength: (red, green, blue, strength), bytes.
+void tintAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
-    auto& create = self.cast<PythonCreateSettings&>();
-    std::vector<TemplateWeight> weights;
-    std::vector<std::weak_ptr<ScriptScene>> owners;
-    for (const auto& [key, weight] : mix) {
-        ScenePtr owner;
-        if (py::isinstance<TemplateHandle>(key)) {
-            owner = key.cast<const TemplateHandle&>().owner;
-            owners.push_back(owner);
-        }
-        weights.push_back({templateIdOf(owner, key), weightFrom(weight)});
-    }
-    create.mix = std::move(weights);
-    create.owners = std::move(owners);
+    using Bytes = std::array<std::uint8_t, 4>;
+    attribute<Bytes>(
+        type, field, structOf,
+        [](const FieldValue& value) {
+            const auto tint = std::get<Tint>(value);
+            return Bytes{tint.red, tint.green, tint.blue, tint.strength};
+        },
+        [](const Bytes& bytes) {
+            return FieldValue(Tint{bytes[0], bytes[1], bytes[2], bytes[3]});
+        });
 }
 
 } // namespace
@@ -172,6 +218,8 @@ void bindField(py::object& type, const FieldInfo& field, const StructOf& structO
         plainAttribute<bool>(type, field, structOf);
     } else if (field.is<float>()) {
         plainAttribute<float>(type, field, structOf);
+    } else if (field.is<double>()) {
+        plainAttribute<double>(type, field, structOf);
     } else if (field.is<std::int64_t>()) {
         integerAttribute(type, field, structOf);
     } else if (field.is<std::string>()) {
@@ -201,8 +249,9 @@ void bindField(py::object& type, const FieldInfo& field, const StructOf& structO
                 return FieldValue(glm::vec3(point[0], point[1], point[2]));
             });
     } else if (field.is<std::vector<TemplateWeight>>()) {
-        define(type, field, py::cpp_function(&mixOf, py::is_method(type)),
-               py::cpp_function(&setMix, py::is_method(type)));
+        mixAttribute(type, field, structOf);
+    } else if (field.is<Tint>()) {
+        tintAttribute(type, field, structOf);
     } else {
         listAttribute(type, field, structOf);
     }

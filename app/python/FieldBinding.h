@@ -15,8 +15,8 @@ namespace crowd::app {
 /// From the Python object to the described struct in it; raises where it is another object.
 using StructOf = std::function<void*(const py::handle&)>;
 
-/// Makes an attribute of a class from a field that is no struct. Enumerations need bindChoices()
-/// before.
+/// Makes an attribute of a class from a field that is no struct. The editor's own enumerations need
+/// bindChoices() before; members of others are texts, their choices' keys.
 void bindField(py::object& type, const model::FieldInfo& field, const StructOf& structOf);
 
 /// An enumeration of Python for the choices of a field.
@@ -47,16 +47,19 @@ py::class_<Owner> bindStruct(py::module_& module, const char* name, const char* 
         return static_cast<Struct*>(&self.cast<Owner&>());
     };
     const auto bindOne = [&](const auto& described, const model::FieldInfo& field) {
-        using Member = std::remove_cvref_t<decltype(std::declval<Struct&>().*(described.member))>;
-        if constexpr (model::Described<Member>) {
-            const auto member = described.member;
-            type.def_property(
-                field.meta.key,
-                py::cpp_function([member](Owner& self) -> Member& { return self.*member; },
-                                 py::return_value_policy::reference_internal),
-                [member](Owner& self, const Member& value) { self.*member = value; });
-        } else {
-            bindField(type, field, structOf);
+        if constexpr (requires { described.member; }) { // else it is computed: for forms alone
+            using Member =
+                std::remove_cvref_t<decltype(std::declval<Struct&>().*(described.member))>;
+            if constexpr (model::Described<Member>) {
+                const auto member = described.member;
+                type.def_property(
+                    field.meta.key,
+                    py::cpp_function([member](Owner& self) -> Member& { return self.*member; },
+                                     py::return_value_policy::reference_internal),
+                    [member](Owner& self, const Member& value) { self.*member = value; });
+            } else {
+                bindField(type, field, structOf);
+            }
         }
     };
     const auto infos = model::fieldsOf<Struct>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/record/StrokeScript.h"
 
+#include "app/record/FieldScript.h"
 #include "app/record/ScriptText.h"
 
 namespace crowd::app {
@@ -13,116 +14,6 @@ namespace {
 std::string variableOf(BrushKind kind)
 {
     return std::string(brushType(kind).info.id) + "_brush";
-}
-
-std::string textOf(const ValueRange& range)
-{
-    return '(' + pythonText(range.low) + ", " + pythonText(range.high) + ')';
-}
-
-std::string textOf(const std::vector<int>& numbers)
-{
-    std::vector<std::string> items;
-    items.reserve(numbers.size());
-    for (const int each : numbers) {
-        items.push_back(pythonText(each));
-    }
-    return pythonList(items, 0);
-}
-
-std::string textOf(const PaintColor& color)
-{
-    return '(' + pythonText(color[0]) + ", " + pythonText(color[1]) + ", " + pythonText(color[2]) +
-           ')';
-}
-
-std::string textOf(const std::vector<PaintColor>& colors)
-{
-    std::vector<std::string> items;
-    items.reserve(colors.size());
-    for (const PaintColor& each : colors) {
-        items.push_back(textOf(each));
-    }
-    return pythonList(items, 0);
-}
-
-std::string textOf(const std::vector<ClipWeight>& clips)
-{
-    std::vector<std::string> items;
-    items.reserve(clips.size());
-    for (const ClipWeight& each : clips) {
-        items.push_back(pythonText(each.clip) + ": " + pythonText(each.weight));
-    }
-    return pythonList(items, 0, '{', '}');
-}
-
-std::string textOf(const std::vector<TemplateWeight>& mix)
-{
-    std::vector<std::string> items;
-    items.reserve(mix.size());
-    for (const TemplateWeight& each : mix) {
-        items.push_back(pythonText(each.id) + ": " + pythonText(each.weight));
-    }
-    return pythonList(items, 0, '{', '}');
-}
-
-std::string textOf(const DistributionCurve& curve)
-{
-    std::vector<std::string> items;
-    for (const float each : curve.weights) {
-        items.push_back(pythonText(each));
-    }
-    return pythonList(items, 0);
-}
-
-std::string textOf(const std::optional<bool>& value)
-{
-    return value ? pythonText(*value) : "None";
-}
-
-std::string textOf(const FieldInfo& field, std::int64_t value)
-{
-    const auto choices = field.meta.choices;
-    if (choices.empty()) {
-        return pythonText(value);
-    }
-    const char* type = choices.data() == kSelections        ? "Selection"
-                       : choices.data() == kOperatorChoices ? "Operator"
-                                                            : "Facing";
-    return std::string("crowdbrush.") + type + '.' + choices[static_cast<std::size_t>(value)].key;
-}
-
-template<class T>
-std::string textOf(const FieldInfo& /*field*/, const T& value)
-{
-    // A number would become a flag on its way to std::optional<bool>.
-    if constexpr (!std::is_arithmetic_v<T> && requires { textOf(value); }) {
-        return textOf(value);
-    } else {
-        return pythonText(value);
-    }
-}
-
-/// Assignments of what differs between two objects.
-std::string differences(std::span<const FieldInfo> fields, const void* was, const void* now,
-                        const std::string& name)
-{
-    std::string text;
-    for (const FieldInfo& field : fields) {
-        const std::string attribute = name + '.' + field.meta.key;
-        if (field.isGroup()) {
-            // What is inside is only read.
-            text += differences(field.children, field.childOf(const_cast<void*>(was)),
-                                field.childOf(const_cast<void*>(now)), attribute);
-            continue;
-        }
-        const FieldValue value = field.get(now);
-        if (value != field.get(was)) {
-            text += attribute + " = " +
-                    std::visit([&](const auto& held) { return textOf(field, held); }, value) + '\n';
-        }
-    }
-    return text;
 }
 
 std::string points(const std::vector<PointerInput>& inputs)
@@ -158,9 +49,9 @@ std::string StrokeScript::brush(const BrushSettings& settings)
         was = known->second;
     }
     const std::string section = type.info.scriptName;
-    text += differences(fieldsOf<BrushSettings>(), &was, &settings, variable);
-    text += differences(type.fields, type.settings(was), type.settings(settings),
-                        section.empty() ? variable : variable + '.' + section);
+    text += fieldChanges(fieldsOf<BrushSettings>(), &was, &settings, variable);
+    text += fieldChanges(type.fields, type.settings(was), type.settings(settings),
+                         section.empty() ? variable : variable + '.' + section);
     m_said[settings.kind()] = settings;
     return text;
 }

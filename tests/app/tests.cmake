@@ -1,4 +1,5 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
+    tst_DescribedStruct
     tst_Interruptions
     tst_LookMenu
     tst_MainWindow
