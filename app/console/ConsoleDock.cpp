@@ -38,34 +38,7 @@ ConsoleDock::ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* 
       m_recorder(recorder)
 {
     auto* content = new QWidget(this);
-    m_output = new QPlainTextEdit(content);
-    m_output->setObjectName(QStringLiteral("consoleOutput"));
-    m_output->setReadOnly(true);
-    m_output->setMaximumBlockCount(kMostLines);
-    m_output->setUndoRedoEnabled(false);
-    m_output->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    m_output->setWordWrapMode(QTextOption::WrapAnywhere);
-    m_output->setFrameShape(QFrame::NoFrame);
-    m_prompt = new QLabel(QStringLiteral(">>>"), content);
-    m_prompt->setFont(m_output->font());
-    QScrollBar* bar = m_output->verticalScrollBar();
-    connect(bar, &QScrollBar::actionTriggered, this,
-            [this, bar] { m_isFollowing = bar->sliderPosition() >= bar->maximum(); });
-    connect(bar, &QScrollBar::rangeChanged, this, [this, bar] {
-        if (m_isFollowing) {
-            bar->setValue(bar->maximum());
-        }
-    });
-    m_input = new ConsoleInput(content);
-    auto* line = new QHBoxLayout;
-    line->addWidget(m_prompt, 0, Qt::AlignTop);
-    line->addWidget(m_input, 1);
-    m_prompt->setContentsMargins(0, 6, 0, 0);
-    auto* typed = new QWidget(content);
-    auto* column = new QVBoxLayout(typed);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_output, 1);
-    column->addLayout(line);
+    QWidget* typed = makeTypedHalf(content);
     m_recorded = new RecordPanel(recorder, content);
     m_recorded->hide();
     auto* halves = new QSplitter(Qt::Horizontal, content);
@@ -82,19 +55,63 @@ ConsoleDock::ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* 
              "typed before.") +
               QLatin1Char('\n'),
           echoColor());
+    connectParts();
+    m_timer.start(kFetchMs);
+    setBusy(false);
+}
+
+/// What is printed, and the line to type in below it.
+QWidget* ConsoleDock::makeTypedHalf(QWidget* parent)
+{
+    auto* typed = new QWidget(parent);
+    makeOutput(typed);
+    m_prompt = new QLabel(QStringLiteral(">>>"), typed);
+    m_prompt->setFont(m_output->font());
+    m_prompt->setContentsMargins(0, 6, 0, 0);
+    m_input = new ConsoleInput(typed);
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_prompt, 0, Qt::AlignTop);
+    line->addWidget(m_input, 1);
+    auto* column = new QVBoxLayout(typed);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_output, 1);
+    column->addLayout(line);
+    return typed;
+}
+
+void ConsoleDock::makeOutput(QWidget* parent)
+{
+    m_output = new QPlainTextEdit(parent);
+    m_output->setObjectName(QStringLiteral("consoleOutput"));
+    m_output->setReadOnly(true);
+    m_output->setMaximumBlockCount(kMostLines);
+    m_output->setUndoRedoEnabled(false);
+    m_output->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_output->setWordWrapMode(QTextOption::WrapAnywhere);
+    m_output->setFrameShape(QFrame::NoFrame);
+    QScrollBar* bar = m_output->verticalScrollBar();
+    connect(bar, &QScrollBar::actionTriggered, this,
+            [this, bar] { m_isFollowing = bar->sliderPosition() >= bar->maximum(); });
+    connect(bar, &QScrollBar::rangeChanged, this, [this, bar] {
+        if (m_isFollowing) {
+            bar->setValue(bar->maximum());
+        }
+    });
+}
+
+void ConsoleDock::connectParts()
+{
     connect(m_input, &ConsoleInput::submitted, this, &ConsoleDock::submit);
-    connect(m_input, &ConsoleInput::completionRequested, &interpreter, &Interpreter::complete);
-    connect(&interpreter, &Interpreter::completed, m_input, &ConsoleInput::offer);
-    connect(&interpreter, &Interpreter::started, this, [this] { setBusy(true); });
-    connect(&interpreter, &Interpreter::finished, this, &ConsoleDock::finish);
+    connect(m_input, &ConsoleInput::completionRequested, &m_interpreter, &Interpreter::complete);
+    connect(&m_interpreter, &Interpreter::completed, m_input, &ConsoleInput::offer);
+    connect(&m_interpreter, &Interpreter::started, this, [this] { setBusy(true); });
+    connect(&m_interpreter, &Interpreter::finished, this, &ConsoleDock::finish);
     connect(m_recorded, &RecordPanel::failed, this,
             [this](const QString& message) { write(message + QLatin1Char('\n'), errorColor()); });
     connect(m_recorded, &RecordPanel::saved, this, [this](const QString& path) {
         write(tr("Saved as %1").arg(path) + QLatin1Char('\n'), echoColor());
     });
     connect(&m_timer, &QTimer::timeout, this, &ConsoleDock::showOutput);
-    m_timer.start(kFetchMs);
-    setBusy(false);
 }
 
 QWidget* ConsoleDock::makeButtons()

@@ -40,7 +40,10 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] QWidget* makeTypedHalf(QWidget* parent);
+    void makeOutput(QWidget* parent);
     [[nodiscard]] QWidget* makeButtons();
+    void connectParts();
     void submit(const QString& source);
     void finish(ScriptOutcome outcome);
     void askToClose();
