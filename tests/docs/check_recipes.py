@@ -39,6 +39,8 @@ EXAMPLES = {
     "A trigger of rules": Example(r"\bArrived\b", most=4, users=("model/rules/RuleSets.cpp",)),
     "A condition of rules": Example(r"\bIsSeated\b", most=4,
                                     users=("model/rules/RuleSets.cpp",)),
+    "A look": Example(r"\bLook::Plain\b|\"plain\"", most=3),
+    "A format of pictures": Example(r"\"png\"", users=("model/gltf/*",), most=2),
     "A panel": Example(r"\bHistoryDock\b|\bDockId::History\b|^    History,$", most=7),
     "A test": Example(r"\btst_BrushColour\b", most=2),
 }
