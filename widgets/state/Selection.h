@@ -6,8 +6,8 @@
 
 #include <QtCore/QObject>
 
-#include "model/scene/SceneChange.h"
 #include "model/document/SceneDocument.h"
+#include "model/scene/SceneChange.h"
 
 namespace crowd::widgets {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/brush/BrushSettings.h"
-#include "model/scene/SceneChange.h"
 #include "model/scene/Scene.h"
+#include "model/scene/SceneChange.h"
 #include "render/RenderInput.h"
 
 namespace crowd::widgets {
