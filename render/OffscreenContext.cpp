@@ -106,15 +106,22 @@ model::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create(Profil
         return context;
     }
     if (displays.empty()) {
-        return model::Error{"Pictures without a window need EGL with device or surfaceless "
-                            "displays, and this system's libEGL has neither. Install Mesa "
-                            "(packages libegl1 and libgl1-mesa-dri)."};
+        return model::Error{QT_TRANSLATE_NOOP(
+            "Messages",
+            "Pictures without a window need EGL with device or surfaceless displays, and this "
+            "system's libEGL has neither. Install Mesa (packages libegl1 and libgl1-mesa-dri).")};
     }
     return model::Error{
-        std::string("None of this system's ") + std::to_string(displays.size()) +
-        " EGL displays gives a context for OpenGL " +
-        (profile == Profile::Core33 ? "3.3" : "with display lists") +
-        ". Install a newer graphics driver, or Mesa's software one (package libgl1-mesa-dri)."};
+        profile == Profile::Core33
+            ? QT_TRANSLATE_NOOP(
+                  "Messages",
+                  "None of this system's %1 EGL displays gives a context for OpenGL 3.3. Install a "
+                  "newer graphics driver, or Mesa's software one (package libgl1-mesa-dri).")
+            : QT_TRANSLATE_NOOP("Messages",
+                                "None of this system's %1 EGL displays gives a context for OpenGL "
+                                "with display lists. Install a newer graphics driver, or Mesa's "
+                                "software one (package libgl1-mesa-dri)."),
+        displays.size()};
 }
 
 OffscreenContext::~OffscreenContext()

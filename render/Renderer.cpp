@@ -77,9 +77,12 @@ model::Result<void> Renderer::initialize()
     const int version = epoxy_gl_version();
     if (!epoxy_is_desktop_gl() || version < kLeastVersion) {
         const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-        return model::Error{std::string("Drawing needs OpenGL 3.3; this context offers ") +
-                            (text != nullptr ? text : "nothing") +
-                            ". Install a newer graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages",
+                              "Drawing needs OpenGL 3.3; this context offers %1. Install a newer "
+                              "graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1."),
+            text != nullptr ? model::Message(std::string(text))
+                            : model::Message(QT_TRANSLATE_NOOP("Messages", "nothing"))};
     }
     m_private->isSoftware = isSoftwareRenderer();
     if (m_private->isSoftware) {

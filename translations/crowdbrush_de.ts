@@ -2147,6 +2147,1014 @@
         <source>Drawing the %1 failed. %2</source>
         <translation>Das Zeichnen (%1) ist misslungen. %2</translation>
     </message>
+    <message>
+        <source>%1: let the name end in one of %2; it says what the picture is written as.</source>
+        <translation>%1: Der Name muss auf eines davon enden: %2; danach richtet sich, als was das Bild geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be made: %2. Try a smaller size, or another ending.</source>
+        <translation>%1: Das Bild konnte nicht erzeugt werden: %2. Es mit einer kleineren Größe oder einer anderen Endung versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Check the folder, its rights and the space on the disk.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Ordner, Rechte und freien Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>The graphics context for pictures was lost. Start the program again.</source>
+        <translation>Der Grafikkontext für Bilder ging verloren. Das Programm neu starten.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The script was not saved; choose another place or free some room.</source>
+        <translation>%1 konnte nicht geschrieben werden (%2). Das Skript wurde nicht gespeichert; einen anderen Ort wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Standing still, since their paths cannot be walked: %1. Give them another path.</source>
+        <translation>Stehen still, weil ihre Wege nicht begehbar sind: %1. Ihnen einen anderen Weg geben.</translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot; names a place that is not there any more; characters pass it over.</source>
+        <translation>Der Weg „%1“ nennt einen Ort, den es nicht mehr gibt; Figuren übergehen ihn.</translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot; has no position or size; characters pass it over. Give it numbers.</source>
+        <translation>Der Ort „%1“ hat keine Position oder Größe; Figuren übergehen ihn. Ihm Zahlen geben.</translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot; has no places: nobody can walk it. Add some.</source>
+        <translation>Der Weg „%1“ hat keine Orte: Niemand kann ihn gehen. Orte hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; repeats without any time passing: let it wait or play a clip. It was ended.</source>
+        <translation>Die Regel „%1“ wiederholt sich, ohne dass Zeit vergeht: Sie warten oder einen Clip spielen lassen. Sie wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; changes a number that is not there any more. Choose another one.</source>
+        <translation>Die Regel „%1“ ändert eine Zahl, die es nicht mehr gibt. Eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters appear at a place that is not there any more. Choose another one.</source>
+        <translation>Die Regel „%1“ lässt Figuren an einem Ort erscheinen, den es nicht mehr gibt. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters follow a path that is not there any more. Choose another one.</source>
+        <translation>Die Regel „%1“ lässt Figuren einem Weg folgen, den es nicht mehr gibt. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters leave at &quot;%2&quot;, but some do not get there: they stay. Move it, or choose another one.</source>
+        <translation>Die Regel „%1“ lässt Figuren bei „%2“ gehen, aber einige kommen nicht hin: Sie bleiben. Ihn versetzen oder einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends more events than can be under way; further ones are dropped. It may be sending events that make it send again: give it a pause, or say how often at most.</source>
+        <translation>Die Regel „%1“ sendet mehr Ereignisse, als unterwegs sein können; weitere entfallen. Vielleicht sendet sie Ereignisse, auf die hin sie wieder sendet: Ihr eine Pause geben oder sagen, wie oft höchstens.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters sit down, but the scene has no seats. Bring a stage with seats along.</source>
+        <translation>Die Regel „%1“ lässt Figuren sich setzen, aber die Szene hat keine Sitze. Eine Bühne mit Sitzen hereinholen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; names a place that is not there any more. Choose another one.</source>
+        <translation>Die Regel „%1“ nennt einen Ort, den es nicht mehr gibt. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to a place that is not there any more. Choose another one.</source>
+        <translation>Die Regel „%1“ schickt Figuren zu einem Ort, den es nicht mehr gibt. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to places of a path that is not there any more, or has none. Choose another one.</source>
+        <translation>Die Regel „%1“ schickt Figuren zu Orten eines Wegs, den es nicht mehr gibt oder der keine hat. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to places by a name that none has any more. Choose another one.</source>
+        <translation>Die Regel „%1“ schickt Figuren zu Orten mit einem Namen, den keiner mehr hat. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters leave at an exit, but there is none: they stay. Paint one with the environment brush.</source>
+        <translation>Die Regel „%1“ lässt Figuren an einem Ausgang gehen, aber es gibt keinen: Sie bleiben. Mit dem Umgebungspinsel einen malen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to a place, but there is none. Paint one with the path brush.</source>
+        <translation>Die Regel „%1“ schickt Figuren zu einem Ort, aber es gibt keinen. Mit dem Wegpinsel einen malen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; follows whoever sent the event, but it came from a brush, a cue or nobody. Let characters send it, or follow those with a tag.</source>
+        <translation>Die Regel „%1“ folgt dem, der das Ereignis gesendet hat, aber es kam von einem Pinsel, einem Stichwort oder niemandem. Es von Figuren senden lassen oder denen mit einer Marke folgen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; fires over and over for the same characters: events go round in a circle. Give it a pause, or say how often at most.</source>
+        <translation>Die Regel „%1“ kommt für dieselben Figuren immer wieder: Ereignisse gehen im Kreis. Ihr eine Pause geben oder sagen, wie oft höchstens.</translation>
+    </message>
+    <message>
+        <source>There is more for rules to do at once than a step has room for; characters act later, and events beyond half a million are dropped. Let rules send events to fewer characters, wait in between, or come less often.</source>
+        <translation>Regeln haben auf einmal mehr zu tun, als in einen Schritt passt; Figuren handeln später, und Ereignisse jenseits einer halben Million entfallen. Regeln Ereignisse an weniger Figuren senden, dazwischen warten oder seltener kommen lassen.</translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot;: between &quot;%2&quot; and &quot;%3&quot; no way leads; characters go as near as they can. Move one of them, or lead the path around what is between.</source>
+        <translation>Weg „%1“: Zwischen „%2“ und „%3“ kommt man nicht durch; Figuren gehen so nah heran wie möglich. Einen der beiden versetzen oder den Weg um das herumführen, was dazwischen liegt.</translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot;: between &quot;%2&quot; and &quot;%3&quot; something is in the way; characters go around it. Add places where they should go.</source>
+        <translation>Weg „%1“: Zwischen „%2“ und „%3“ liegt etwas im Weg; Figuren gehen darum herum. Orte hinzufügen, wo sie gehen sollen.</translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot; is not on ground that characters can walk on; they go as near as they can. Move it.</source>
+        <translation>Der Ort „%1“ liegt nicht auf begehbarem Boden; Figuren gehen so nah heran wie möglich. Ihn versetzen.</translation>
+    </message>
+    <message>
+        <source>%1 character who should walk stand where no way leads to or from: on roofs or trees, in a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).</source>
+        <translation>%1 Figur, die gehen soll, steht, wo kein Weg hin- oder wegführt: auf einem Dach oder Baum, in einem Becken, in der Luft. Sie auf den nächsten Boden stellen (Bearbeiten, Auf den Boden stellen).</translation>
+    </message>
+    <message>
+        <source>%1 characters who should walk stand where no way leads to or from: on roofs or trees, in a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).</source>
+        <translation>%1 Figuren, die gehen sollen, stehen, wo kein Weg hin- oder wegführt: auf Dächern oder Bäumen, in einem Becken, in der Luft. Sie auf den nächsten Boden stellen (Bearbeiten, Auf den Boden stellen).</translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot;: %2 characters want to stand there, %3 have room. Make it larger, or send them to several places.</source>
+        <translation>Ort „%1“: %2 Figuren wollen dort stehen, Platz ist für %3. Ihn größer machen oder sie auf mehrere Orte verteilen.</translation>
+    </message>
+    <message>
+        <source>There cannot be %1 steps a second; there are as many as usual. Choose a length in the menu Play.</source>
+        <translation>%1 Schritte in der Sekunde sind nicht möglich; es sind so viele wie üblich. Im Menü „Abspielen“ eine Länge wählen.</translation>
+    </message>
+    <message>
+        <source>Walkers that are not in the scene, or named twice. Left out: %1.</source>
+        <translation>Gehende, die nicht in der Szene sind oder zweimal genannt werden. Ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Event &quot;%1&quot; came with a number that is none, and is not sent. Give it another one.</source>
+        <translation>Das Ereignis „%1“ kam mit einer Zahl, die keine ist, und wird nicht gesendet. Ihm eine andere geben.</translation>
+    </message>
+    <message>
+        <source>Characters without a position, left out: %1. Delete them, or give them one.</source>
+        <translation>Figuren ohne Position, ausgelassen: %1. Sie löschen oder ihnen eine geben.</translation>
+    </message>
+    <message>
+        <source>There is no stage to walk on; characters walk on open ground.</source>
+        <translation>Es gibt keine Bühne zum Begehen; Figuren gehen auf freiem Gelände.</translation>
+    </message>
+    <message>
+        <source>The walkable surface was not built: it was cancelled.</source>
+        <translation>Die Gehfläche wurde nicht ermittelt: abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Nothing of the stage can be walked on; characters walk on open ground. Check its size, which way is up, and how wide, tall and steep characters can walk (Environment panel).</source>
+        <translation>Nichts an der Bühne ist begehbar; Figuren gehen auf freiem Gelände. Ihre Größe prüfen, wo oben ist, und wie breit, hoch und steil Figuren gehen können (Tafel „Umgebung“).</translation>
+    </message>
+    <message>
+        <source>There is no workload &quot;%1&quot;: choose square, corridor, city or paths.</source>
+        <translation>Es gibt keine Aufgabe „%1“: square, corridor, city oder paths wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must lie from %3 to %4.</source>
+        <translation>%1 ist %2; erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1 is none of the choices there are.</source>
+        <translation>%1 ist keine der möglichen Angaben.</translation>
+    </message>
+    <message>
+        <source>%1 runs from the lowest to the highest value.</source>
+        <translation>%1 läuft vom kleinsten zum größten Wert.</translation>
+    </message>
+    <message>
+        <source>%1 must be in ascending order.</source>
+        <translation>%1 muss aufsteigend geordnet sein.</translation>
+    </message>
+    <message>
+        <source>%1 must hold at least one colour.</source>
+        <translation>%1 muss mindestens eine Farbe enthalten.</translation>
+    </message>
+    <message>
+        <source>the temporary file holds something else than an undo step</source>
+        <translation>die temporäre Datei enthält etwas anderes als einen rückgängig zu machenden Schritt</translation>
+    </message>
+    <message>
+        <source>%1: no temporary file could be made (%2)</source>
+        <translation>%1: es ließ sich keine temporäre Datei anlegen (%2)</translation>
+    </message>
+    <message>
+        <source>the disk of the temporary file is nearly full</source>
+        <translation>der Datenträger der temporären Datei ist fast voll</translation>
+    </message>
+    <message>
+        <source>the temporary file could not be written (%1)</source>
+        <translation>die temporäre Datei konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>the temporary file could not be read (%1)</source>
+        <translation>die temporäre Datei konnte nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the temporary file is shorter than it was</source>
+        <translation>die temporäre Datei ist kürzer, als sie war</translation>
+    </message>
+    <message>
+        <source>the temporary file does not hold what was written to it</source>
+        <translation>die temporäre Datei enthält nicht, was in sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>there is no process to unpack it in</source>
+        <translation>es gibt keinen Prozess, um sie zu entpacken</translation>
+    </message>
+    <message>
+        <source>it takes too long to unpack</source>
+        <translation>das Entpacken dauert zu lange</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than it says</source>
+        <translation>entpackt ist es mehr, als angegeben</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>die Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 animation keys are out of order or no numbers; they are left out.</source>
+        <translation>%1 Animationsschlüssel sind außer der Reihe oder keine Zahlen; sie werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 is longer than an hour</source>
+        <translation>%1 ist länger als eine Stunde</translation>
+    </message>
+    <message>
+        <source>%1: the times of its keys are not single numbers</source>
+        <translation>%1: die Zeiten der Schlüssel sind keine einzelnen Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: the animations have more than %2 numbers</source>
+        <translation>%1: die Animationen haben mehr als %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: it has %2 values of the wrong number or type for its %3 keys</source>
+        <translation>%1: hat %2 Werte, deren Anzahl oder Typ nicht zu den %3 Schlüsseln passt</translation>
+    </message>
+    <message>
+        <source>%1 is not the index of one of the file&apos;s %2</source>
+        <translation>%1 ist kein Index eines der %2 der Datei</translation>
+    </message>
+    <message>
+        <source>%1 is %2, but the file has only %3 %4</source>
+        <translation>%1 ist %2, aber die Datei hat nur %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of indices</source>
+        <translation>%1 ist keine Liste von Indizes</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a whole number from %3 to %4</source>
+        <translation>%1 ist %2, keine ganze Zahl von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers</source>
+        <translation>%1 ist keine Liste von %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 is not a list</source>
+        <translation>%1 ist keine Liste</translation>
+    </message>
+    <message>
+        <source>%1 is not an object</source>
+        <translation>%1 ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>%1 is no multiple of 4</source>
+        <translation>%1 ist kein Vielfaches von 4</translation>
+    </message>
+    <message>
+        <source>%1 is none that glTF 2.0 knows</source>
+        <translation>%1 ist in glTF 2.0 nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 numbers</source>
+        <translation>%1 hat mehr als %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 lacks its indices or values</source>
+        <translation>%1 hat keine indices oder values</translation>
+    </message>
+    <message>
+        <source>%1 is not an unsigned type</source>
+        <translation>%1 ist kein Typ ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>%1 is missing or empty</source>
+        <translation>%1 fehlt oder ist leer</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the file&apos;s %2 variants</source>
+        <translation>%1 ist keine der %2 Varianten der Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of one 4x4 matrix a joint</source>
+        <translation>%1 ist keine Liste mit einer 4x4-Matrix je Gelenk</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the animation&apos;s %2 samplers</source>
+        <translation>%1 ist keiner der %2 Sampler der Animation</translation>
+    </message>
+    <message>
+        <source>%1 names a scene, but the file has none</source>
+        <translation>%1 nennt eine Szene, aber die Datei hat keine</translation>
+    </message>
+    <message>
+        <source>%1 is a child of both %2 and %3</source>
+        <translation>%1 ist ein Kind von %2 und zugleich von %3</translation>
+    </message>
+    <message>
+        <source>%1 is its own ancestor</source>
+        <translation>%1 ist sein eigener Vorfahr</translation>
+    </message>
+    <message>
+        <source>the file ends within the GLB header (%1 bytes)</source>
+        <translation>die Datei endet mitten im GLB-Kopf (%1 Byte)</translation>
+    </message>
+    <message>
+        <source>the GLB header says version %1; only glTF 2.0 can be read</source>
+        <translation>der GLB-Kopf nennt Version %1; nur glTF 2.0 ist lesbar</translation>
+    </message>
+    <message>
+        <source>the GLB header promises %1 bytes, the file has only %2</source>
+        <translation>der GLB-Kopf verspricht %1 Byte, die Datei hat nur %2</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the end of the GLB are ignored.</source>
+        <translation>%1 Byte nach dem Ende des GLB werden übergangen.</translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is %3 bytes long, but only %4 are left</source>
+        <translation>GLB-Abschnitt %1 bei Byte %2 ist %3 Byte lang, aber nur %4 sind übrig</translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is not the JSON chunk</source>
+        <translation>GLB-Abschnitt %1 bei Byte %2 ist nicht der JSON-Abschnitt</translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is a second JSON chunk</source>
+        <translation>GLB-Abschnitt %1 bei Byte %2 ist ein zweiter JSON-Abschnitt</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>eine FBX-Datei</translation>
+    </message>
+    <message>
+        <source>a Wavefront OBJ file</source>
+        <translation>eine Wavefront-OBJ-Datei</translation>
+    </message>
+    <message>
+        <source>a Collada file</source>
+        <translation>eine Collada-Datei</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>eine Blender-Datei</translation>
+    </message>
+    <message>
+        <source>a USD file</source>
+        <translation>eine USD-Datei</translation>
+    </message>
+    <message>
+        <source>an Alembic file</source>
+        <translation>eine Alembic-Datei</translation>
+    </message>
+    <message>
+        <source>an STL file</source>
+        <translation>eine STL-Datei</translation>
+    </message>
+    <message>
+        <source>a PLY file</source>
+        <translation>eine PLY-Datei</translation>
+    </message>
+    <message>
+        <source>a BVH motion file</source>
+        <translation>eine BVH-Bewegungsdatei</translation>
+    </message>
+    <message>
+        <source>an X3D file</source>
+        <translation>eine X3D-Datei</translation>
+    </message>
+    <message>
+        <source>a VRML file</source>
+        <translation>eine VRML-Datei</translation>
+    </message>
+    <message>
+        <source>a 3DS file</source>
+        <translation>eine 3DS-Datei</translation>
+    </message>
+    <message>
+        <source>a VRM file of an unknown kind</source>
+        <translation>eine VRM-Datei unbekannter Art</translation>
+    </message>
+    <message>
+        <source>the data: URI has no comma</source>
+        <translation>die data:-URI hat kein Komma</translation>
+    </message>
+    <message>
+        <source>the data: URI is not valid base64</source>
+        <translation>die data:-URI ist kein gültiges Base64</translation>
+    </message>
+    <message>
+        <source>it is not a plain file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it is larger than 1 GiB</source>
+        <translation>die Datei ist größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>it cannot be opened: %1</source>
+        <translation>die Datei lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end: %1</source>
+        <translation>die Datei lässt sich nicht bis zum Ende lesen: %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>this is %1, which Crowdbrush does not read. Convert it in Blender: %2, then File &gt; Export &gt; glTF 2.0 (.glb)</source>
+        <translation>das ist %1, die Crowdbrush nicht liest. Sie in Blender umwandeln: %2, dann File &gt; Export &gt; glTF 2.0 (.glb)</translation>
+    </message>
+    <message>
+        <source>this is neither a .glb (it does not begin with &quot;glTF&quot;) nor a .gltf (it does not begin with &quot;{&quot;)</source>
+        <translation>das ist weder eine .glb (sie beginnt nicht mit „glTF“) noch eine .gltf (sie beginnt nicht mit „{“)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a path that begins at the file</source>
+        <translation>„%1“ ist kein Pfad, der bei der Datei beginnt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, but its accessors say %2</source>
+        <translation>es sind %1 Eckpunkte, aber die Accessoren nennen %2</translation>
+    </message>
+    <message>
+        <source>it has %1 indices, but its accessor says %2</source>
+        <translation>es sind %1 Indizes, aber der Accessor nennt %2</translation>
+    </message>
+    <message>
+        <source>it lacks an attribute that the file wants of it, or has it with another number of components</source>
+        <translation>ein Attribut, das die Datei verlangt, fehlt oder hat eine andere Zahl von Komponenten</translation>
+    </message>
+    <message>
+        <source>%1 has no POSITION</source>
+        <translation>%1 hat keine POSITION</translation>
+    </message>
+    <message>
+        <source>%1 is nothing that a mesh has</source>
+        <translation>%1 gibt es an einem Mesh nicht</translation>
+    </message>
+    <message>
+        <source>%1: the compressed mesh cannot be read: %2</source>
+        <translation>%1: das komprimierte Mesh lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>the program %1, which belongs beside crowdbrush, is not there; export the file without Draco compression</source>
+        <translation>das Programm %1, das neben crowdbrush gehört, ist nicht da; die Datei ohne Draco-Kompression exportieren</translation>
+    </message>
+    <message>
+        <source>%1.uri: %2; put that file there, or export the file as .glb, which holds all</source>
+        <translation>%1.uri: %2; jene Datei dorthin legen oder als .glb exportieren, die alles enthält</translation>
+    </message>
+    <message>
+        <source>%1.uri: %2</source>
+        <translation>%1.uri: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no uri, and the file has no binary chunk for it</source>
+        <translation>%1 hat keine uri, und die Datei hat keinen Binärabschnitt dafür</translation>
+    </message>
+    <message>
+        <source>%1 should have %2 bytes, but only %3 are there</source>
+        <translation>%1 soll %2 Byte haben, aber nur %3 sind da</translation>
+    </message>
+    <message>
+        <source>%1: the buffers are larger than 1 GiB together</source>
+        <translation>%1: die Puffer sind zusammen größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: %1</source>
+        <translation>die Datei lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>what it hides is drawn</source>
+        <translation>was sie verbirgt, wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 is not read: %2.</source>
+        <translation>%1 wird nicht gelesen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Check the name, the folder and its rights.</source>
+        <translation>%1: %2. Namen, Ordner und Rechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Export it again as glTF 2.0 (.glb) from the program it was made in.</source>
+        <translation>%1: %2. Die Datei aus dem Programm, in dem sie entstand, noch einmal als glTF 2.0 (.glb) exportieren.</translation>
+    </message>
+    <message>
+        <source>it needs more memory than there is</source>
+        <translation>der Speicher reicht dafür nicht aus</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>die Datei lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read (PNG, JPEG and WebP can)</source>
+        <translation>das ist kein lesbares Bild (lesbar sind PNG, JPEG und WebP)</translation>
+    </message>
+    <message>
+        <source>it cannot be decoded: %1</source>
+        <translation>das Bild lässt sich nicht dekodieren: %1</translation>
+    </message>
+    <message>
+        <source>it is too large (%1 x %2 pixels)</source>
+        <translation>das Bild ist zu groß (%1 x %2 Pixel)</translation>
+    </message>
+    <message>
+        <source>%1 has no PNG, JPEG or WebP picture and is left out.</source>
+        <translation>%1 hat kein PNG-, JPEG- oder WebP-Bild und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>it has neither uri nor bufferView</source>
+        <translation>es hat weder uri noch bufferView</translation>
+    </message>
+    <message>
+        <source>the pictures are larger than 512 MiB together</source>
+        <translation>die Bilder sind zusammen größer als 512 MiB</translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2.</source>
+        <translation>%1 wird ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>Importing %1 was cancelled.</source>
+        <translation>Das Importieren von %1 wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>it has no mesh, so that nobody made of it could be seen; export the file again together with the character&apos;s mesh, as triangles</source>
+        <translation>die Datei hat kein Mesh, sodass niemand daraus zu sehen wäre; sie noch einmal zusammen mit dem Mesh der Figur exportieren, als Dreiecke</translation>
+    </message>
+    <message>
+        <source>its scene has no triangles, so that nobody made of it could be seen; export the file again together with the character&apos;s mesh, as triangles</source>
+        <translation>die Szene der Datei hat keine Dreiecke, sodass niemand daraus zu sehen wäre; sie noch einmal zusammen mit dem Mesh der Figur exportieren, als Dreiecke</translation>
+    </message>
+    <message>
+        <source>it cannot be imported: %1</source>
+        <translation>die Datei lässt sich nicht importieren: %1</translation>
+    </message>
+    <message>
+        <source>%1 has another type or count than its fellows need</source>
+        <translation>%1 hat einen anderen Typ oder eine andere Anzahl als die übrigen</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 instances</source>
+        <translation>%1: mehr als %2 Instanzen</translation>
+    </message>
+    <message>
+        <source>the JSON is nested more than %1 levels deep at byte %2</source>
+        <translation>das JSON ist bei Byte %2 mehr als %1 Ebenen tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>the JSON has more than %1 values</source>
+        <translation>das JSON hat mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>the JSON is not an object, so this is no glTF</source>
+        <translation>das JSON ist kein Objekt, also ist dies kein glTF</translation>
+    </message>
+    <message>
+        <source>the JSON cannot be read: %1</source>
+        <translation>das JSON lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>The file has %1 levels of detail; the finest %2 are used.</source>
+        <translation>Die Datei hat %1 Detailstufen; die feinsten %2 werden verwendet.</translation>
+    </message>
+    <message>
+        <source>The file has %1 slots; only the first %2 can be tinted.</source>
+        <translation>Die Datei hat %1 Slots; nur die ersten %2 lassen sich tönen.</translation>
+    </message>
+    <message>
+        <source>Slot &quot;%1&quot;, variant &quot;%2&quot;: its picture lies by another set of coordinates than the default&apos;s, which is used for both.</source>
+        <translation>Slot „%1“, Variante „%2“: Das Bild liegt nach anderen Koordinaten als das übliche; für beide gelten dessen Koordinaten.</translation>
+    </message>
+    <message>
+        <source>Material &quot;%1&quot;: extras.tintMask is %2, which is no texture of the file.</source>
+        <translation>Material „%1“: extras.tintMask ist %2, und das ist keine Textur der Datei.</translation>
+    </message>
+    <message>
+        <source>Material &quot;%1&quot;: its emissive picture lies by another set of coordinates than its base colour, and is left out.</source>
+        <translation>Material „%1“: Das leuchtende Bild liegt nach anderen Koordinaten als die Grundfarbe und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: its nodes draw %2 primitives, more than %3</source>
+        <translation>%1: die Knoten zeichnen %2 Primitive, mehr als %3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of them move meshes</source>
+        <translation>%1: mehr als %2 davon bewegen Meshes</translation>
+    </message>
+    <message>
+        <source>%1: the morph targets have more than %2 vertices</source>
+        <translation>%1: die Morph-Ziele haben mehr als %2 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>%1: the scene has more than %2 vertices or %3 triangles</source>
+        <translation>%1: die Szene hat mehr als %2 Eckpunkte oder %3 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Only the first %1 parts can be hidden; &quot;%2&quot; and those after it are always shown.</source>
+        <translation>Nur die ersten %1 Teile lassen sich ausblenden; „%2“ und die folgenden sind immer zu sehen.</translation>
+    </message>
+    <message>
+        <source>The file draws nothing: its scene has no triangles.</source>
+        <translation>Die Datei zeichnet nichts: Ihre Szene hat keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>%1 primitives are points or lines or have no positions; they are not drawn.</source>
+        <translation>%1 Primitive sind Punkte oder Linien oder haben keine Positionen; sie werden nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Morph targets are not animated: the mesh keeps its resting shape.</source>
+        <translation>Morph-Ziele werden nicht animiert: Das Mesh behält seine Ruheform.</translation>
+    </message>
+    <message>
+        <source>%1: it asks for the mode &quot;%2&quot;, which Crowdbrush cannot read; export the file without compression</source>
+        <translation>%1: verlangt den Modus „%2“, den Crowdbrush nicht lesen kann; die Datei ohne Kompression exportieren</translation>
+    </message>
+    <message>
+        <source>%1: it asks for the filter &quot;%2&quot;, which Crowdbrush cannot read; export the file without compression</source>
+        <translation>%1: verlangt den Filter „%2“, den Crowdbrush nicht lesen kann; die Datei ohne Kompression exportieren</translation>
+    </message>
+    <message>
+        <source>%1 does not describe data of the file</source>
+        <translation>%1 beschreibt keine Daten der Datei</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than 1 GiB when it is unpacked</source>
+        <translation>%1: die Datei ist entpackt größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>%1: its compressed data is damaged, or newer than Crowdbrush; export the file without compression</source>
+        <translation>%1: die komprimierten Daten sind beschädigt oder neuer als Crowdbrush; die Datei ohne Kompression exportieren</translation>
+    </message>
+    <message>
+        <source>KHR_animation_pointer moves nodes alone; what else it animates stands still (%1).</source>
+        <translation>KHR_animation_pointer bewegt nur Knoten; was es sonst animiert, steht still (%1).</translation>
+    </message>
+    <message>
+        <source>The animation %1 moves nothing that Crowdbrush can move, and is left out.</source>
+        <translation>Die Animation %1 bewegt nichts, was Crowdbrush bewegen kann, und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong type of accessor</source>
+        <translation>%1 hat einen Accessor vom falschen Typ</translation>
+    </message>
+    <message>
+        <source>%1 has %2 elements, but POSITION has %3</source>
+        <translation>%1 hat %2 Elemente, aber POSITION hat %3</translation>
+    </message>
+    <message>
+        <source>%1 has %2 values that are no numbers; they are read as 0.</source>
+        <translation>%1 hat %2 Werte, die keine Zahlen sind; sie werden als 0 gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit POSITION</source>
+        <translation>%1 passt nicht zu POSITION</translation>
+    </message>
+    <message>
+        <source>%1: vertex %2 follows joint %3, but the skin has only %4</source>
+        <translation>%1: Eckpunkt %2 folgt dem Gelenk %3, aber der Skin hat nur %4</translation>
+    </message>
+    <message>
+        <source>%1: index %2 at position %3, but there are only %4 vertices</source>
+        <translation>%1: Index %2 an Stelle %3, aber es gibt nur %4 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>%1 ends with %2 corners that make no triangle; they are left out.</source>
+        <translation>%1 endet mit %2 Ecken, die kein Dreieck ergeben; sie werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 seats of the extras cannot be read and are left out.</source>
+        <translation>%1 Sitze der extras sind nicht lesbar und werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 is missing, so this is no glTF 2.0 file</source>
+        <translation>%1 fehlt, also ist dies keine Datei in glTF 2.0</translation>
+    </message>
+    <message>
+        <source>%1 asks for glTF %2; only glTF 2.0 can be read</source>
+        <translation>%1 verlangt glTF %2; nur glTF 2.0 ist lesbar</translation>
+    </message>
+    <message>
+        <source>%1 is not a name</source>
+        <translation>%1 ist kein Name</translation>
+    </message>
+    <message>
+        <source>%1 demands the extension %2, which Crowdbrush cannot read; export the file without it</source>
+        <translation>%1 verlangt die Erweiterung %2, die Crowdbrush nicht lesen kann; die Datei ohne sie exportieren</translation>
+    </message>
+    <message>
+        <source>%1 are more than %2</source>
+        <translation>%1: es sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>%1 reaches to byte %2, but %3 has only %4</source>
+        <translation>%1 reicht bis Byte %2, aber %3 hat nur %4</translation>
+    </message>
+    <message>
+        <source>It is %1 m large as it is; import it at scale %2.</source>
+        <translation>Die Figur ist, wie sie ist, %1 m groß; sie im Maßstab %2 importieren.</translation>
+    </message>
+    <message>
+        <source>It seems to lie on its back: Z was up where it was made.</source>
+        <translation>Die Figur scheint auf dem Rücken zu liegen: Wo sie entstand, war Z oben.</translation>
+    </message>
+    <message>
+        <source>It seems to face another way than +Z; turn it by %1 degrees.</source>
+        <translation>Die Figur scheint nicht nach +Z zu sehen; sie um %1 Grad drehen.</translation>
+    </message>
+    <message>
+        <source>Its lowest point is %1 m from the ground; offset it by %2 m.</source>
+        <translation>Ihr tiefster Punkt ist %1 m vom Boden entfernt; sie um %2 m versetzen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made; unsaved work is not kept.</source>
+        <translation>%1: Der Ordner ließ sich nicht anlegen; ungespeicherte Arbeit wird nicht bewahrt.</translation>
+    </message>
+    <message>
+        <source>%1: could not be copied (%2). Make room there or choose another place, then try again.</source>
+        <translation>%1 konnte nicht kopiert werden (%2). Dort Platz schaffen oder einen anderen Ort wählen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>The scene was not saved. %1</source>
+        <translation>Die Szene wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The scene was not saved; choose another place or free some room.</source>
+        <translation>%1 konnte nicht geschrieben werden (%2). Die Szene wurde nicht gespeichert; einen anderen Ort wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>%1: is not a file; choose a .crowd file.</source>
+        <translation>%1 ist keine Datei; eine .crowd-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be opened (%2). Check its name and that you may read it.</source>
+        <translation>%1 konnte nicht geöffnet werden (%2). Namen und Leserechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: is larger than 1 GiB, too large for a scene.</source>
+        <translation>%1 ist größer als 1 GiB, zu groß für eine Szene.</translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end (%2).</source>
+        <translation>%1 konnte nicht bis zum Ende gelesen werden (%2).</translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals must be a list</source>
+        <translation>Zeile %1 der Figuren muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>a list of three finite numbers</source>
+        <translation>eine Liste von drei endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>The file is damaged or was edited wrongly: %1. Correct this place in a text editor, or restore an older copy.</source>
+        <translation>Die Datei ist beschädigt oder wurde falsch bearbeitet: %1. Diese Stelle in einem Texteditor berichtigen oder eine ältere Kopie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>binary data is not allowed</source>
+        <translation>Binärdaten sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>it ends too early, at %1</source>
+        <translation>sie endet zu früh, bei %1</translation>
+    </message>
+    <message>
+        <source>there is a number that is too large at %1</source>
+        <translation>bei %1 steht eine zu große Zahl</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at %1</source>
+        <translation>bei %1 steht kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at %1: %2</source>
+        <translation>bei %1 steht kein gültiges JSON: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands twice in the same object</source>
+        <translation>„%1“ steht zweimal im selben Objekt</translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals, column &quot;%2&quot;: it must be %3</source>
+        <translation>Zeile %1 der Figuren, Spalte „%2“: Hierher gehört %3</translation>
+    </message>
+    <message>
+        <source>the file must hold a JSON object</source>
+        <translation>die Datei muss ein JSON-Objekt enthalten</translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals must have %2 values, one for each column</source>
+        <translation>Zeile %1 der Figuren muss %2 Werte haben, einen für jede Spalte</translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>sie ist mehr als %1 tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a single value of the right kind</source>
+        <translation>ein einzelner Wert der richtigen Art</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 individuals</source>
+        <translation>sie enthält mehr als %1 Figuren</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values beside the individuals</source>
+        <translation>sie enthält neben den Figuren mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>individuals.rows stands there twice</source>
+        <translation>individuals.rows steht zweimal da</translation>
+    </message>
+    <message>
+        <source>individuals.columns must be a list of names and stand before the rows</source>
+        <translation>individuals.columns muss eine Liste von Namen sein und vor den Zeilen stehen</translation>
+    </message>
+    <message>
+        <source>&quot;individuals&quot; with &quot;columns&quot; and &quot;rows&quot; is missing</source>
+        <translation>„individuals“ mit „columns“ und „rows“ fehlt</translation>
+    </message>
+    <message>
+        <source>It needs more memory than there is; close other programs and try again.</source>
+        <translation>Der Speicher reicht dafür nicht aus; andere Programme schließen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Individual %1 has a %2 that is not a number; undo the last change or give it a new value.</source>
+        <translation>Bei Figur %1 ist %2 keine Zahl; die letzte Änderung zurücknehmen oder einen neuen Wert setzen.</translation>
+    </message>
+    <message>
+        <source>Individual %1 uses the template %2, which the scene does not have; undo the last change, or give the individual another template.</source>
+        <translation>Figur %1 verwendet die Vorlage %2, die die Szene nicht hat; die letzte Änderung zurücknehmen oder der Figur eine andere Vorlage geben.</translation>
+    </message>
+    <message>
+        <source>There is a value that cannot be saved: %1. Undo the last change or give it a new value.</source>
+        <translation>Ein Wert lässt sich nicht speichern: %1. Die letzte Änderung zurücknehmen oder einen neuen Wert setzen.</translation>
+    </message>
+    <message>
+        <source>a whole number that is not negative and not too large</source>
+        <translation>eine ganze Zahl, nicht negativ und nicht zu groß</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a tint like &quot;#c04020ff&quot; (red, green, blue, strength)</source>
+        <translation>eine Tönung wie „#c04020ff“ (Rot, Grün, Blau, Stärke)</translation>
+    </message>
+    <message>
+        <source>sixteen hexadecimal digits</source>
+        <translation>eine Folge von sechzehn Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>Individual %1 had the same seat as individual %2 and has none now; move one of them.</source>
+        <translation>Figur %1 hatte denselben Sitz wie Figur %2 und hat jetzt keinen; eine der beiden versetzen.</translation>
+    </message>
+    <message>
+        <source>%1 more shared a seat and have none now.</source>
+        <translation>%1 weitere teilten sich einen Sitz und haben jetzt keinen.</translation>
+    </message>
+    <message>
+        <source>%1 individual has a %2 outside %3 to %4; it is kept.</source>
+        <translation>Bei %1 Figur liegt %2 außerhalb von %3 bis %4; der Wert bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 individuals have a %2 outside %3 to %4; it is kept.</source>
+        <translation>Bei %1 Figuren liegt %2 außerhalb von %3 bis %4; die Werte bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 individuals followed a path that the file does not list; they follow none now.</source>
+        <translation>Figuren, die einem Weg folgten, den die Datei nicht nennt, und jetzt keinem mehr folgen: %1.</translation>
+    </message>
+    <message>
+        <source>individuals.columns must be a list of names that begins with &quot;id&quot;</source>
+        <translation>individuals.columns muss eine Liste von Namen sein, die mit „id“ beginnt</translation>
+    </message>
+    <message>
+        <source>individuals.columns names &quot;%1&quot; twice</source>
+        <translation>individuals.columns nennt „%1“ zweimal</translation>
+    </message>
+    <message>
+        <source>individuals.columns lacks &quot;%1&quot;</source>
+        <translation>in individuals.columns fehlt „%1“</translation>
+    </message>
+    <message>
+        <source>a whole number above zero and at most 4000000000</source>
+        <translation>eine ganze Zahl größer als null und höchstens 4000000000</translation>
+    </message>
+    <message>
+        <source>two individuals have the id %1; give one of them another</source>
+        <translation>zwei Figuren haben die Nummer %1; einer von ihnen eine andere geben</translation>
+    </message>
+    <message>
+        <source>individual %1 uses the template %2, which the file does not list</source>
+        <translation>Figur %1 verwendet die Vorlage %2, die die Datei nicht nennt</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Das Laden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The clip &quot;%1&quot; is not in the file any more; &quot;%2&quot; is played instead.</source>
+        <translation>Der Clip „%1“ ist nicht mehr in der Datei; „%2“ spielt an seiner Stelle.</translation>
+    </message>
+    <message>
+        <source>%1: the built-in models were not found. Install them beside the program or name their folder in CROWDBRUSH_RESOURCES.</source>
+        <translation>%1: Die mitgelieferten Modelle wurden nicht gefunden. Sie neben dem Programm installieren oder ihren Ordner in CROWDBRUSH_RESOURCES nennen.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such built-in model. Locate a file instead.</source>
+        <translation>%1: Ein solches mitgeliefertes Modell gibt es nicht. Stattdessen eine Datei suchen.</translation>
+    </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation>das ist ein Verweis, der auf sich selbst zurückführt</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file</source>
+        <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a pipe, not a file</source>
+        <translation>das ist eine Pipe, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a socket, not a file</source>
+        <translation>das ist ein Socket, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a device, not a file</source>
+        <translation>das ist ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>The graphics driver offers no framebuffer of %1 by %2 pixels. Try a smaller picture.</source>
+        <translation>Der Grafiktreiber bietet keinen Bildpuffer von %1 mal %2 Pixeln. Es mit einem kleineren Bild versuchen.</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not compile the shader %1 (%2): %3 A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help.</source>
+        <translation>Der Grafiktreiber übersetzt den Shader %1 nicht (%2): %3 Ein neuerer Treiber oder LIBGL_ALWAYS_SOFTWARE=1 kann helfen.</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not link the shader %1 (%2): %3 A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help.</source>
+        <translation>Der Grafiktreiber bindet den Shader %1 nicht (%2): %3 Ein neuerer Treiber oder LIBGL_ALWAYS_SOFTWARE=1 kann helfen.</translation>
+    </message>
+    <message>
+        <source>Pictures without a window need EGL with device or surfaceless displays, and this system&apos;s libEGL has neither. Install Mesa (packages libegl1 and libgl1-mesa-dri).</source>
+        <translation>Bilder ohne Fenster brauchen EGL mit Anzeigen von Geräten oder ohne Oberfläche, und die libEGL dieses Systems hat beides nicht. Mesa installieren (Pakete libegl1 und libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>None of this system&apos;s %1 EGL displays gives a context for OpenGL 3.3. Install a newer graphics driver, or Mesa&apos;s software one (package libgl1-mesa-dri).</source>
+        <translation>Keine der %1 EGL-Anzeigen dieses Systems gibt einen Kontext für OpenGL 3.3 her. Einen neueren Grafiktreiber installieren oder den von Mesa, der in Software rechnet (Paket libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>None of this system&apos;s %1 EGL displays gives a context for OpenGL with display lists. Install a newer graphics driver, or Mesa&apos;s software one (package libgl1-mesa-dri).</source>
+        <translation>Keine der %1 EGL-Anzeigen dieses Systems gibt einen Kontext für OpenGL mit Display-Listen her. Einen neueren Grafiktreiber installieren oder den von Mesa, der in Software rechnet (Paket libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>Drawing needs OpenGL 3.3; this context offers %1. Install a newer graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Zeichnen braucht OpenGL 3.3; dieser Kontext bietet %1. Einen neueren Grafiktreiber installieren oder LIBGL_ALWAYS_SOFTWARE=1 setzen.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -2147,6 +2147,1014 @@
         <source>Drawing the %1 failed. %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: let the name end in one of %2; it says what the picture is written as.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be made: %2. Try a smaller size, or another ending.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Check the folder, its rights and the space on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics context for pictures was lost. Start the program again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The script was not saved; choose another place or free some room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standing still, since their paths cannot be walked: %1. Give them another path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot; names a place that is not there any more; characters pass it over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot; has no position or size; characters pass it over. Give it numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot; has no places: nobody can walk it. Add some.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; repeats without any time passing: let it wait or play a clip. It was ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; changes a number that is not there any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters appear at a place that is not there any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters follow a path that is not there any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters leave at &quot;%2&quot;, but some do not get there: they stay. Move it, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends more events than can be under way; further ones are dropped. It may be sending events that make it send again: give it a pause, or say how often at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters sit down, but the scene has no seats. Bring a stage with seats along.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; names a place that is not there any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to a place that is not there any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to places of a path that is not there any more, or has none. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to places by a name that none has any more. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; lets characters leave at an exit, but there is none: they stay. Paint one with the environment brush.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; sends characters to a place, but there is none. Paint one with the path brush.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; follows whoever sent the event, but it came from a brush, a cue or nobody. Let characters send it, or follow those with a tag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot; fires over and over for the same characters: events go round in a circle. Give it a pause, or say how often at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is more for rules to do at once than a step has room for; characters act later, and events beyond half a million are dropped. Let rules send events to fewer characters, wait in between, or come less often.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot;: between &quot;%2&quot; and &quot;%3&quot; no way leads; characters go as near as they can. Move one of them, or lead the path around what is between.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path &quot;%1&quot;: between &quot;%2&quot; and &quot;%3&quot; something is in the way; characters go around it. Add places where they should go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot; is not on ground that characters can walk on; they go as near as they can. Move it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 character who should walk stand where no way leads to or from: on roofs or trees, in a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 characters who should walk stand where no way leads to or from: on roofs or trees, in a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place &quot;%1&quot;: %2 characters want to stand there, %3 have room. Make it larger, or send them to several places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There cannot be %1 steps a second; there are as many as usual. Choose a length in the menu Play.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walkers that are not in the scene, or named twice. Left out: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event &quot;%1&quot; came with a number that is none, and is not sent. Give it another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Characters without a position, left out: %1. Delete them, or give them one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no stage to walk on; characters walk on open ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walkable surface was not built: it was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the stage can be walked on; characters walk on open ground. Check its size, which way is up, and how wide, tall and steep characters can walk (Environment panel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no workload &quot;%1&quot;: choose square, corridor, city or paths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must lie from %3 to %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is none of the choices there are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs from the lowest to the highest value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be in ascending order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must hold at least one colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temporary file holds something else than an undo step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no temporary file could be made (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk of the temporary file is nearly full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temporary file could not be written (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temporary file could not be read (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temporary file is shorter than it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temporary file does not hold what was written to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no process to unpack it in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it takes too long to unpack</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it unpacks to more than it says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 animation keys are out of order or no numbers; they are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is longer than an hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the times of its keys are not single numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the animations have more than %2 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it has %2 values of the wrong number or type for its %3 keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not the index of one of the file&apos;s %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2, but the file has only %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a list of indices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a whole number from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no multiple of 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is none that glTF 2.0 knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lacks its indices or values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not an unsigned type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing or empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not one of the file&apos;s %2 variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a list of one 4x4 matrix a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not one of the animation&apos;s %2 samplers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names a scene, but the file has none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a child of both %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is its own ancestor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends within the GLB header (%1 bytes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the GLB header says version %1; only glTF 2.0 can be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the GLB header promises %1 bytes, the file has only %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes after the end of the GLB are ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is %3 bytes long, but only %4 are left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is not the JSON chunk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GLB chunk %1 at byte %2 is a second JSON chunk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Wavefront OBJ file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Collada file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a USD file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an Alembic file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an STL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PLY file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a BVH motion file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an X3D file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a VRML file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a 3DS file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a VRM file of an unknown kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data: URI has no comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data: URI is not valid base64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a plain file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is larger than 1 GiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be opened: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is %1, which Crowdbrush does not read. Convert it in Blender: %2, then File &gt; Export &gt; glTF 2.0 (.glb)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is neither a .glb (it does not begin with &quot;glTF&quot;) nor a .gltf (it does not begin with &quot;{&quot;)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a path that begins at the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, but its accessors say %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 indices, but its accessor says %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lacks an attribute that the file wants of it, or has it with another number of components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no POSITION</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is nothing that a mesh has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the compressed mesh cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program %1, which belongs beside crowdbrush, is not there; export the file without Draco compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.uri: %2; put that file there, or export the file as .glb, which holds all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.uri: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no uri, and the file has no binary chunk for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 should have %2 bytes, but only %3 are there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the buffers are larger than 1 GiB together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it hides is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not read: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2. Check the name, the folder and its rights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2. Export it again as glTF 2.0 (.glb) from the program it was made in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs more memory than there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read (PNG, JPEG and WebP can)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be decoded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large (%1 x %2 pixels)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no PNG, JPEG or WebP picture and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has neither uri nor bufferView</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pictures are larger than 512 MiB together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing %1 was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no mesh, so that nobody made of it could be seen; export the file again together with the character&apos;s mesh, as triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its scene has no triangles, so that nobody made of it could be seen; export the file again together with the character&apos;s mesh, as triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be imported: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has another type or count than its fellows need</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: more than %2 instances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the JSON is nested more than %1 levels deep at byte %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the JSON has more than %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the JSON is not an object, so this is no glTF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the JSON cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has %1 levels of detail; the finest %2 are used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has %1 slots; only the first %2 can be tinted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slot &quot;%1&quot;, variant &quot;%2&quot;: its picture lies by another set of coordinates than the default&apos;s, which is used for both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material &quot;%1&quot;: extras.tintMask is %2, which is no texture of the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material &quot;%1&quot;: its emissive picture lies by another set of coordinates than its base colour, and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its nodes draw %2 primitives, more than %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of them move meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the morph targets have more than %2 vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the scene has more than %2 vertices or %3 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the first %1 parts can be hidden; &quot;%2&quot; and those after it are always shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file draws nothing: its scene has no triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 primitives are points or lines or have no positions; they are not drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morph targets are not animated: the mesh keeps its resting shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it asks for the mode &quot;%2&quot;, which Crowdbrush cannot read; export the file without compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it asks for the filter &quot;%2&quot;, which Crowdbrush cannot read; export the file without compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not describe data of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than 1 GiB when it is unpacked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its compressed data is damaged, or newer than Crowdbrush; export the file without compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>KHR_animation_pointer moves nodes alone; what else it animates stands still (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The animation %1 moves nothing that Crowdbrush can move, and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the wrong type of accessor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 elements, but POSITION has %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 values that are no numbers; they are read as 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not fit POSITION</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: vertex %2 follows joint %3, but the skin has only %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: index %2 at position %3, but there are only %4 vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ends with %2 corners that make no triangle; they are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 seats of the extras cannot be read and are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing, so this is no glTF 2.0 file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 asks for glTF %2; only glTF 2.0 can be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 demands the extension %2, which Crowdbrush cannot read; export the file without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 are more than %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reaches to byte %2, but %3 has only %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is %1 m large as it is; import it at scale %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It seems to lie on its back: Z was up where it was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It seems to face another way than +Z; turn it by %1 degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its lowest point is %1 m from the ground; offset it by %2 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made; unsaved work is not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be copied (%2). Make room there or choose another place, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene was not saved. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). The scene was not saved; choose another place or free some room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is not a file; choose a .crowd file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be opened (%2). Check its name and that you may read it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: is larger than 1 GiB, too large for a scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals must be a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list of three finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is damaged or was edited wrongly: %1. Correct this place in a text editor, or restore an older copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>binary data is not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it ends too early, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a number that is too large at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands twice in the same object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals, column &quot;%2&quot;: it must be %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file must hold a JSON object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of the individuals must have %2 values, one for each column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a single value of the right kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds more than %1 individuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds more than %1 values beside the individuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individuals.rows stands there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individuals.columns must be a list of names and stand before the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;individuals&quot; with &quot;columns&quot; and &quot;rows&quot; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It needs more memory than there is; close other programs and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Individual %1 has a %2 that is not a number; undo the last change or give it a new value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Individual %1 uses the template %2, which the scene does not have; undo the last change, or give the individual another template.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a value that cannot be saved: %1. Undo the last change or give it a new value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number that is not negative and not too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tint like &quot;#c04020ff&quot; (red, green, blue, strength)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sixteen hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Individual %1 had the same seat as individual %2 and has none now; move one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more shared a seat and have none now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 individual has a %2 outside %3 to %4; it is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 individuals have a %2 outside %3 to %4; it is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 individuals followed a path that the file does not list; they follow none now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individuals.columns must be a list of names that begins with &quot;id&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individuals.columns names &quot;%1&quot; twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individuals.columns lacks &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number above zero and at most 4000000000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two individuals have the id %1; give one of them another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>individual %1 uses the template %2, which the file does not list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clip &quot;%1&quot; is not in the file any more; &quot;%2&quot; is played instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the built-in models were not found. Install them beside the program or name their folder in CROWDBRUSH_RESOURCES.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there is no such built-in model. Locate a file instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a pipe, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a socket, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a device, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver offers no framebuffer of %1 by %2 pixels. Try a smaller picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver does not compile the shader %1 (%2): %3 A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver does not link the shader %1 (%2): %3 A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures without a window need EGL with device or surfaceless displays, and this system&apos;s libEGL has neither. Install Mesa (packages libegl1 and libgl1-mesa-dri).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of this system&apos;s %1 EGL displays gives a context for OpenGL 3.3. Install a newer graphics driver, or Mesa&apos;s software one (package libgl1-mesa-dri).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of this system&apos;s %1 EGL displays gives a context for OpenGL with display lists. Install a newer graphics driver, or Mesa&apos;s software one (package libgl1-mesa-dri).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing needs OpenGL 3.3; this context offers %1. Install a newer graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>

@@ -58,6 +58,15 @@ Json namesOf(const std::vector<Named>& items)
     return names;
 }
 
+Json englishOf(const std::vector<model::Message>& messages)
+{
+    Json texts = Json::array();
+    for (const model::Message& message : messages) {
+        texts.push_back(message.english());
+    }
+    return texts;
+}
+
 Json describe(const model::Template& asset)
 {
     const model::Mesh& mesh = asset.levels.front();
@@ -65,9 +74,9 @@ Json describe(const model::Template& asset)
     for (const model::Mesh& level : asset.levels) {
         levels.push_back(level.triangleCount());
     }
-    std::vector<std::string> warnings = asset.warnings;
-    for (const std::string& advice : model::proposeImport(asset).reasons) {
-        warnings.push_back(advice);
+    Json warnings = englishOf(asset.warnings);
+    for (const model::Message& advice : model::proposeImport(asset).reasons) {
+        warnings.push_back(advice.english());
     }
     return Json{{"kind", "template"},
                 {"name", asset.name},
@@ -83,7 +92,7 @@ Json describe(const model::Template& asset)
                 {"levels", std::move(levels)},
                 {"parts", namesOf(asset.parts)},
                 {"default_clip", asset.clips[static_cast<std::size_t>(asset.defaultClip)].name},
-                {"warnings", warnings}};
+                {"warnings", std::move(warnings)}};
 }
 
 Json describe(const model::StageAsset& stage)
@@ -99,7 +108,7 @@ Json describe(const model::StageAsset& stage)
                 {"height_m", sixDecimals(size.y)},
                 {"size_m", {sixDecimals(size.x), sixDecimals(size.y), sixDecimals(size.z)}},
                 {"seats", stage.seats.size()},
-                {"warnings", stage.warnings}};
+                {"warnings", englishOf(stage.warnings)}};
 }
 
 model::Result<Json> describeAsset(const InfoOptions& options)
@@ -153,7 +162,7 @@ model::Result<Json> describeScene(const std::string& file)
         return read.error();
     }
     const model::Scene& scene = read.value();
-    Json warnings = scene.readWarnings;
+    Json warnings = englishOf(scene.readWarnings);
     const std::size_t seats = checkAssets(scene, warnings);
     for (const model::Rule& rule : scene.rules) {
         const QString problem = widgets::ruleProblem(scene, rule);

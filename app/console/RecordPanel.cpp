@@ -10,6 +10,7 @@
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::app {
@@ -112,7 +113,7 @@ void RecordPanel::save()
     }
     settings.setValue(kScriptFolderKey, QFileInfo(path).absolutePath());
     if (const auto done = m_recorder.save(path); !done) {
-        Q_EMIT failed(QString::fromStdString(done.error().message));
+        Q_EMIT failed(model::translated(done.error()));
         return;
     }
     Q_EMIT saved(path);

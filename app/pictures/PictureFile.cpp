@@ -15,22 +15,30 @@ model::Result<void> writePicture(const QString& path, const std::vector<std::uin
 {
     const PictureFormat* format = pictureFormatOf(path);
     if (format == nullptr) {
-        return model::Error{path.toStdString() + ": let the name end in one of " +
-                            pictureEndings() + "; it says what the picture is written as."};
+        return model::Error{
+            QT_TRANSLATE_NOOP(
+                "Messages",
+                "%1: let the name end in one of %2; it says what the picture is written as."),
+            path.toStdString(), pictureEndings()};
     }
     // Opaque: no alpha channel in the file.
     const QImage image = QImage(rgba.data(), size.x, size.y, size.x * 4, QImage::Format_RGBX8888)
                              .convertToFormat(QImage::Format_RGB888);
     const auto encoded = format->encode(image);
     if (!encoded) {
-        return model::Error{path.toStdString() + ": the picture could not be made: " +
-                            encoded.error().message + ". Try a smaller size, or another ending."};
+        return model::Error{
+            QT_TRANSLATE_NOOP(
+                "Messages",
+                "%1: the picture could not be made: %2. Try a smaller size, or another ending."),
+            path.toStdString(), encoded.error().said};
     }
     const QByteArray& bytes = encoded.value();
     const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
     if (auto written = model::writeWholeFile(path, text); !written) {
-        return model::Error{path.toStdString() + " cannot be written: " + written.error().message +
-                            ". Check the folder, its rights and the space on the disk."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "%1 cannot be written: %2. Check the folder, its rights "
+                                          "and the space on the disk."),
+            path.toStdString(), written.error().said};
     }
     return {};
 }

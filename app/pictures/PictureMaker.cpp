@@ -45,7 +45,8 @@ PictureMaker::~PictureMaker()
 model::Result<void> PictureMaker::draw(const PictureRequest& request)
 {
     if (!m_context->makeCurrent()) {
-        return model::Error{"The graphics context for pictures was lost. Start the program again."};
+        return model::Error{QT_TRANSLATE_NOOP(
+            "Messages", "The graphics context for pictures was lost. Start the program again.")};
     }
     const render::RenderInput input = inputOf(request, m_keyframes);
     auto drawn = drawComplete(input);

@@ -110,11 +110,12 @@ void warn(const std::string& text)
 /// What the editor shows in a dialog when it opens a scene.
 void warnOfOddities(const Scene& scene)
 {
-    for (const std::string& warning : scene.readWarnings) {
-        warn(warning);
+    for (const model::Message& warning : scene.readWarnings) {
+        warn(warning.english());
     }
     for (const MissingAsset& each : missingAssets(scene)) {
-        warn((each.isStage ? "Stage \"" : "Template \"") + each.name + "\": " + each.problem);
+        warn((each.isStage ? "Stage \"" : "Template \"") + each.name +
+             "\": " + each.problem.english());
     }
 }
 

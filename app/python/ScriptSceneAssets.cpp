@@ -246,7 +246,7 @@ Result<void> ScriptScene::changeStage(StageEntry entry)
             return asset.error();
         }
         entry.asset = asset.value();
-        entry.problem.clear();
+        entry.problem = {};
     }
     return onDocument([&]() -> Result<void> {
         if (m_host.document->scene().findStage(entry.id) == nullptr) {

@@ -49,7 +49,7 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
     if (scene.hasBehaviour()) {
         behavior::SurfacePlan plan = behavior::SurfacePlan::of(scene);
         if (!standsOnTheSame(plan, m_plan)) {
-            m_surfaceProblem.clear();
+            m_surfaceProblem = {};
             auto surface = behavior::surfaceOf(scene, m_surfaceProblem, &isCancelled);
             if (isCancelled) {
                 return;
@@ -116,10 +116,10 @@ std::vector<std::string> ScriptSession::problems() const
     const std::scoped_lock lock(m_mutex);
     std::vector<std::string> problems;
     for (const behavior::Problem& problem : m_session->problems()) {
-        problems.push_back(problem.text);
+        problems.push_back(problem.text.english());
     }
     if (!m_surfaceProblem.empty()) {
-        problems.push_back(m_surfaceProblem);
+        problems.push_back(m_surfaceProblem.english());
     }
     return problems;
 }

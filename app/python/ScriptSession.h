@@ -64,7 +64,7 @@ private:
     bool m_isComplete = false;    ///< following was not cancelled
     std::uint32_t m_stepsPerSecond = 30;
     behavior::SurfacePlan m_plan; ///< of the surface in use
-    std::string m_surfaceProblem;
+    model::Message m_surfaceProblem;
     std::unique_ptr<behavior::Session> m_session;
 };
 

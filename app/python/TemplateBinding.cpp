@@ -26,7 +26,7 @@ TemplatePtr TemplateHandle::asset() const
 {
     const TemplateEntry known = entry();
     if (!known.asset) {
-        throw ScriptError("Template " + known.name + " is not loaded. " + known.problem);
+        throw ScriptError("Template " + known.name + " is not loaded. " + known.problem.english());
     }
     return known.asset;
 }

@@ -177,8 +177,10 @@ Result<void> Recorder::save(const QString& path) const
         }
     }
     if (auto saved = writeWholeFile(path, text); !saved) {
-        return Error{path.toStdString() + ": could not be written (" + saved.error().message +
-                     "). The script was not saved; choose another place or free some room."};
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "%1: could not be written (%2). The script was not "
+                                       "saved; choose another place or free some room."),
+                     path.toStdString(), saved.error().said};
     }
     return {};
 }

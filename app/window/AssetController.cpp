@@ -9,6 +9,7 @@
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "model/gltf/GltfImport.h"
 #include "model/gltf/ImportProposal.h"
@@ -155,8 +156,7 @@ void AssetController::addFromLibrary()
             if (library.empty()) {
                 fail(tr("There is no library"),
                      tr("The built-in characters were not found. Install them beside the program "
-                        "or name their folder in CROWDBRUSH_RESOURCES.")
-                         .toStdString());
+                        "or name their folder in CROWDBRUSH_RESOURCES."));
                 return;
             }
             auto* dialog = new widgets::LibraryDialog(std::move(library), m_state.scene().templates,
@@ -259,7 +259,7 @@ void AssetController::proposeTemplate(const QString& path, QueuePlace place)
         },
         [this, path, place](const Result<model::TemplatePtr>& asset) {
             if (!asset) {
-                fail(tr("The template could not be imported"), asset.error().message);
+                fail(tr("The template could not be imported"), model::translated(asset.error()));
             } else if (m_takesProposals) {
                 addTemplate(path, model::proposeImport(*asset.value()).settings);
             } else {
@@ -304,7 +304,7 @@ void AssetController::addTemplate(const QString& path, const model::ImportSettin
         },
         [this, entry](const Result<model::TemplatePtr>& asset) {
             if (!asset) {
-                fail(tr("The template could not be imported"), asset.error().message);
+                fail(tr("The template could not be imported"), model::translated(asset.error()));
                 return;
             }
             put(entry, asset.value(), tr("Import template"));
@@ -337,7 +337,7 @@ void AssetController::addStage(const QString& path)
         },
         [this, path](const Result<model::StagePtr>& asset) {
             if (!asset) {
-                fail(tr("The stage could not be imported"), asset.error().message);
+                fail(tr("The stage could not be imported"), model::translated(asset.error()));
                 return;
             }
             model::StageEntry entry;
@@ -391,7 +391,7 @@ void AssetController::editClips(model::TemplateId id)
         },
         [this, id](const Result<model::TemplatePtr>& asset) {
             if (!asset) {
-                fail(tr("The file could not be read"), asset.error().message);
+                fail(tr("The file could not be read"), model::translated(asset.error()));
                 return;
             }
             showClips(id, asset.value());
@@ -465,7 +465,7 @@ void AssetController::locateAt(const model::MissingAsset& asset, const QString& 
         },
         [this](const Result<FoundAssets>& found) {
             if (!found) {
-                fail(tr("The file could not be read"), found.error().message);
+                fail(tr("The file could not be read"), model::translated(found.error()));
                 return;
             }
             take(found.value());
@@ -489,7 +489,7 @@ void AssetController::take(const FoundAssets& found)
             model::StageEntry whole = *entry;
             whole.path = path;
             whole.asset = asset;
-            whole.problem.clear();
+            whole.problem = {};
             edit->changeStage(whole);
         }
     }
@@ -508,10 +508,9 @@ void AssetController::reportMissing()
     show(dialog);
 }
 
-void AssetController::fail(const QString& title, const std::string& message)
+void AssetController::fail(const QString& title, const QString& message)
 {
-    auto* box = new QMessageBox(QMessageBox::Critical, title, QString::fromStdString(message),
-                                QMessageBox::Ok, m_window);
+    auto* box = new QMessageBox(QMessageBox::Critical, title, message, QMessageBox::Ok, m_window);
     box->setObjectName(QStringLiteral("importFailure"));
     show(box);
 }

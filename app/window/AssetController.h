@@ -87,7 +87,7 @@ private:
     void put(model::TemplateEntry entry, const model::TemplatePtr& asset, const QString& undoText);
     void locate(const model::MissingAsset& asset); ///< asks for the file
     void take(const FoundAssets& found);
-    void fail(const QString& title, const std::string& message);
+    void fail(const QString& title, const QString& message);
     void show(QDialog* dialog); ///< without waiting; deletes itself when it is closed
     [[nodiscard]] QString askForModel(const QString& title);
 

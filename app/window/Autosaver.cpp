@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/Autosaver.h"
 
+#include "model/base/Translated.h"
 #include "model/project/Autosave.h"
 
 namespace crowd::app {
@@ -50,7 +51,7 @@ void Autosaver::keep()
         m_hasFailed = false;
     } else if (!m_hasFailed) {
         m_state.showStatus(tr("Unsaved work is not kept for the case of a crash. %1")
-                               .arg(QString::fromStdString(kept.error().message)));
+                               .arg(model::translated(kept.error())));
         m_hasFailed = true;
     }
 }

@@ -15,6 +15,7 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/window/RecentFiles.h"
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/AssetPaths.h"
 #include "model/project/Autosave.h"
@@ -150,8 +151,7 @@ void FileController::openPath(const QString& path)
         reportFailure(tr("The scene could not be opened"),
                       tr("%1 is not there any more. It was moved, renamed or deleted; choose "
                          "File > Open to look for it.")
-                          .arg(path)
-                          .toStdString());
+                          .arg(path));
         return;
     }
     if (!mayLeaveScene()) {
@@ -282,7 +282,8 @@ void FileController::load(const Opening& opening)
         },
         [this, opening, stamp, revision](model::Result<model::Scene> scene) {
             if (!scene) {
-                reportFailure(tr("The scene could not be opened"), scene.error().message);
+                reportFailure(tr("The scene could not be opened"),
+                              model::translated(scene.error()));
                 return;
             }
             if (mayStillLeaveScene(revision)) {
@@ -318,8 +319,8 @@ void FileController::take(model::Scene scene, const Opening& opening)
 void FileController::reportOddities()
 {
     QStringList odd;
-    for (const std::string& warning : m_state.scene().readWarnings) {
-        odd << QString::fromStdString(warning);
+    for (const model::Message& warning : m_state.scene().readWarnings) {
+        odd << model::translated(warning);
     }
     if (odd.isEmpty()) {
         return;
@@ -400,7 +401,7 @@ bool FileController::write(const QString& path)
         return false;
     }
     if (const auto saved = model::saveProject(m_state.scene(), path); !saved) {
-        reportFailure(tr("The scene could not be saved"), saved.error().message);
+        reportFailure(tr("The scene could not be saved"), model::translated(saved.error()));
         return false;
     }
     m_autosaver.forget();
@@ -420,7 +421,8 @@ bool FileController::collectAssets()
     const auto collected =
         model::collectAssets(m_state.scene(), QFileInfo(m_state.document().path()).absolutePath());
     if (!collected) {
-        reportFailure(tr("The assets could not be collected"), collected.error().message);
+        reportFailure(tr("The assets could not be collected"),
+                      model::translated(collected.error()));
         return false;
     }
     const auto edit = m_state.document().beginEdit();
@@ -472,9 +474,9 @@ void FileController::setAutosaveSeconds(int seconds)
     m_autosaver.setSeconds(seconds);
 }
 
-void FileController::reportFailure(const QString& title, const std::string& message)
+void FileController::reportFailure(const QString& title, const QString& message)
 {
-    QMessageBox::critical(m_window, title, QString::fromStdString(message));
+    QMessageBox::critical(m_window, title, message);
 }
 
 } // namespace crowd::app

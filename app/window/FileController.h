@@ -92,7 +92,7 @@ private:
     void take(model::Scene scene, const Opening& opening);
     bool write(const QString& path);
     void reportOddities();
-    void reportFailure(const QString& title, const std::string& message);
+    void reportFailure(const QString& title, const QString& message);
 
     widgets::EditorState& m_state;
     QWidget* m_window;

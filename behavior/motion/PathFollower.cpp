@@ -97,8 +97,11 @@ std::vector<Problem> PathFollower::assign(std::span<const Assignment> assignment
     if (lost == 0) {
         return {};
     }
-    return {{"Standing still, since their paths cannot be walked: " + std::to_string(lost) +
-             ". Give them another path."}};
+    return {Problem{
+        {QT_TRANSLATE_NOOP(
+             "Messages",
+             "Standing still, since their paths cannot be walked: %1. Give them another path."),
+         lost}}};
 }
 
 bool PathFollower::follow(const Assignment& assignment)

@@ -17,11 +17,6 @@ namespace {
 
 constexpr float kWidestPlace = 1e4F; ///< metres
 
-std::string nameOf(const model::Path& path)
-{
-    return "Path \"" + path.name + "\"";
-}
-
 } // namespace
 
 std::uint32_t Route::nextStop(const glm::vec3& from) const
@@ -54,16 +49,23 @@ Route PathRoutes::routeOf(const model::Path& path, std::span<const model::Place>
     for (const model::PlaceId id : path.places) {
         const auto place = std::ranges::find(places, id, &model::Place::id);
         if (place == places.end()) {
-            problems.push_back({nameOf(path) + " names a place that is not there any more; " +
-                                    "characters pass it over.",
-                                0, 0, path.id});
+            problems.push_back(
+                {{QT_TRANSLATE_NOOP("Messages", "Path \"%1\" names a place that is not there any "
+                                                "more; characters pass it over."),
+                  path.name},
+                 0,
+                 0,
+                 path.id});
             continue;
         }
         if (!model::Bounds::isPlace(place->position) || !std::isfinite(place->radius)) {
-            problems.push_back({"Place \"" + place->name +
-                                    "\" has no position or size; characters "
-                                    "pass it over. Give it numbers.",
-                                0, place->id, path.id});
+            problems.push_back(
+                {{QT_TRANSLATE_NOOP("Messages", "Place \"%1\" has no position or size; characters "
+                                                "pass it over. Give it numbers."),
+                  place->name},
+                 0,
+                 place->id,
+                 path.id});
             continue;
         }
         RouteStop stop{id,
@@ -89,7 +91,12 @@ std::vector<Problem> PathRoutes::set(std::span<const model::Place> places,
         Route route = routeOf(path, places, problems);
         if (route.stops.empty()) {
             problems.push_back(
-                {nameOf(path) + " has no places: nobody can walk it. Add some.", 0, 0, path.id});
+                {{QT_TRANSLATE_NOOP("Messages",
+                                    "Path \"%1\" has no places: nobody can walk it. Add some."),
+                  path.name},
+                 0,
+                 0,
+                 path.id});
         } else {
             m_routes.push_back(std::move(route));
         }

@@ -52,9 +52,12 @@ void runAgent(const RuleScope& scope, std::uint32_t agent)
         }
         state.budget.actions -= std::min<std::size_t>(1, state.budget.actions);
         if (count > kMaxActionsAtOnce) {
-            state.problems.add(problemOf(state, self.rule,
-                                         " repeats without any time passing: let it wait or play a "
-                                         "clip. It was ended."));
+            state.problems.add(
+                problemOf(state, self.rule,
+                          QT_TRANSLATE_NOOP(
+                              "Messages",
+                              "Rule \"%1\" repeats without any time passing: let it wait or play a "
+                              "clip. It was ended.")));
             state.agents.setRule(agent, kNoRule);
             return;
         }

@@ -22,7 +22,9 @@ std::optional<Aim> aimOf(const ActionScope& scope, const model::AimChoice& choic
         if (const model::Place* place = scope.state.places.find(choice.place)) {
             return Aim{place->position, kNoAgent};
         }
-        scope.report(" names a place that is not there any more. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" names a place that is not there any more. Choose another one."));
         break;
     }
     return whom == kNoAgent ? std::nullopt : std::optional(Aim{scope.host.position(whom), whom});

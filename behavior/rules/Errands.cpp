@@ -24,20 +24,28 @@ bool isForFree(const PlaceWish& wish)
 void reportNowhere(const ActionScope& scope, const PlaceWish& wish)
 {
     if (wish.choice == model::PlaceChoice::Given) {
-        scope.report(
-            " sends characters to a place that is not there any more. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP("Messages", "Rule \"%1\" sends characters to a place that "
+                                                   "is not there any more. Choose another one."));
     } else if (wish.path != 0) {
-        scope.report(" sends characters to places of a path that is not there any more, or has "
-                     "none. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" sends characters to places of a path that is not there any more, or has "
+            "none. Choose another one."));
     } else if (wish.place != 0) {
-        scope.report(" sends characters to places by a name that none has any more. Choose "
-                     "another one.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" sends characters to places by a name that none has any more. Choose "
+            "another one."));
     } else if (wish.role == model::PlaceRole::Exit) {
-        scope.report(" lets characters leave at an exit, but there is none: they stay. "
-                     "Paint one with the environment brush.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" lets characters leave at an exit, but there is none: they stay. "
+            "Paint one with the environment brush."));
     } else {
-        scope.report(" sends characters to a place, but there is none. Paint one with "
-                     "the path brush.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" sends characters to a place, but there is none. Paint one with "
+            "the path brush."));
     }
 }
 

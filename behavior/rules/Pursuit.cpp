@@ -156,8 +156,9 @@ ActionStatus update(const ActionScope& scope, const PursuitSettings& settings)
         return comeNear(scope, settings, *aim);
     }
     if (settings.isFollowing && settings.aim.aim == model::ActionAim::Sender) {
-        scope.report(" follows whoever sent the event, but it came from a brush, a "
-                     "cue or nobody. Let characters send it, or follow those with a tag.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages", "Rule \"%1\" follows whoever sent the event, but it came from a brush, a "
+                        "cue or nobody. Let characters send it, or follow those with a tag."));
     }
     return stop(scope);
 }

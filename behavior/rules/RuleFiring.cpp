@@ -47,8 +47,9 @@ void noticeEcho(RuleState& state, std::uint32_t rule, RuleAgentState& known,
     if (known.echoes == kMaxEchoes) {
         state.problems.add(
             problemOf(state, rule,
-                      " fires over and over for the same characters: events go round in a circle. "
-                      "Give it a pause, or say how often at most."));
+                      QT_TRANSLATE_NOOP("Messages", "Rule \"%1\" fires over and over for the same "
+                                                    "characters: events go round in a circle. "
+                                                    "Give it a pause, or say how often at most.")));
     }
 }
 

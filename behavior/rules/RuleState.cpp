@@ -12,21 +12,17 @@ float draw(const RuleScope& scope, std::uint32_t agent, std::uint64_t purpose)
                                             state.agents[agent].firings, state.clock.step));
 }
 
-Problem problemOf(const RuleState& state, std::uint32_t rule, const std::string& text)
-{
-    const model::Rule& data = state.rules[rule].data;
-    return {"Rule \"" + data.name + "\"" + text, data.id};
-}
-
 void reportOverload(RuleState& state, std::uint32_t rule)
 {
     if (!state.problems.noteOverload()) {
         return;
     }
     state.problems.add(
-        {"There is more for rules to do at once than a step has room for; characters act "
-         "later, and events beyond half a million are dropped. Let rules send events to "
-         "fewer characters, wait in between, or come less often.",
+        {QT_TRANSLATE_NOOP(
+             "Messages",
+             "There is more for rules to do at once than a step has room for; characters act "
+             "later, and events beyond half a million are dropped. Let rules send events to "
+             "fewer characters, wait in between, or come less often."),
          rule == kNoRule ? 0 : state.rules[rule].data.id});
 }
 

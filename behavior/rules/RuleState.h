@@ -89,9 +89,14 @@ struct RuleScope
 /// Between 0 and 1: decided by the seed, the individual, how often rules fired for it, the step and
 /// the purpose.
 [[nodiscard]] float draw(const RuleScope& scope, std::uint32_t agent, std::uint64_t purpose);
-/// A problem that begins with the rule's name.
-[[nodiscard]] Problem problemOf(const RuleState& state, std::uint32_t rule,
-                                const std::string& text);
+/// A message whose %1 is the rule's name.
+template<class... Arguments>
+[[nodiscard]] Problem problemOf(const RuleState& state, std::uint32_t rule, const char* id,
+                                const Arguments&... arguments)
+{
+    const model::Rule& data = state.rules[rule].data;
+    return {{id, data.name, arguments...}, data.id};
+}
 /// `rule` (kNoRule: none) has come to more than a step has room for.
 void reportOverload(RuleState& state, std::uint32_t rule);
 /// How many have taken the places, as of now.

@@ -36,21 +36,28 @@ void checkLeg(const model::Path& path, const model::Place& from, const model::Pl
     }
     const glm::vec2 start(from.position.x, from.position.z);
     const glm::vec2 end(to.position.x, to.position.z);
-    const std::string between =
-        "Path \"" + path.name + "\": between \"" + from.name + "\" and \"" + to.name + "\" ";
     const float straight = glm::distance(start, end);
     const float length = lengthOf(way, start);
     if (glm::distance(way.back(), end) > std::max(to.radius, kLeastReach)) {
         problems.push_back(
-            {between + "no way leads; characters go as near as they can. Move one of them, or lead "
-                       "the path around what is between.",
-             0, 0, path.id});
+            {{QT_TRANSLATE_NOOP(
+                  "Messages",
+                  "Path \"%1\": between \"%2\" and \"%3\" no way leads; characters go as near as "
+                  "they can. Move one of them, or lead the path around what is between."),
+              path.name, from.name, to.name},
+             0,
+             0,
+             path.id});
     } else if (way.size() > 1 && length > straight * kDetourShare &&
                length > straight + kDetourMetres) {
         problems.push_back(
-            {between + "something is in the way; characters go around it. Add places where they "
-                       "should go.",
-             0, 0, path.id});
+            {{QT_TRANSLATE_NOOP("Messages",
+                                "Path \"%1\": between \"%2\" and \"%3\" something is in the way; "
+                                "characters go around it. Add places where they should go."),
+              path.name, from.name, to.name},
+             0,
+             0,
+             path.id});
     }
 }
 
@@ -66,10 +73,12 @@ std::vector<Problem> problemsOfPlaces(std::span<const model::Place> places,
         const glm::vec3 below(place.position.x, 0.0F, place.position.z);
         if (!isOn && (surface.reaches(place.position, kSearchMetres) ||
                       surface.reaches(below, kSearchMetres))) {
-            problems.push_back({"Place \"" + place.name +
-                                    "\" is not on ground that characters can walk on; they go as "
-                                    "near as they can. Move it.",
-                                0, place.id});
+            problems.push_back(
+                {{QT_TRANSLATE_NOOP("Messages", "Place \"%1\" is not on ground that characters can "
+                                                "walk on; they go as near as they can. Move it."),
+                  place.name},
+                 0,
+                 place.id});
         }
     }
     return problems;
@@ -103,10 +112,17 @@ std::vector<Problem> problemsOfPeople(std::vector<model::IndividualId> offSurfac
         return {};
     }
     Problem problem;
-    problem.text = std::to_string(offSurface.size()) +
-                   (offSurface.size() == 1 ? " character" : " characters") +
-                   " who should walk stand where no way leads to or from: on roofs or trees, in "
-                   "a basin, in the air. Put them on the nearest ground (Edit, Put on the Ground).";
+    problem.text = {
+        offSurface.size() == 1
+            ? QT_TRANSLATE_NOOP("Messages",
+                                "%1 character who should walk stand where no way leads to or from: "
+                                "on roofs or trees, in a basin, in the air. Put them on the "
+                                "nearest ground (Edit, Put on the Ground).")
+            : QT_TRANSLATE_NOOP("Messages",
+                                "%1 characters who should walk stand where no way leads to or "
+                                "from: on roofs or trees, in a basin, in the air. Put them on the "
+                                "nearest ground (Edit, Put on the Ground)."),
+        offSurface.size()};
     problem.people = std::move(offSurface);
     return {problem};
 }
@@ -123,14 +139,17 @@ std::vector<Problem> problemsOfCrowding(const GuestCounts& guests,
         }
         const float area = 3.14159265F * place->radius * place->radius;
         const bool isKnown = std::ranges::any_of(known, [id = id](const Problem& problem) {
-            return problem.place == id && problem.text.find("characters want") != std::string::npos;
+            return problem.place == id &&
+                   problem.text.english().find("characters want") != std::string::npos;
         });
         if (!isKnown && static_cast<float>(count) > area * kCrowdedPerMetre2 + kAFew) {
-            problems.push_back({"Place \"" + place->name + "\": " + std::to_string(count) +
-                                    " characters want to stand there, " +
-                                    std::to_string(model::roomOf(*place)) +
-                                    " have room. Make it larger, or send them to several places.",
-                                0, id});
+            problems.push_back(
+                {{QT_TRANSLATE_NOOP("Messages",
+                                    "Place \"%1\": %2 characters want to stand there, %3 have "
+                                    "room. Make it larger, or send them to several places."),
+                  place->name, count, model::roomOf(*place)},
+                 0,
+                 id});
         }
     }
     return problems;

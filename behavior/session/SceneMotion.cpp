@@ -7,7 +7,7 @@
 
 namespace crowd::behavior {
 
-std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::string& problem,
+std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, model::Message& problem,
                                              const std::atomic<bool>* isCancelled)
 {
     const SurfacePlan plan = SurfacePlan::of(scene);
@@ -18,7 +18,7 @@ std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene, std::str
     progress.isCancelledToo = isCancelled;
     auto built = WalkSurface::build(plan, progress);
     if (!built) {
-        problem = built.error().message;
+        problem = built.error().said;
         return nullptr;
     }
     return built.value();
@@ -75,11 +75,11 @@ std::vector<std::string> SceneMotion::problems() const
     std::vector<std::string> problems;
     if (m_session) {
         for (const Problem& problem : m_session->problems()) {
-            problems.push_back(problem.text);
+            problems.push_back(problem.text.english());
         }
     }
     if (!m_surfaceProblem.empty()) {
-        problems.push_back(m_surfaceProblem);
+        problems.push_back(m_surfaceProblem.english());
     }
     return problems;
 }

@@ -13,7 +13,7 @@ namespace crowd::behavior {
 /// What can be walked on in a scene; null: open ground, or `problem` says why it could not be
 /// found. Takes seconds for large stages; may be cancelled from another thread.
 [[nodiscard]] std::shared_ptr<const WalkSurface>
-surfaceOf(const model::Scene& scene, std::string& problem,
+surfaceOf(const model::Scene& scene, model::Message& problem,
           const std::atomic<bool>* isCancelled = nullptr);
 
 /// Times of a scene are asked for up to here, and down to its negative: a week.
@@ -34,7 +34,7 @@ public:
     using Progress = std::function<void(double seconds)>;
     [[nodiscard]] model::CrowdFramePtr
     at(double seconds, const std::atomic<bool>* isCancelled = nullptr, const Progress& notify = {});
-    /// Sentences about what could not be followed.
+    /// Sentences about what could not be followed, in English.
     [[nodiscard]] std::vector<std::string> problems() const;
 
 private:
@@ -43,7 +43,7 @@ private:
     const model::Scene& m_scene;
     std::shared_ptr<const std::vector<model::TemplateEntry>> m_templates;
     std::shared_ptr<const WalkSurface> m_surface;
-    std::string m_surfaceProblem;
+    model::Message m_surfaceProblem;
     std::unique_ptr<Session> m_session;
     SessionPosePtr m_before;
     SessionPosePtr m_after;

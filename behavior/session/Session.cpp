@@ -21,8 +21,9 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
     SessionParts& parts = *m_parts;
     if (parts.clock.stepsPerSecond != scene.stepsPerSecond) {
         parts.problems.add(
-            {"There cannot be " + std::to_string(scene.stepsPerSecond) +
-             " steps a second; there are as many as usual. Choose a length in the menu Play."});
+            {{QT_TRANSLATE_NOOP("Messages", "There cannot be %1 steps a second; there are as many "
+                                            "as usual. Choose a length in the menu Play."),
+              scene.stepsPerSecond}});
     }
     for (Problem& problem : parts.follower.setPaths(parts.places, parts.paths)) {
         parts.problems.add(std::move(problem));
@@ -88,8 +89,10 @@ void Session::assignPlanned(const SessionPlan& plan)
         assignments.push_back(walk);
     }
     if (missing > 0) {
-        parts.problems.add({"Walkers that are not in the scene, or named twice. Left out: " +
-                            std::to_string(missing) + "."});
+        parts.problems.add(
+            {{QT_TRANSLATE_NOOP("Messages",
+                                "Walkers that are not in the scene, or named twice. Left out: %1."),
+              missing}});
     }
     for (Problem& problem : parts.follower.assign(assignments, people.size())) {
         parts.problems.add(std::move(problem));
@@ -131,8 +134,9 @@ void Session::send(const std::string& event, float payload,
 {
     if (!std::isfinite(payload)) {
         m_parts->problems.add(
-            {"Event \"" + event +
-             "\" came with a number that is none, and is not sent. Give it another one."});
+            {{QT_TRANSLATE_NOOP("Messages", "Event \"%1\" came with a number that is none, and is "
+                                            "not sent. Give it another one."),
+              event}});
         return;
     }
     glm::vec3 middle(0.0F);

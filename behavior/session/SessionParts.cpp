@@ -81,8 +81,11 @@ void SessionParts::dismissWithoutPosition()
         }
     }
     if (lost > 0) {
-        problems.add({"Characters without a position, left out: " + std::to_string(lost) +
-                      ". Delete them, or give them one."});
+        problems.add(
+            {{QT_TRANSLATE_NOOP(
+                  "Messages",
+                  "Characters without a position, left out: %1. Delete them, or give them one."),
+              lost}});
     }
 }
 

@@ -63,15 +63,19 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     plan.settings = tamed(plan.settings);
     const TriangleSoup soup = plan.isWorthwhile() ? soupOf(plan) : TriangleSoup();
     if (soup.triangles.empty()) {
-        return model::Error{"There is no stage to walk on; characters walk on open ground."};
+        return model::Error{QT_TRANSLATE_NOOP(
+            "Messages", "There is no stage to walk on; characters walk on open ground.")};
     }
     NavMeshBuilder builder(soup, plan, progress);
     if (!builder.run(plan.settings)) {
-        return model::Error{progress.isOver()
-                                ? "The walkable surface was not built: it was cancelled."
-                                : "Nothing of the stage can be walked on; characters walk on open "
-                                  "ground. Check its size, which way is up, and how wide, tall and "
-                                  "steep characters can walk (Environment panel)."};
+        return model::Error{
+            progress.isOver()
+                ? QT_TRANSLATE_NOOP("Messages",
+                                    "The walkable surface was not built: it was cancelled.")
+                : QT_TRANSLATE_NOOP("Messages",
+                                    "Nothing of the stage can be walked on; characters walk on "
+                                    "open ground. Check its size, which way is up, and how wide, "
+                                    "tall and steep characters can walk (Environment panel).")};
     }
     auto data = std::make_unique<SurfaceData>();
     data->walls = wallsOf(builder.mesh(), plan.settings);

@@ -304,8 +304,10 @@ model::Result<std::unique_ptr<Workload>> makeWorkload(std::string_view name, std
     } else if (name == "paths") {
         workload = makePathsWorkload(count, seed);
     } else {
-        return model::Error{"There is no workload \"" + std::string(name) +
-                            "\": choose square, corridor, city or paths."};
+        return model::Error{
+            QT_TRANSLATE_NOOP(
+                "Messages", "There is no workload \"%1\": choose square, corridor, city or paths."),
+            name};
     }
     return workload;
 }

@@ -21,8 +21,8 @@ bool isWithin(const FieldMeta& meta, double value)
 
 Result<void> refuseNumber(const FieldMeta& meta, double value, const std::string& name)
 {
-    return Error{name + " is " + shortNumber(value) + "; it must lie from " +
-                 shortNumber(meta.low) + " to " + shortNumber(meta.high) + "."};
+    return Error{QT_TRANSLATE_NOOP("Messages", "%1 is %2; it must lie from %3 to %4."), name,
+                 shortNumber(value), shortNumber(meta.low), shortNumber(meta.high)};
 }
 
 Result<void> checkNumber(const FieldMeta& meta, double value, const std::string& name)
@@ -36,7 +36,7 @@ Result<void> checkInteger(const FieldMeta& meta, std::int64_t value, const std::
         return checkNumber(meta, static_cast<double>(value), name);
     }
     if (value < 0 || value >= static_cast<std::int64_t>(meta.choices.size())) {
-        return Error{name + " is none of the choices there are."};
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1 is none of the choices there are."), name};
     }
     return {};
 }
@@ -49,7 +49,8 @@ Result<void> checkRange(const FieldMeta& meta, const ValueRange& range, const st
         }
     }
     if (range.low > range.high) {
-        return Error{name + " runs from the lowest to the highest value."};
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1 runs from the lowest to the highest value."),
+                     name};
     }
     return {};
 }
@@ -71,8 +72,8 @@ Result<void> checkWeights(const std::vector<Weighted>& all, const std::string& n
     constexpr double kHeaviest = 1e6;
     for (const Weighted& each : all) {
         if (!(each.weight >= 0.0F && static_cast<double>(each.weight) <= kHeaviest)) {
-            return Error{name + " is " + shortNumber(static_cast<double>(each.weight)) +
-                         "; it must lie from 0 to 1000000."};
+            return Error{QT_TRANSLATE_NOOP("Messages", "%1 is %2; it must lie from %3 to %4."),
+                         name, shortNumber(static_cast<double>(each.weight)), 0, 1000000};
         }
     }
     return {};
@@ -111,13 +112,15 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
             [&](const DistributionCurve& curve) { return checkEach(meta, curve.weights, name); },
             [&](const std::vector<int>& numbers) -> Result<void> {
                 if (!std::ranges::is_sorted(numbers)) {
-                    return Error{name + " must be in ascending order."};
+                    return Error{QT_TRANSLATE_NOOP("Messages", "%1 must be in ascending order."),
+                                 name};
                 }
                 return {};
             },
             [&](const std::vector<PaintColor>& colors) -> Result<void> {
                 if (colors.empty() && meta.low > 0.0) {
-                    return Error{name + " must hold at least one colour."};
+                    return Error{QT_TRANSLATE_NOOP("Messages", "%1 must hold at least one colour."),
+                                 name};
                 }
                 return {};
             },

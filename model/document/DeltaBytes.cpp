@@ -134,7 +134,8 @@ Result<void> readBulk(std::span<const std::byte> bytes, SceneDelta& delta)
     }
     if (!source.isWhole() || !source.isAtEnd()) {
         dropBulk(delta);
-        return Error{"the temporary file holds something else than an undo step"};
+        return Error{QT_TRANSLATE_NOOP(
+            "Messages", "the temporary file holds something else than an undo step")};
     }
     return {};
 }

@@ -216,7 +216,7 @@ std::size_t bytesOfFields(std::span<const FieldInfo> fields, const void* object)
 std::size_t bytesOf(const TemplateEntry& entry)
 {
     std::size_t total = sizeof(entry) + entry.name.size() + entry.path.size() +
-                        entry.problem.size() + entry.unknownMembers.size() +
+                        entry.problem.english().size() + entry.unknownMembers.size() +
                         entry.import.unknownMembers.size() +
                         entry.clipSpeeds.size() * sizeof(float) +
                         entry.clipRoles.size() * sizeof(std::optional<ClipRole>);
@@ -228,7 +228,7 @@ std::size_t bytesOf(const TemplateEntry& entry)
 
 std::size_t bytesOf(const StageEntry& entry)
 {
-    return sizeof(entry) + entry.name.size() + entry.path.size() + entry.problem.size() +
+    return sizeof(entry) + entry.name.size() + entry.path.size() + entry.problem.english().size() +
            entry.unknownMembers.size();
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneCommand.h"
 #include "model/document/SceneEdit.h"
 
@@ -58,7 +59,7 @@ void SceneDocument::markSaved(const QString& path)
     }
 }
 
-void SceneDocument::setTemplateAsset(TemplateId id, TemplatePtr asset, const std::string& problem)
+void SceneDocument::setTemplateAsset(TemplateId id, TemplatePtr asset, const Message& problem)
 {
     TemplateEntry* entry = m_scene.findTemplate(id);
     if (entry == nullptr) {
@@ -107,7 +108,7 @@ bool SceneDocument::applyStep(StoredDelta& stored, DeltaDirection direction)
     if (!delta) {
         m_refusal = tr("This step cannot be taken: %1. The scene is unharmed; save it. What was "
                        "done since can still be undone and redone.")
-                        .arg(QString::fromStdString(delta.error().message));
+                        .arg(translated(delta.error()));
         return false;
     }
     applyDelta(m_scene, *delta.value(), direction,
@@ -135,13 +136,13 @@ void SceneDocument::settleRefusal()
 
 void SceneDocument::watchUndoMemory()
 {
-    const std::string& problem = m_undoMemory.problem();
+    const Message& problem = m_undoMemory.problem();
     if (!problem.empty() && !m_isMemoryExceeded) {
         Q_EMIT undoMemoryExceeded(
             tr("Undo takes %1 MB of memory and cannot use the disk: %2. Nothing is lost; make room "
                "there, or save and reopen the scene to forget its undo steps.")
                 .arg(m_undoMemory.bytes() >> 20U)
-                .arg(QString::fromStdString(problem)));
+                .arg(translated(problem)));
     }
     m_isMemoryExceeded = !problem.empty();
 }

@@ -18,9 +18,9 @@ namespace crowd::model {
 
 namespace {
 
-Error systemError(const std::string& what)
+std::string systemReason()
 {
-    return Error{what + " (" + std::strerror(errno) + ")"};
+    return std::strerror(errno);
 }
 
 QString folderForTemporaryFiles()
@@ -87,7 +87,8 @@ Result<void> SpillFile::open()
     const QString folder = m_folder.isEmpty() ? folderForTemporaryFiles() : m_folder;
     m_file = openUnnamed(QFile::encodeName(folder));
     if (m_file < 0) {
-        return systemError(folder.toStdString() + ": no temporary file could be made");
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1: no temporary file could be made (%2)"),
+                     folder.toStdString(), systemReason()};
     }
     return {};
 }
@@ -102,7 +103,8 @@ Result<void> SpillFile::checkRoom(std::uint64_t size) const
     }
     const std::uint64_t free = std::uint64_t{disk.f_bavail} * disk.f_frsize;
     if (free < size || free - size < m_reserve) {
-        return Error{"the disk of the temporary file is nearly full"};
+        return Error{
+            QT_TRANSLATE_NOOP("Messages", "the disk of the temporary file is nearly full")};
     }
     return {};
 }
@@ -140,7 +142,9 @@ Result<SpillFile::Extent> SpillFile::write(std::span<const std::byte> bytes)
             continue;
         }
         if (written <= 0) {
-            const Error error = systemError("the temporary file could not be written");
+            const Error error{
+                QT_TRANSLATE_NOOP("Messages", "the temporary file could not be written (%1)"),
+                systemReason()};
             release(extent);
             return error;
         }
@@ -159,15 +163,18 @@ Result<std::vector<std::byte>> SpillFile::read(const Extent& extent) const
             continue;
         }
         if (got < 0) {
-            return systemError("the temporary file could not be read");
+            return Error{QT_TRANSLATE_NOOP("Messages", "the temporary file could not be read (%1)"),
+                         systemReason()};
         }
         if (got == 0) {
-            return Error{"the temporary file is shorter than it was"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "the temporary file is shorter than it was")};
         }
         done += static_cast<std::size_t>(got);
     }
     if (checksumOf(bytes) != extent.checksum) {
-        return Error{"the temporary file does not hold what was written to it"};
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "the temporary file does not hold what was written to it")};
     }
     return bytes;
 }

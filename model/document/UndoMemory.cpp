@@ -23,10 +23,10 @@ void UndoMemory::setLimits(const UndoLimits& limits)
 
 void UndoMemory::keepWithinBudget()
 {
-    m_problem.clear();
+    m_problem = {};
     while (m_bytes > m_limits.bytes && m_recent.size() > 1) {
         if (const Result<void> left = m_recent.front()->leaveMemory(); !left) {
-            m_problem = left.error().message;
+            m_problem = left.error().said;
             return;
         }
     }

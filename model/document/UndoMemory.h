@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::uint64_t bytesOnDisk() const { return m_file->bytes(); }
     /// Why the budget is exceeded; empty while it is kept.
-    [[nodiscard]] const std::string& problem() const { return m_problem; }
+    [[nodiscard]] const Message& problem() const { return m_problem; }
 
 private:
     friend class StoredDelta;
@@ -50,7 +50,7 @@ private:
     std::unique_ptr<SpillFile> m_file;
     std::list<StoredDelta*> m_recent; ///< in memory and able to leave it; used last at the end
     std::size_t m_bytes = 0;
-    std::string m_problem;
+    Message m_problem;
 };
 
 /// A delta that may lie on disk. Dies before its memory.

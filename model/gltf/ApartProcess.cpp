@@ -24,7 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kPieceBytes = 1U << 16U;
-constexpr const char* kNoProcess = "there is no process to unpack it in";
+constexpr const char* kNoProcess =
+    QT_TRANSLATE_NOOP("Messages", "there is no process to unpack it in");
 
 /// Owns a file descriptor above the standard ones, which is closed in other programs.
 class Descriptor
@@ -109,7 +110,7 @@ Result<Bytes> readAll(int pipe, const ApartLimits& limits)
         pollfd waiting{pipe, POLLIN, 0};
         const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(left)) : 0;
         if (ready == 0) {
-            return Error{"it takes too long to unpack"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "it takes too long to unpack")};
         }
         if (ready < 0) {
             continue;
@@ -122,10 +123,10 @@ Result<Bytes> readAll(int pipe, const ApartLimits& limits)
             return bytes;
         }
         if (bytes.size() > limits.outputBytes) {
-            return Error{"it unpacks to more than it says"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "it unpacks to more than it says")};
         }
         if (got < 0 && errno != EINTR) {
-            return Error{"it is damaged"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "it is damaged")};
         }
     }
 }
@@ -180,7 +181,7 @@ Result<Bytes> runApart(const std::string& program, const Bytes& input, const Apa
     Result<Bytes> bytes = readAll(from.get(), limits);
     const bool isWell = reap(child, !bytes);
     if (bytes && !isWell) {
-        return Error{"it is damaged"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it is damaged")};
     }
     return bytes;
 }

@@ -117,9 +117,11 @@ public:
             m_asset.clips.push_back(std::move(pose));
         }
         if (m_dropped > 0) {
-            m_asset.warnings.push_back(std::to_string(m_dropped) +
-                                       " animation keys are out of order or no numbers; they are "
-                                       "left out.");
+            m_asset.warnings.emplace_back(
+                QT_TRANSLATE_NOOP(
+                    "Messages",
+                    "%1 animation keys are out of order or no numbers; they are left out."),
+                m_dropped);
         }
         return {};
     }
@@ -160,7 +162,8 @@ private:
             clip.seconds = last - first;
         }
         if (clip.seconds > kMaxClipSeconds) {
-            return Error{place("animations", index) + " is longer than an hour"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "%1 is longer than an hour"),
+                         place("animations", index)};
         }
         m_asset.clips.push_back(std::move(clip));
         return {};
@@ -176,12 +179,15 @@ private:
         const tinygltf::Accessor& output =
             m_model.accessors[static_cast<std::size_t>(sampler.output)];
         if (input.type != TINYGLTF_TYPE_SCALAR) {
-            return Error{where + ": the times of its keys are not single numbers"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "%1: the times of its keys are not single numbers"),
+                where};
         }
         m_floats += input.count + output.count * 4;
         if (m_floats > kMaxAnimationFloats) {
-            return Error{where + ": the animations have more than " +
-                         std::to_string(kMaxAnimationFloats) + " numbers"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "%1: the animations have more than %2 numbers"),
+                where, kMaxAnimationFloats};
         }
         Channel channel;
         channel.times = readFloats(m_model, sampler.input).values;
@@ -200,9 +206,10 @@ private:
         const std::size_t keys =
             channel.times.size() * (channel.interpolation == Interpolation::CubicSpline ? 3 : 1);
         if (output.type != type || output.count < keys) {
-            return Error{where + ": it has " + std::to_string(output.count) +
-                         " values of the wrong number or type for its " +
-                         std::to_string(channel.times.size()) + " keys"};
+            return Error{
+                QT_TRANSLATE_NOOP(
+                    "Messages", "%1: it has %2 values of the wrong number or type for its %3 keys"),
+                where, output.count, channel.times.size()};
         }
         FloatArray values = readFloats(m_model, sampler.output);
         values.values.resize(keys * values.components);

@@ -20,10 +20,15 @@ public:
     enum class Need { Optional, Required };
 
     [[nodiscard]] Json& root() { return m_root; }
-    [[nodiscard]] const std::string& problem() const { return m_problem; }
+    [[nodiscard]] const Message& problem() const { return m_problem; }
 
-    /// Notes the fault; always false.
-    bool fail(const std::string& where, const std::string& what);
+    /// Notes the fault, a message whose %1 is its place; always false.
+    template<class... Arguments>
+    bool fail(const std::string& where, const char* id, const Arguments&... arguments)
+    {
+        m_problem = Message(id, where, arguments...);
+        return false;
+    }
     /// value is an index into the top-level array `target`.
     bool indexValue(Json& value, const char* target, const std::string& where);
     /// object[key] is one.
@@ -46,12 +51,12 @@ public:
             return true;
         }
         if (!found->is_array()) {
-            return fail(prefix + key, "is not a list");
+            return fail(prefix + key, QT_TRANSLATE_NOOP("Messages", "%1 is not a list"));
         }
         for (std::size_t i = 0; i < found->size(); ++i) {
             const std::string where = prefix + place(key, i);
             if (!(*found)[i].is_object()) {
-                return fail(where, "is not an object");
+                return fail(where, QT_TRANSLATE_NOOP("Messages", "%1 is not an object"));
             }
             if (!check((*found)[i], where)) {
                 return false;
@@ -62,7 +67,7 @@ public:
 
 private:
     Json& m_root;
-    std::string m_problem;
+    Message m_problem;
 };
 
 /// Buffers, views and accessors by themselves; their extents are for validateLayout.

@@ -40,7 +40,8 @@ private:
     {
         return m_check.whole(view, "byteStride", where, 0, 252) &&
                (wholeOr(view, "byteStride", 0) % 4 == 0 ||
-                m_check.fail(where + ".byteStride", "is no multiple of 4"));
+                m_check.fail(where + ".byteStride",
+                             QT_TRANSLATE_NOOP("Messages", "%1 is no multiple of 4")));
     }
 
     bool checkAccessor(Json& accessor, const std::string& where)
@@ -54,15 +55,17 @@ private:
             return false;
         }
         if (componentBytes(wholeOr(accessor, "componentType", 0)) == 0) {
-            return m_check.fail(where + ".componentType", "is none that glTF 2.0 knows");
+            return m_check.fail(where + ".componentType",
+                                QT_TRANSLATE_NOOP("Messages", "%1 is none that glTF 2.0 knows"));
         }
         if (componentCount(textOf(accessor, "type")) == 0) {
-            return m_check.fail(where + ".type", "is none that glTF 2.0 knows");
+            return m_check.fail(where + ".type",
+                                QT_TRANSLATE_NOOP("Messages", "%1 is none that glTF 2.0 knows"));
         }
         if (wholeOr(accessor, "count", 0) * componentCount(textOf(accessor, "type")) >
             kMaxAccessorNumbers) {
-            return m_check.fail(where, "has more than " + std::to_string(kMaxAccessorNumbers) +
-                                           " numbers");
+            return m_check.fail(where, QT_TRANSLATE_NOOP("Messages", "%1 has more than %2 numbers"),
+                                kMaxAccessorNumbers);
         }
         const auto sparse = accessor.find("sparse");
         return sparse == accessor.end() || checkSparse(accessor, *sparse, where + ".sparse");
@@ -72,7 +75,8 @@ private:
     {
         if (!sparse.is_object() || !member(sparse, "indices").is_object() ||
             !member(sparse, "values").is_object()) {
-            return m_check.fail(where, "lacks its indices or values");
+            return m_check.fail(where,
+                                QT_TRANSLATE_NOOP("Messages", "%1 lacks its indices or values"));
         }
         Json& indexPart = sparse["indices"];
         Json& valuePart = sparse["values"];
@@ -90,7 +94,8 @@ private:
         }
         const std::uint64_t type = wholeOr(indexPart, "componentType", 0);
         return type == 5121 || type == 5123 || type == 5125 ||
-               m_check.fail(where + ".indices.componentType", "is not an unsigned type");
+               m_check.fail(where + ".indices.componentType",
+                            QT_TRANSLATE_NOOP("Messages", "%1 is not an unsigned type"));
     }
 
     JsonCheck& m_check;

@@ -73,7 +73,8 @@ private:
         return m_check.each(
             m_check.root(), "meshes", "", [this](Json& mesh, const std::string& where) {
                 if (countOf(mesh, "primitives") == 0) {
-                    return m_check.fail(where + ".primitives", "is missing or empty");
+                    return m_check.fail(where + ".primitives",
+                                        QT_TRANSLATE_NOOP("Messages", "%1 is missing or empty"));
                 }
                 return m_check.each(
                     mesh, "primitives", where + ".",
@@ -95,7 +96,8 @@ private:
     {
         const auto found = primitive.find("attributes");
         if (found == primitive.end() || !found->is_object()) {
-            return m_check.fail(where + ".attributes", "is missing");
+            return m_check.fail(where + ".attributes",
+                                QT_TRANSLATE_NOOP("Messages", "%1 is missing"));
         }
         if (!attributes(*found, where + ".attributes") ||
             !m_check.index(primitive, "indices", "accessors", where) ||
@@ -129,9 +131,11 @@ private:
                 const Json& list = member(mapping, "variants");
                 for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
                     if (asWhole(list[i]).value_or(variants) >= variants) {
-                        return m_check.fail(inner + "." + place("variants", i),
-                                            "is not one of the file's " + std::to_string(variants) +
-                                                " variants");
+                        return m_check.fail(
+                            inner + "." + place("variants", i),
+                            QT_TRANSLATE_NOOP("Messages",
+                                              "%1 is not one of the file's %2 variants"),
+                            variants);
                     }
                 }
                 return true;

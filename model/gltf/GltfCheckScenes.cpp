@@ -57,8 +57,10 @@ private:
                 if (textOf(accessor, "type") != "MAT4" ||
                     wholeOr(accessor, "componentType", 0) != 5126 ||
                     wholeOr(accessor, "count", 0) < countOf(skin, "joints")) {
-                    return m_check.fail(where + ".inverseBindMatrices",
-                                        "is not a list of one 4x4 matrix a joint");
+                    return m_check.fail(
+                        where + ".inverseBindMatrices",
+                        QT_TRANSLATE_NOOP("Messages",
+                                          "%1 is not a list of one 4x4 matrix a joint"));
                 }
                 return true;
             });
@@ -86,12 +88,14 @@ private:
     bool checkChannel(Json& channel, std::size_t samplers, const std::string& where)
     {
         if (wholeOr(channel, "sampler", samplers) >= samplers) {
-            return m_check.fail(where + ".sampler", "is not one of the animation's " +
-                                                        std::to_string(samplers) + " samplers");
+            return m_check.fail(
+                where + ".sampler",
+                QT_TRANSLATE_NOOP("Messages", "%1 is not one of the animation's %2 samplers"),
+                samplers);
         }
         const auto target = channel.find("target");
         if (target == channel.end() || !target->is_object()) {
-            return m_check.fail(where + ".target", "is missing");
+            return m_check.fail(where + ".target", QT_TRANSLATE_NOOP("Messages", "%1 is missing"));
         }
         return m_check.index(*target, "node", "nodes", where + ".target");
     }
@@ -99,7 +103,8 @@ private:
     bool checkScenes()
     {
         if (m_check.root().contains("scene") && countOf(m_check.root(), "scenes") == 0) {
-            return m_check.fail("scene", "names a scene, but the file has none");
+            return m_check.fail(
+                "scene", QT_TRANSLATE_NOOP("Messages", "%1 names a scene, but the file has none"));
         }
         return m_check.index(m_check.root(), "scene", "scenes", "file") &&
                m_check.each(m_check.root(), "scenes", "",
@@ -118,9 +123,10 @@ private:
             for (std::size_t c = 0; children.is_array() && c < children.size(); ++c) {
                 const auto child = children[c].get<std::size_t>();
                 if (parent[child] != count && parent[child] != i) {
-                    return m_check.fail(place("nodes", child), "is a child of both " +
-                                                                   place("nodes", parent[child]) +
-                                                                   " and " + place("nodes", i));
+                    return m_check.fail(
+                        place("nodes", child),
+                        QT_TRANSLATE_NOOP("Messages", "%1 is a child of both %2 and %3"),
+                        place("nodes", parent[child]), place("nodes", i));
                 }
                 parent[child] = i;
             }
@@ -136,7 +142,8 @@ private:
             for (std::size_t at = start; at != count && seenFrom[at] == count; at = parent[at]) {
                 seenFrom[at] = start;
                 if (parent[at] != count && seenFrom[parent[at]] == start) {
-                    return m_check.fail(place("nodes", at), "is its own ancestor");
+                    return m_check.fail(place("nodes", at),
+                                        QT_TRANSLATE_NOOP("Messages", "%1 is its own ancestor"));
                 }
             }
         }

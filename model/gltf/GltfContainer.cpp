@@ -34,21 +34,25 @@ Result<Container> readGlb(const Bytes& bytes)
 {
     Container container;
     if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
-        return Error{"the file ends within the GLB header (" + std::to_string(bytes.size()) +
-                     " bytes)"};
+        return Error{
+            QT_TRANSLATE_NOOP("Messages", "the file ends within the GLB header (%1 bytes)"),
+            bytes.size()};
     }
     if (const std::uint32_t version = readU32(bytes, 4); version != 2) {
-        return Error{"the GLB header says version " + std::to_string(version) +
-                     "; only glTF 2.0 can be read"};
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "the GLB header says version %1; only glTF 2.0 can be read"),
+                     version};
     }
     const std::size_t length = readU32(bytes, 8);
     if (length > bytes.size()) {
-        return Error{"the GLB header promises " + std::to_string(length) +
-                     " bytes, the file has only " + std::to_string(bytes.size())};
+        return Error{
+            QT_TRANSLATE_NOOP("Messages", "the GLB header promises %1 bytes, the file has only %2"),
+            length, bytes.size()};
     }
     if (length < bytes.size()) {
-        container.warnings.push_back(std::to_string(bytes.size() - length) +
-                                     " bytes after the end of the GLB are ignored.");
+        container.warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "%1 bytes after the end of the GLB are ignored."),
+            bytes.size() - length);
     }
     std::size_t at = kHeaderBytes;
     for (std::size_t chunk = 0; at + kChunkHeaderBytes <= length; ++chunk) {
@@ -56,15 +60,20 @@ Result<Container> readGlb(const Bytes& bytes)
         const std::uint32_t type = readU32(bytes, at + 4);
         const std::size_t begin = at + kChunkHeaderBytes;
         if (size > length - begin) {
-            return Error{"GLB chunk " + std::to_string(chunk) + " at byte " + std::to_string(at) +
-                         " is " + std::to_string(size) + " bytes long, but only " +
-                         std::to_string(length - begin) + " are left"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages",
+                                  "GLB chunk %1 at byte %2 is %3 bytes long, but only %4 are left"),
+                chunk, at, size, length - begin};
         }
         const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
         const auto last = first + static_cast<std::ptrdiff_t>(size);
         if ((chunk == 0) != (type == kJsonChunk)) {
-            return Error{"GLB chunk " + std::to_string(chunk) + " at byte " + std::to_string(at) +
-                         (chunk == 0 ? " is not the JSON chunk" : " is a second JSON chunk")};
+            return Error{
+                chunk == 0
+                    ? QT_TRANSLATE_NOOP("Messages", "GLB chunk %1 at byte %2 is not the JSON chunk")
+                    : QT_TRANSLATE_NOOP("Messages",
+                                        "GLB chunk %1 at byte %2 is a second JSON chunk"),
+                chunk, at};
         }
         if (type == kJsonChunk) {
             container.json.assign(first, last);
@@ -86,28 +95,35 @@ struct ForeignFormat
 {
     std::string_view suffix;
     std::string_view magic; ///< empty: only the suffix tells
-    std::string_view name;
-    std::string_view menu; ///< Blender's menu entry that reads it
+    const char* name;       ///< a message
+    std::string_view menu;  ///< Blender's menu entry that reads it
 };
 
 constexpr ForeignFormat kForeign[] = {
-    {".fbx", "Kaydara FBX", "an FBX file", "File > Import > FBX"},
-    {".fbx", "; FBX", "an FBX file", "File > Import > FBX"},
-    {".obj", "", "a Wavefront OBJ file", "File > Import > Wavefront"},
-    {".dae", "", "a Collada file", "File > Import > Collada"},
-    {".blend", "BLENDER", "a Blender file", "File > Open"},
-    {".usdc", "PXR-USDC", "a USD file", "File > Import > Universal Scene Description"},
-    {".usda", "#usda", "a USD file", "File > Import > Universal Scene Description"},
-    {".usd", "", "a USD file", "File > Import > Universal Scene Description"},
-    {".usdz", "", "a USD file", "File > Import > Universal Scene Description"},
-    {".abc", "Ogawa", "an Alembic file", "File > Import > Alembic"},
-    {".stl", "", "an STL file", "File > Import > STL"},
-    {".ply", "ply\n", "a PLY file", "File > Import > Stanford"},
-    {".bvh", "HIERARCHY", "a BVH motion file", "File > Import > Motion Capture"},
-    {".x3d", "", "an X3D file", "File > Import > X3D"},
-    {".wrl", "#VRML", "a VRML file", "File > Import > X3D"},
-    {".3ds", "", "a 3DS file", "File > Import"},
-    {".vrm", "", "a VRM file of an unknown kind", "File > Import > glTF 2.0"},
+    {".fbx", "Kaydara FBX", QT_TRANSLATE_NOOP("Messages", "an FBX file"), "File > Import > FBX"},
+    {".fbx", "; FBX", QT_TRANSLATE_NOOP("Messages", "an FBX file"), "File > Import > FBX"},
+    {".obj", "", QT_TRANSLATE_NOOP("Messages", "a Wavefront OBJ file"),
+     "File > Import > Wavefront"},
+    {".dae", "", QT_TRANSLATE_NOOP("Messages", "a Collada file"), "File > Import > Collada"},
+    {".blend", "BLENDER", QT_TRANSLATE_NOOP("Messages", "a Blender file"), "File > Open"},
+    {".usdc", "PXR-USDC", QT_TRANSLATE_NOOP("Messages", "a USD file"),
+     "File > Import > Universal Scene Description"},
+    {".usda", "#usda", QT_TRANSLATE_NOOP("Messages", "a USD file"),
+     "File > Import > Universal Scene Description"},
+    {".usd", "", QT_TRANSLATE_NOOP("Messages", "a USD file"),
+     "File > Import > Universal Scene Description"},
+    {".usdz", "", QT_TRANSLATE_NOOP("Messages", "a USD file"),
+     "File > Import > Universal Scene Description"},
+    {".abc", "Ogawa", QT_TRANSLATE_NOOP("Messages", "an Alembic file"), "File > Import > Alembic"},
+    {".stl", "", QT_TRANSLATE_NOOP("Messages", "an STL file"), "File > Import > STL"},
+    {".ply", "ply\n", QT_TRANSLATE_NOOP("Messages", "a PLY file"), "File > Import > Stanford"},
+    {".bvh", "HIERARCHY", QT_TRANSLATE_NOOP("Messages", "a BVH motion file"),
+     "File > Import > Motion Capture"},
+    {".x3d", "", QT_TRANSLATE_NOOP("Messages", "an X3D file"), "File > Import > X3D"},
+    {".wrl", "#VRML", QT_TRANSLATE_NOOP("Messages", "a VRML file"), "File > Import > X3D"},
+    {".3ds", "", QT_TRANSLATE_NOOP("Messages", "a 3DS file"), "File > Import"},
+    {".vrm", "", QT_TRANSLATE_NOOP("Messages", "a VRM file of an unknown kind"),
+     "File > Import > glTF 2.0"},
 };
 
 const ForeignFormat* foreignFormat(const std::string& path, const Bytes& bytes)
@@ -148,7 +164,7 @@ Result<Bytes> decodeDataUri(const std::string& uri)
 {
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos) {
-        return Error{"the data: URI has no comma"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "the data: URI has no comma")};
     }
     const QByteArray body = QByteArray::fromRawData(uri.data() + comma + 1,
                                                     static_cast<qsizetype>(uri.size() - comma - 1));
@@ -163,7 +179,7 @@ Result<Bytes> decodeDataUri(const std::string& uri)
         encoded, QByteArray::AbortOnBase64DecodingErrors |
                      (isForUrls ? QByteArray::Base64UrlEncoding : QByteArray::Base64Encoding));
     if (!decoded) {
-        return Error{"the data: URI is not valid base64"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "the data: URI is not valid base64")};
     }
     return Bytes(decoded.decoded.begin(), decoded.decoded.end());
 }
@@ -198,19 +214,22 @@ Result<Bytes> readFile(const std::string& path)
 {
     QFile file(QString::fromStdString(path));
     if (!QFileInfo(file).isFile()) {
-        return Error{QFileInfo::exists(file.fileName()) ? "it is not a plain file"
-                                                        : "there is no such file"};
+        return Error{QFileInfo::exists(file.fileName())
+                         ? QT_TRANSLATE_NOOP("Messages", "it is not a plain file")
+                         : QT_TRANSLATE_NOOP("Messages", "there is no such file")};
     }
     if (static_cast<std::uint64_t>(file.size()) > kMaxFileBytes) {
-        return Error{"it is larger than 1 GiB"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it is larger than 1 GiB")};
     }
     if (!file.open(QIODevice::ReadOnly)) {
-        return Error{"it cannot be opened: " + file.errorString().toStdString()};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it cannot be opened: %1"),
+                     file.errorString().toStdString()};
     }
     Bytes bytes(static_cast<std::size_t>(file.size()));
     const qint64 got = file.read(reinterpret_cast<char*>(bytes.data()), file.size());
     if (got != file.size()) {
-        return Error{"it cannot be read to its end: " + file.errorString().toStdString()};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it cannot be read to its end: %1"),
+                     file.errorString().toStdString()};
     }
     return bytes;
 }
@@ -223,19 +242,21 @@ Result<Container> readContainer(const std::string& path)
     }
     const Bytes& bytes = file.value();
     if (bytes.empty()) {
-        return Error{"the file is empty"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "the file is empty")};
     }
     if (startsWith(bytes, "glTF")) {
         return readGlb(bytes);
     }
     if (const ForeignFormat* format = foreignFormat(path, bytes)) {
-        return Error{"this is " + std::string(format->name) +
-                     ", which Crowdbrush does not read. Convert it in Blender: " +
-                     std::string(format->menu) + ", then File > Export > glTF 2.0 (.glb)"};
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "this is %1, which Crowdbrush does not read. Convert it "
+                                       "in Blender: %2, then File > Export > glTF 2.0 (.glb)"),
+                     Message(format->name), format->menu};
     }
     if (!looksLikeJson(bytes)) {
-        return Error{"this is neither a .glb (it does not begin with \"glTF\") nor a .gltf "
-                     "(it does not begin with \"{\")"};
+        return Error{QT_TRANSLATE_NOOP(
+            "Messages", "this is neither a .glb (it does not begin with \"glTF\") nor a .gltf "
+                        "(it does not begin with \"{\")")};
     }
     Container container;
     container.json.assign(bytes.begin(), bytes.end());
@@ -251,7 +272,8 @@ Result<Bytes> readUri(const std::string& uri, const std::string& folder)
     const QString decoded =
         QString::fromUtf8(QByteArray::fromPercentEncoding(QByteArray::fromStdString(uri)));
     if (hasScheme(raw) || isNoRelativePath(decoded) || isNoRelativePath(raw)) {
-        return Error{"\"" + shortened(uri, 200) + "\" is not a path that begins at the file"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "\"%1\" is not a path that begins at the file"),
+                     shortened(uri, 200)};
     }
     const QString base = QString::fromStdString(folder) + u'/';
     // Some exporters write file names with a literal per cent sign, unescaped.
@@ -260,7 +282,8 @@ Result<Bytes> readUri(const std::string& uri, const std::string& folder)
                              : base + decoded;
     Result<Bytes> bytes = readFile(path.toStdString());
     if (!bytes) {
-        return Error{"\"" + shortened(uri, 200) + "\": " + bytes.error().message};
+        return Error{QT_TRANSLATE_NOOP("Messages", "\"%1\": %2"), shortened(uri, 200),
+                     bytes.error().said};
     }
     return bytes;
 }

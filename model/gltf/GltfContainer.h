@@ -18,7 +18,7 @@ struct Container
     std::string json;
     Bytes binary;
     bool hasBinary = false;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Reads a file of at most kMaxFileBytes. The message names neither file nor way out.

@@ -77,14 +77,15 @@ public:
     {
         unpack::MeshHead head;
         if (m_from.size() - m_at < sizeof(head)) {
-            return Error{"it is damaged"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "it is damaged")};
         }
         std::memcpy(&head, m_from.data() + m_at, sizeof(head));
         m_at += sizeof(head);
         if (head.outcome != Outcome::Fine) {
             return complaint(head, job);
         }
-        return put(head, job) ? Result<void>() : Error{"it is damaged"};
+        return put(head, job) ? Result<void>()
+                              : Error{QT_TRANSLATE_NOOP("Messages", "it is damaged")};
     }
 
 private:
@@ -92,16 +93,20 @@ private:
     {
         switch (head.outcome) {
         case Outcome::TooManyPoints:
-            return Error{"it has " + std::to_string(head.points) +
-                         " vertices, but its accessors say " + std::to_string(job.maxPoints)};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "it has %1 vertices, but its accessors say %2"),
+                head.points, job.maxPoints};
         case Outcome::TooManyCorners:
-            return Error{"it has " + std::to_string(head.corners) +
-                         " indices, but its accessor says " + std::to_string(job.maxCorners)};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "it has %1 indices, but its accessor says %2"),
+                head.corners, job.maxCorners};
         case Outcome::NoAttribute:
-            return Error{"it lacks an attribute that the file wants of it, or has it with another "
-                         "number of components"};
+            return Error{QT_TRANSLATE_NOOP(
+                "Messages",
+                "it lacks an attribute that the file wants of it, or has it with another "
+                "number of components")};
         default:
-            return Error{"it is damaged"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "it is damaged")};
         }
     }
 
@@ -172,7 +177,7 @@ public:
                     place("meshes", m) + "." + place("primitives", p) + ".extensions." + kDracoName;
                 if (member(member(primitive, "extensions"), kDracoName).is_object() &&
                     !hasPlainData(primitive) && !add(primitive, where)) {
-                    return Error{where + m_problem};
+                    return Error{m_problem};
                 }
             }
         }
@@ -180,9 +185,10 @@ public:
     }
 
 private:
-    bool fail(const std::string& what)
+    template<class... Arguments>
+    bool fail(const char* id, const Arguments&... arguments)
     {
-        m_problem = what;
+        m_problem = Message(id, arguments...);
         return false;
     }
 
@@ -233,7 +239,9 @@ private:
     {
         const std::uint64_t view = wholeOr(extension, "bufferView", ~std::uint64_t{0});
         if (view >= countOf(m_root, "bufferViews")) {
-            return fail(".bufferView is not the index of one of the file's bufferViews");
+            return fail(
+                QT_TRANSLATE_NOOP("Messages", "%1 is not the index of one of the file's %2"),
+                job.where + ".bufferView", "bufferViews");
         }
         const Json& from = m_root.at("bufferViews").at(view);
         job.data = std::span(m_buffers[wholeOr(from, "buffer", 0)])
@@ -246,7 +254,8 @@ private:
         const Json& attributes = member(primitive, "attributes");
         const Json& ids = member(member(member(primitive, "extensions"), kDracoName), "attributes");
         if (!ids.is_object() || !ids.contains("POSITION")) {
-            return fail(".attributes has no POSITION");
+            return fail(QT_TRANSLATE_NOOP("Messages", "%1 has no POSITION"),
+                        job.where + ".attributes");
         }
         for (const auto& [name, id] : ids.items()) {
             if (!attributes.contains(name)) {
@@ -256,7 +265,8 @@ private:
             const Json& as = accessor(wanted.accessor);
             const std::uint64_t number = asWhole(id).value_or(~std::uint64_t{0});
             if (number > 0xFFFFFFFFU || textOf(as, "type").starts_with("MAT")) {
-                return fail(".attributes." + name + " is nothing that a mesh has");
+                return fail(QT_TRANSLATE_NOOP("Messages", "%1 is nothing that a mesh has"),
+                            job.where + ".attributes." + name);
             }
             wanted.as = {static_cast<std::uint32_t>(number),
                          static_cast<std::uint32_t>(wholeOr(as, "componentType", 0)),
@@ -271,7 +281,7 @@ private:
     const std::vector<Bytes>& m_buffers;
     std::vector<Job> m_jobs;
     std::map<std::string, std::size_t> m_known;
-    std::string m_problem;
+    Message m_problem;
 };
 
 /// Some seconds even for little, more for more.
@@ -292,9 +302,10 @@ ApartLimits limitsFor(const std::vector<Job>& jobs)
     return limits;
 }
 
-Error unreadable(const Job& job, const std::string& why)
+Error unreadable(const Job& job, const Message& why)
 {
-    return Error{job.where + ": the compressed mesh cannot be read: " + why};
+    return Error{QT_TRANSLATE_NOOP("Messages", "%1: the compressed mesh cannot be read: %2"),
+                 job.where, why};
 }
 
 } // namespace
@@ -311,18 +322,20 @@ Result<void> decodeDraco(Json& root, std::vector<Bytes>& buffers)
     }
     const std::string program = besideProgram(unpack::kProgram);
     if (program.empty()) {
-        return unreadable(jobs.front(), std::string("the program ") + unpack::kProgram +
-                                            ", which belongs beside crowdbrush, is not there; "
-                                            "export the file without Draco compression");
+        return unreadable(
+            jobs.front(),
+            {QT_TRANSLATE_NOOP("Messages", "the program %1, which belongs beside crowdbrush, is "
+                                           "not there; export the file without Draco compression"),
+             unpack::kProgram});
     }
     const Result<Bytes> bytes = runApart(program, requestOf(jobs), limitsFor(jobs));
     if (!bytes) {
-        return unreadable(jobs.front(), bytes.error().message);
+        return unreadable(jobs.front(), bytes.error().said);
     }
     Installer installer(root, buffers, bytes.value());
     for (const Job& job : jobs) {
         if (const Result<void> installed = installer.install(job); !installed) {
-            return unreadable(job, installed.error().message);
+            return unreadable(job, installed.error().said);
         }
     }
     return {};

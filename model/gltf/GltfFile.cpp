@@ -66,35 +66,48 @@ bool writeNothing(std::string* /*error*/, const std::string& /*name*/,
     return false;
 }
 
+/// What a buffer's URI refers to.
+Result<Bytes> readBufferUri(const Json& buffer, const std::string& where, const std::string& folder)
+{
+    Result<Bytes> read = readUri(textOf(buffer, "uri"), folder);
+    if (read) {
+        return read;
+    }
+    const bool isMissing = read.error().message.find("no such file") != std::string::npos;
+    return Error{
+        isMissing
+            ? QT_TRANSLATE_NOOP(
+                  "Messages",
+                  "%1.uri: %2; put that file there, or export the file as .glb, which holds all")
+            : QT_TRANSLATE_NOOP("Messages", "%1.uri: %2"),
+        where, read.error().said};
+}
+
 /// The bytes of one buffer; none for one that only stands in for compressed data.
-Result<Bytes> readBuffer(const Json& buffer, bool isFirst, Container& container,
+Result<Bytes> readBuffer(const Json& buffer, std::size_t index, Container& container,
                          const std::string& folder)
 {
+    const std::string where = place("buffers", index);
     const std::uint64_t length = wholeOr(buffer, "byteLength", 0);
-    Result<Bytes> read = Error{"has no uri, and the file has no binary chunk for it"};
+    Result<Bytes> read = Error{
+        QT_TRANSLATE_NOOP("Messages", "%1 has no uri, and the file has no binary chunk for it"),
+        where};
     if (buffer.contains("uri")) {
-        read = readUri(textOf(buffer, "uri"), folder);
-    } else if (isFirst && container.hasBinary) {
+        read = readBufferUri(buffer, where, folder);
+    } else if (index == 0 && container.hasBinary) {
         read = std::move(container.binary);
     }
     if (read && read.value().size() < length) {
-        read = Error{"should have " + std::to_string(length) + " bytes, but only " +
-                     std::to_string(read.value().size()) + " are there"};
+        read =
+            Error{QT_TRANSLATE_NOOP("Messages", "%1 should have %2 bytes, but only %3 are there"),
+                  where, length, read.value().size()};
     }
     if (!read && isFallback(buffer)) {
         return Bytes();
     }
-    if (!read && buffer.contains("uri")) {
-        const bool isMissing = read.error().message.find("no such file") != std::string::npos;
-        return Error{".uri: " + read.error().message +
-                     (isMissing
-                          ? "; put that file there, or export the file as .glb, which holds all"
-                          : "")};
+    if (read) {
+        read.value().resize(length);
     }
-    if (!read) {
-        return Error{" " + read.error().message};
-    }
-    read.value().resize(length);
     return read;
 }
 
@@ -108,11 +121,13 @@ Result<void> readBuffers(const Json& root, Container& container, const std::stri
         const Json& buffer = root.at("buffers").at(i);
         total += wholeOr(buffer, "byteLength", 0);
         if (total > kMaxBufferBytes) {
-            return Error{place("buffers", i) + ": the buffers are larger than 1 GiB together"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "%1: the buffers are larger than 1 GiB together"),
+                place("buffers", i)};
         }
-        Result<Bytes> bytes = readBuffer(buffer, i == 0, container, folder);
+        Result<Bytes> bytes = readBuffer(buffer, i, container, folder);
         if (!bytes) {
-            return Error{place("buffers", i) + bytes.error().message};
+            return bytes.error();
         }
         memory.buffers.push_back(std::move(bytes).value());
     }
@@ -201,19 +216,20 @@ Result<void> parse(const Json& plain, Memory& memory, tinygltf::Model& model)
         problem += thrown.what();
     }
     std::replace(problem.begin(), problem.end(), '\n', ' ');
-    return Error{"the file cannot be read: " + problem};
+    return Error{QT_TRANSLATE_NOOP("Messages", "the file cannot be read: %1"), problem};
 }
 
 /// Extensions that may change what is seen more than the shine of a surface, and are not read.
-void addUnreadExtensions(const Json& root, std::vector<std::string>& warnings)
+void addUnreadExtensions(const Json& root, std::vector<Message>& warnings)
 {
     constexpr std::array<std::pair<std::string_view, const char*>, 1> kUnread{
-        {{"KHR_node_visibility", "what it hides is drawn"}}};
+        {{"KHR_node_visibility", QT_TRANSLATE_NOOP("Messages", "what it hides is drawn")}}};
     const Json& used = member(root, "extensionsUsed");
     for (std::size_t i = 0; used.is_array() && i < used.size(); ++i) {
         for (const auto& [name, effect] : kUnread) {
             if (used[i].is_string() && used[i] == name) {
-                warnings.push_back(std::string(name) + " is not read: " + effect + ".");
+                warnings.emplace_back(QT_TRANSLATE_NOOP("Messages", "%1 is not read: %2."), name,
+                                      Message(effect));
             }
         }
     }
@@ -278,35 +294,38 @@ GltfFile& GltfFile::operator=(GltfFile&&) noexcept = default;
 
 namespace {
 
-std::string wayOut(const std::string& problem)
+/// A message of file and problem, with the usual way out unless the problem tells one.
+const char* withWayOut(const std::string& problem)
 {
     const auto says = [&](std::string_view text) { return problem.find(text) != problem.npos; };
     if (says("onvert it") || says("export the file")) {
-        return {};
+        return QT_TRANSLATE_NOOP("Messages", "%1: %2.");
     }
     if (says("no such file") || says("not a plain file") || says("cannot be opened")) {
-        return " Check the name, the folder and its rights.";
+        return QT_TRANSLATE_NOOP("Messages", "%1: %2. Check the name, the folder and its rights.");
     }
-    return " Export it again as glTF 2.0 (.glb) from the program it was made in.";
+    return QT_TRANSLATE_NOOP(
+        "Messages", "%1: %2. Export it again as glTF 2.0 (.glb) from the program it was made in.");
 }
 
 } // namespace
 
-Error fileError(const std::string& path, const std::string& problem)
+Error fileError(const std::string& path, const Message& problem)
 {
     const std::string file = QFileInfo(QString::fromStdString(path)).fileName().toStdString();
-    return Error{(file.empty() ? path : file) + ": " + problem + "." + wayOut(problem)};
+    return Error{withWayOut(problem.english()), file.empty() ? path : file, problem};
 }
 
 Result<GltfFile> readGltf(const std::string& path)
 {
     try {
         Result<GltfFile> file = readChecked(path);
-        return file ? std::move(file) : Result<GltfFile>(fileError(path, file.error().message));
+        return file ? std::move(file) : Result<GltfFile>(fileError(path, file.error().said));
     } catch (const std::bad_alloc&) {
-        return fileError(path, "it needs more memory than there is");
+        return fileError(path, QT_TRANSLATE_NOOP("Messages", "it needs more memory than there is"));
     } catch (const std::exception& thrown) {
-        return fileError(path, std::string("it cannot be read: ") + thrown.what());
+        return fileError(path,
+                         {QT_TRANSLATE_NOOP("Messages", "it cannot be read: %1"), thrown.what()});
     }
 }
 

@@ -37,13 +37,13 @@ struct GltfFile
     std::unique_ptr<tinygltf::Model> model;
     std::string folder; ///< of the file, for URIs
     std::vector<ImageSource> images;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Messages name the file, the place and the way out.
 Result<GltfFile> readGltf(const std::string& path);
 
 /// "FILE: what. WAY OUT" with the usual way out unless `problem` already tells one.
-[[nodiscard]] Error fileError(const std::string& path, const std::string& problem);
+[[nodiscard]] Error fileError(const std::string& path, const Message& problem);
 
 } // namespace crowd::model::gltf

@@ -39,7 +39,8 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, std::uint64_t pixelsLe
 {
     const QByteArray format = formatOf(bytes);
     if (format.isEmpty()) {
-        return Error{"it is not a picture that can be read (PNG, JPEG and WebP can)"};
+        return Error{QT_TRANSLATE_NOOP(
+            "Messages", "it is not a picture that can be read (PNG, JPEG and WebP can)")};
     }
     QByteArray data = QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
                                               static_cast<qsizetype>(bytes.size()));
@@ -50,17 +51,19 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, std::uint64_t pixelsLe
     reader.setAutoTransform(false);
     const QSize size = reader.size();
     if (!reader.canRead() || !size.isValid()) {
-        return Error{"it cannot be decoded: " + reader.errorString().toStdString()};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it cannot be decoded: %1"),
+                     reader.errorString().toStdString()};
     }
     const auto pixels =
         static_cast<std::uint64_t>(size.width()) * static_cast<std::uint64_t>(size.height());
     if (std::max(size.width(), size.height()) > kMaxImageSide || pixels > pixelsLeft) {
-        return Error{"it is too large (" + std::to_string(size.width()) + " x " +
-                     std::to_string(size.height()) + " pixels)"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it is too large (%1 x %2 pixels)"),
+                     size.width(), size.height()};
     }
     QImage picture;
     if (!reader.read(&picture)) {
-        return Error{"it cannot be decoded: " + reader.errorString().toStdString()};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it cannot be decoded: %1"),
+                     reader.errorString().toStdString()};
     }
     picture.convertTo(QImage::Format_RGBA8888);
     Image image;
@@ -91,7 +94,7 @@ std::vector<int> sourcesOf(const tinygltf::Texture& texture)
 
 } // namespace
 
-ImageTable::ImageTable(const GltfFile& file, std::vector<std::string>& warnings)
+ImageTable::ImageTable(const GltfFile& file, std::vector<Message>& warnings)
     : m_file(file), m_warnings(warnings)
 {
 }
@@ -109,8 +112,9 @@ int ImageTable::fromTexture(int texture)
         }
     }
     if (sources.empty() && m_withoutPicture.insert(texture).second) {
-        m_warnings.push_back("textures[" + std::to_string(texture) +
-                             "] has no PNG, JPEG or WebP picture and is left out.");
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "%1 has no PNG, JPEG or WebP picture and is left out."),
+            place("textures", static_cast<std::size_t>(texture)));
     }
     return -1;
 }
@@ -125,7 +129,7 @@ Result<Image> ImageTable::read(const ImageSource& source)
         const auto& buffer = m_file.model->buffers[static_cast<std::size_t>(source.buffer)].data;
         bytes = std::span(buffer).subspan(source.offset, source.length);
     } else if (source.uri.empty()) {
-        return Error{"it has neither uri nor bufferView"};
+        return Error{QT_TRANSLATE_NOOP("Messages", "it has neither uri nor bufferView")};
     } else {
         Result<Bytes> read = readUri(source.uri, m_file.folder);
         if (!read) {
@@ -136,7 +140,8 @@ Result<Image> ImageTable::read(const ImageSource& source)
     }
     m_encodedBytes += bytes.size();
     if (m_encodedBytes > kMaxEncodedBytes) {
-        return Error{"the pictures are larger than 512 MiB together"};
+        return Error{
+            QT_TRANSLATE_NOOP("Messages", "the pictures are larger than 512 MiB together")};
     }
     return decode(bytes, kMaxImagePixels - m_pixels);
 }
@@ -150,9 +155,10 @@ int ImageTable::fromImage(int index)
     const ImageSource& from = m_file.images[static_cast<std::size_t>(index)];
     Result<Image> image = read(from);
     if (!image) {
-        m_warnings.push_back("images[" + std::to_string(index) + "]" +
-                             (from.name.empty() ? "" : " \"" + from.name + "\"") +
-                             " is left out: " + image.error().message + ".");
+        const std::string where = place("images", static_cast<std::size_t>(index));
+        m_warnings.emplace_back(QT_TRANSLATE_NOOP("Messages", "%1 is left out: %2."),
+                                from.name.empty() ? where : where + " \"" + from.name + '"',
+                                image.error().said);
         return -1;
     }
     image.value().name = from.name;

@@ -33,7 +33,7 @@ glm::mat4 correctionOf(const ImportSettings& settings)
 
 Error cancelled(const std::string& path)
 {
-    return Error{"Importing " + path + " was cancelled."};
+    return Error{QT_TRANSLATE_NOOP("Messages", "Importing %1 was cancelled."), path};
 }
 
 /// What templates and stages share: meshes, nodes and clips as the file has them.
@@ -61,11 +61,15 @@ Result<void> checkIsSeen(const GltfFile& file, const Template& asset)
     if (!asset.levels.front().indices.empty()) {
         return {};
     }
-    const char* lacks =
-        file.model->meshes.empty() ? "it has no mesh" : "its scene has no triangles";
-    return Error{std::string(lacks) +
-                 ", so that nobody made of it could be seen; export the file again together with "
-                 "the character's mesh, as triangles"};
+    return Error{
+        file.model->meshes.empty()
+            ? QT_TRANSLATE_NOOP("Messages",
+                                "it has no mesh, so that nobody made of it could be seen; export "
+                                "the file again together with the character's mesh, as triangles")
+            : QT_TRANSLATE_NOOP(
+                  "Messages",
+                  "its scene has no triangles, so that nobody made of it could be seen; export the "
+                  "file again together with the character's mesh, as triangles")};
 }
 
 /// Runs `import` on the checked file; nothing that it or the file does gets out but a message.
@@ -89,11 +93,13 @@ Result<Pointer> guarded(const std::string& path, const ImportProgress& progress,
         }
         return result.error().message == gltf::kCancelled
                    ? cancelled(path)
-                   : gltf::fileError(path, result.error().message);
+                   : gltf::fileError(path, result.error().said);
     } catch (const std::bad_alloc&) {
-        return gltf::fileError(path, "it needs more memory than there is");
+        return gltf::fileError(path,
+                               QT_TRANSLATE_NOOP("Messages", "it needs more memory than there is"));
     } catch (const std::exception& problem) {
-        return gltf::fileError(path, std::string("it cannot be imported: ") + problem.what());
+        return gltf::fileError(
+            path, {QT_TRANSLATE_NOOP("Messages", "it cannot be imported: %1"), problem.what()});
     }
 }
 

@@ -48,37 +48,45 @@ public:
             }
             const tinygltf::Value* attributes = find(*extension, "attributes");
             if (attributes != nullptr && !expand(i, *attributes)) {
-                return Error{place("nodes", i) + ".extensions." + kInstancingName + m_problem};
+                return Error{m_problem};
             }
         }
         return {};
     }
 
 private:
-    bool fail(const std::string& what)
+    /// A message whose %1 is the place: the node, or one of its attributes.
+    template<class... Arguments>
+    bool fail(const std::string& where, const char* id, const Arguments&... arguments)
     {
-        m_problem = what;
+        m_problem = Message(id, where, arguments...);
         return false;
     }
 
-    bool read(const tinygltf::Value& attributes, Placement& placement, std::size_t& instances)
+    bool read(const tinygltf::Value& attributes, const std::string& extension, Placement& placement,
+              std::size_t& instances)
     {
         if (find(attributes, placement.attribute) == nullptr) {
             return true;
         }
         const int index = wholeIn(attributes, placement.attribute, -1);
-        const std::string where = std::string(".attributes.") + placement.attribute;
+        const std::string where = extension + ".attributes." + placement.attribute;
         if (index < 0 || static_cast<std::size_t>(index) >= m_model.accessors.size()) {
-            return fail(where + " is not the index of one of the file's accessors");
+            return fail(
+                where, QT_TRANSLATE_NOOP("Messages", "%1 is not the index of one of the file's %2"),
+                "accessors");
         }
         const tinygltf::Accessor& accessor = m_model.accessors[static_cast<std::size_t>(index)];
         const int type = placement.components == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
         if (accessor.type != type || (instances != kUnknown && accessor.count != instances)) {
-            return fail(where + " has another type or count than its fellows need");
+            return fail(where,
+                        QT_TRANSLATE_NOOP("Messages",
+                                          "%1 has another type or count than its fellows need"));
         }
         instances = accessor.count;
         if (instances > kMaxItems) {
-            return fail(": more than " + std::to_string(kMaxItems) + " instances");
+            return fail(extension, QT_TRANSLATE_NOOP("Messages", "%1: more than %2 instances"),
+                        kMaxItems);
         }
         placement.values = readFloats(m_model, index);
         return true;
@@ -90,15 +98,18 @@ private:
         Placement rotation{"ROTATION", 4, {}};
         Placement scale{"SCALE", 3, {}};
         std::size_t instances = kUnknown;
-        if (!read(attributes, translation, instances) || !read(attributes, rotation, instances) ||
-            !read(attributes, scale, instances)) {
+        const std::string extension = place("nodes", node) + ".extensions." + kInstancingName;
+        if (!read(attributes, extension, translation, instances) ||
+            !read(attributes, extension, rotation, instances) ||
+            !read(attributes, extension, scale, instances)) {
             return false;
         }
         if (instances == kUnknown) {
             return true;
         }
         if (m_model.nodes.size() + instances > 2 * kMaxItems) {
-            return fail(": more than " + std::to_string(kMaxItems) + " instances");
+            return fail(extension, QT_TRANSLATE_NOOP("Messages", "%1: more than %2 instances"),
+                        kMaxItems);
         }
         tinygltf::Node child;
         child.name = m_model.nodes[node].name;
@@ -117,7 +128,7 @@ private:
     static constexpr std::size_t kUnknown = ~std::size_t{0};
 
     tinygltf::Model& m_model;
-    std::string m_problem;
+    Message m_problem;
 };
 
 } // namespace

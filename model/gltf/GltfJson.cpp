@@ -14,7 +14,7 @@ namespace crowd::model::gltf {
 namespace {
 
 /// What is too much about the text, empty if nothing is: found before anything is built from it.
-std::string excess(std::string_view text)
+Message excess(std::string_view text)
 {
     int depth = 0;
     std::size_t values = 0;
@@ -31,8 +31,9 @@ std::string excess(std::string_view text)
             inString = true;
         } else if (c == '{' || c == '[') {
             if (++depth > kMaxJsonDepth) {
-                return "the JSON is nested more than " + std::to_string(kMaxJsonDepth) +
-                       " levels deep at byte " + std::to_string(i);
+                return {QT_TRANSLATE_NOOP("Messages",
+                                          "the JSON is nested more than %1 levels deep at byte %2"),
+                        kMaxJsonDepth, i};
             }
             ++values;
         } else if (c == '}' || c == ']') {
@@ -41,7 +42,8 @@ std::string excess(std::string_view text)
             ++values;
         }
         if (values > kMaxJsonValues) {
-            return "the JSON has more than " + std::to_string(kMaxJsonValues) + " values";
+            return {QT_TRANSLATE_NOOP("Messages", "the JSON has more than %1 values"),
+                    kMaxJsonValues};
         }
     }
     return {};
@@ -65,17 +67,19 @@ std::string parseMessage(const char* what)
 
 Result<Json> parseJson(std::string_view text)
 {
-    if (std::string problem = excess(text); !problem.empty()) {
+    if (Message problem = excess(text); !problem.empty()) {
         return Error{std::move(problem)};
     }
     try {
         Json root = Json::parse(text.begin(), text.end());
         if (!root.is_object()) {
-            return Error{"the JSON is not an object, so this is no glTF"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "the JSON is not an object, so this is no glTF")};
         }
         return root;
     } catch (const Json::exception& problem) {
-        return Error{"the JSON cannot be read: " + parseMessage(problem.what())};
+        return Error{QT_TRANSLATE_NOOP("Messages", "the JSON cannot be read: %1"),
+                     parseMessage(problem.what())};
     }
 }
 

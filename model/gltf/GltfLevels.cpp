@@ -66,7 +66,7 @@ public:
         }
     }
 
-    std::vector<std::vector<MeshUse>> run(std::vector<std::string>& warnings)
+    std::vector<std::vector<MeshUse>> run(std::vector<Message>& warnings)
     {
         collectNamed();
         for (std::size_t i = 0; i < m_scene.nodes.size(); ++i) {
@@ -175,16 +175,17 @@ private:
         m_objects[at->second].levels[lod->level].push_back(node);
     }
 
-    std::vector<std::vector<MeshUse>> assemble(std::vector<std::string>& warnings) const
+    std::vector<std::vector<MeshUse>> assemble(std::vector<Message>& warnings) const
     {
         int last = 0;
         for (const Object& object : m_objects) {
             last = std::max(last, object.levels.rbegin()->first - object.levels.begin()->first);
         }
         if (last >= kMaxLevels) {
-            warnings.push_back("The file has " + std::to_string(last + 1) +
-                               " levels of detail; the finest " + std::to_string(kMaxLevels) +
-                               " are used.");
+            warnings.emplace_back(
+                QT_TRANSLATE_NOOP("Messages",
+                                  "The file has %1 levels of detail; the finest %2 are used."),
+                last + 1, kMaxLevels);
             last = kMaxLevels - 1;
         }
         std::vector<std::vector<MeshUse>> levels(static_cast<std::size_t>(last) + 1);
@@ -214,7 +215,7 @@ private:
 } // namespace
 
 std::vector<std::vector<MeshUse>> planLevels(const tinygltf::Model& model, const SceneNodes& scene,
-                                             std::vector<std::string>& warnings)
+                                             std::vector<Message>& warnings)
 {
     return Planner(model, scene).run(warnings);
 }

@@ -153,7 +153,7 @@ bool looksLike(const MaterialChoice& a, const MaterialChoice& b)
 
 } // namespace
 
-SlotTable::SlotTable(const GltfFile& file, std::vector<std::string>& warnings)
+SlotTable::SlotTable(const GltfFile& file, std::vector<Message>& warnings)
     : m_file(file), m_warnings(warnings), m_images(file, warnings)
 {
 }
@@ -196,9 +196,10 @@ void SlotTable::finish()
         slot.name = names.unique(slot.name);
     }
     if (m_slots.size() > static_cast<std::size_t>(kMaxTintSlots)) {
-        m_warnings.push_back("The file has " + std::to_string(m_slots.size()) +
-                             " slots; only the first " + std::to_string(kMaxTintSlots) +
-                             " can be tinted.");
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "The file has %1 slots; only the first %2 can be tinted."),
+            m_slots.size(), kMaxTintSlots);
     }
 }
 
@@ -254,10 +255,11 @@ Slot SlotTable::makeSlot(const Key& key)
         slot.choices.back().name = variantName(key[i]);
         const int texCoord = gltf::texCoordOf(materialAt(*m_file.model, key[i + 1]));
         if (slot.choices.back().image >= 0 && texCoord != gltf::texCoordOf(material)) {
-            m_warnings.push_back("Slot \"" + slot.name + "\", variant \"" +
-                                 slot.choices.back().name +
-                                 "\": its picture lies by another set of coordinates than the "
-                                 "default's, which is used for both.");
+            m_warnings.emplace_back(
+                QT_TRANSLATE_NOOP("Messages",
+                                  "Slot \"%1\", variant \"%2\": its picture lies by another set of "
+                                  "coordinates than the default's, which is used for both."),
+                slot.name, slot.choices.back().name);
         }
     }
     return slot;
@@ -282,8 +284,11 @@ MaterialChoice SlotTable::makeChoice(int index)
     if (mask >= 0 && static_cast<std::size_t>(mask) < model.textures.size()) {
         choice.tintMask = m_images.fromTexture(mask);
     } else if (mask >= 0) {
-        m_warnings.push_back("Material \"" + material.name + "\": extras.tintMask is " +
-                             std::to_string(mask) + ", which is no texture of the file.");
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP(
+                "Messages",
+                "Material \"%1\": extras.tintMask is %2, which is no texture of the file."),
+            material.name, mask);
     }
     choice.alphaMode = material.alphaMode == "MASK"    ? AlphaMode::Mask
                        : material.alphaMode == "BLEND" ? AlphaMode::Blend
@@ -306,9 +311,11 @@ void SlotTable::addGlow(const tinygltf::Material& material, MaterialChoice& choi
     const bool fits = use.texCoord == gltf::texCoordOf(material);
     choice.emissiveImage = fits ? m_images.fromTexture(use.texture) : -1;
     if (!fits) {
-        m_warnings.push_back("Material \"" + material.name +
-                             "\": its emissive picture lies by another set of coordinates than "
-                             "its base colour, and is left out.");
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "Material \"%1\": its emissive picture lies by another set of "
+                              "coordinates than its base colour, and is left out."),
+            material.name);
     }
     if (choice.emissiveImage < 0) {
         choice.emissive = glm::vec3(0.0F);

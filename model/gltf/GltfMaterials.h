@@ -23,7 +23,7 @@ namespace crowd::model::gltf {
 class ImageTable
 {
 public:
-    ImageTable(const GltfFile& file, std::vector<std::string>& warnings);
+    ImageTable(const GltfFile& file, std::vector<Message>& warnings);
 
     /// Index into images() of the picture of a texture, -1 if there is none to be had.
     int fromTexture(int texture);
@@ -34,7 +34,7 @@ private:
     Result<Image> read(const ImageSource& source);
 
     const GltfFile& m_file;
-    std::vector<std::string>& m_warnings;
+    std::vector<Message>& m_warnings;
     std::set<int> m_withoutPicture; ///< textures that were warned of
     std::map<int, int> m_ofFileImage;
     std::vector<Image> m_images;
@@ -47,7 +47,7 @@ private:
 class SlotTable
 {
 public:
-    SlotTable(const GltfFile& file, std::vector<std::string>& warnings);
+    SlotTable(const GltfFile& file, std::vector<Message>& warnings);
 
     /// Announces a primitive; all are announced before finish().
     void add(const tinygltf::Primitive& primitive);
@@ -70,7 +70,7 @@ private:
     void mergeIntoEarlier(const Key& key, Slot slot);
 
     const GltfFile& m_file;
-    std::vector<std::string>& m_warnings;
+    std::vector<Message>& m_warnings;
     ImageTable m_images;
     std::map<Key, int> m_slotOfKey;
     std::map<std::string, std::vector<std::size_t>> m_slotsOfName; ///< of the first few of a name

@@ -131,8 +131,9 @@ private:
         }
         return primitives <= kMaxPrimitives
                    ? Result<void>()
-                   : Error{"scenes: its nodes draw " + std::to_string(primitives) +
-                           " primitives, more than " + std::to_string(kMaxPrimitives)};
+                   : Error{QT_TRANSLATE_NOOP("Messages",
+                                             "%1: its nodes draw %2 primitives, more than %3"),
+                           "scenes", primitives, kMaxPrimitives};
     }
 
     void findJoints()
@@ -255,8 +256,8 @@ private:
             const std::uint16_t own = skinned ? std::uint16_t{0} : m_bones.ofNode(use.node);
             emission.bones = skinned ? std::span(m_bones.ofSkin(node.skin)) : std::span(&own, 1);
             if (m_bones.isOverfull()) {
-                return Error{"nodes: more than " + std::to_string(kMaxBones) +
-                             " of them move meshes"};
+                return Error{QT_TRANSLATE_NOOP("Messages", "%1: more than %2 of them move meshes"),
+                             "nodes", kMaxBones};
             }
             emission.part = skinned ? -1 : partOf(use);
             emit(emission, mesh, flat);
@@ -274,14 +275,16 @@ private:
         m_vertices += vertices;
         m_morphed += vertices * primitive.targets.size();
         if (m_morphed > kMaxMorphed) {
-            return Error{where + ".targets: the morph targets have more than " +
-                         std::to_string(kMaxMorphed) + " vertices"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages", "%1: the morph targets have more than %2 vertices"),
+                where + ".targets", kMaxMorphed};
         }
         m_corners +=
             (primitive.indices < 0 ? vertices : count(primitive.indices)) * (isList ? 1U : 3U);
         if (m_vertices > kMaxVertices || m_corners > kMaxCorners) {
-            return Error{where + ": the scene has more than " + std::to_string(kMaxVertices) +
-                         " vertices or " + std::to_string(kMaxCorners / 3) + " triangles"};
+            return Error{QT_TRANSLATE_NOOP(
+                             "Messages", "%1: the scene has more than %2 vertices or %3 triangles"),
+                         where, kMaxVertices, kMaxCorners / 3};
         }
         return {};
     }
@@ -306,10 +309,10 @@ private:
     }
 
     /// Coarser levels repeat the warnings of finer ones that they share a mesh with.
-    void addWarnings(const std::vector<std::string>& warnings)
+    void addWarnings(const std::vector<Message>& warnings)
     {
-        for (const std::string& warning : warnings) {
-            if (m_seenWarnings.insert(warning).second) {
+        for (const Message& warning : warnings) {
+            if (m_seenWarnings.insert(warning.english()).second) {
                 m_asset.warnings.push_back(warning);
             }
         }
@@ -332,8 +335,10 @@ private:
             m_asset.parts.push_back({m_partNames.unique(name), isShown(use)});
         } else if (!m_hasTooManyParts) {
             m_hasTooManyParts = true;
-            m_asset.warnings.push_back("Only the first 32 parts can be hidden; \"" + use.name +
-                                       "\" and those after it are always shown.");
+            m_asset.warnings.emplace_back(
+                QT_TRANSLATE_NOOP("Messages", "Only the first %1 parts can be hidden; \"%2\" and "
+                                              "those after it are always shown."),
+                kMaxParts, use.name);
         }
         m_partOfObject[use.object] = part;
         return part;
@@ -350,16 +355,19 @@ private:
     void addSummaries()
     {
         if (m_asset.levels.front().indices.empty()) {
-            m_asset.warnings.emplace_back("The file draws nothing: its scene has no triangles.");
+            m_asset.warnings.emplace_back(QT_TRANSLATE_NOOP(
+                "Messages", "The file draws nothing: its scene has no triangles."));
         }
         if (m_undrawn > 0) {
-            m_asset.warnings.push_back(std::to_string(m_undrawn) +
-                                       " primitives are points or lines or have no positions; "
-                                       "they are not drawn.");
+            m_asset.warnings.emplace_back(
+                QT_TRANSLATE_NOOP(
+                    "Messages",
+                    "%1 primitives are points or lines or have no positions; they are not drawn."),
+                m_undrawn);
         }
         if (m_hasMorphs) {
-            m_asset.warnings.push_back(
-                "Morph targets are not animated: the mesh keeps its resting shape.");
+            m_asset.warnings.emplace_back(QT_TRANSLATE_NOOP(
+                "Messages", "Morph targets are not animated: the mesh keeps its resting shape."));
         }
     }
 

@@ -40,25 +40,26 @@ struct Packed
     std::string filter;
 };
 
-/// Modes and filters that we have no decoder for, as they come with later versions.
-std::string unknownKind(const Packed& packed)
+/// Refuses modes and filters that we have no decoder for, as they come with later versions.
+Result<void> checkKind(const Packed& packed, const std::string& where)
 {
     constexpr std::array<std::string_view, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
     constexpr std::array<std::string_view, 5> kFilters{"", "NONE", "OCTAHEDRAL", "QUATERNION",
                                                        "EXPONENTIAL"};
     if (!packed.mode.empty() &&
         std::find(kModes.begin(), kModes.end(), packed.mode) == kModes.end()) {
-        return "the mode \"" + shortened(packed.mode, 40) + "\"";
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "%1: it asks for the mode \"%2\", which Crowdbrush "
+                                       "cannot read; export the file without compression"),
+                     where, shortened(packed.mode, 40)};
     }
-    return std::find(kFilters.begin(), kFilters.end(), packed.filter) == kFilters.end()
-               ? "the filter \"" + shortened(packed.filter, 40) + "\""
-               : std::string();
-}
-
-Error unreadable(const std::string& where, const std::string& kind)
-{
-    return Error{where + ": it asks for " + kind +
-                 ", which Crowdbrush cannot read; export the file without compression"};
+    if (std::find(kFilters.begin(), kFilters.end(), packed.filter) == kFilters.end()) {
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "%1: it asks for the filter \"%2\", which Crowdbrush "
+                                       "cannot read; export the file without compression"),
+                     where, shortened(packed.filter, 40)};
+    }
+    return {};
 }
 
 /// The limits that the decoders assume; meshoptimizer asserts them.
@@ -136,20 +137,25 @@ Result<void> decodeMeshopt(Json& root, std::vector<Bytes>& buffers)
                             textOf(extension, "mode"),
                             textOf(extension, "filter")};
         const std::string where = place("bufferViews", i) + ".extensions.EXT_meshopt_compression";
-        if (const std::string kind = unknownKind(packed); !kind.empty()) {
-            return unreadable(where, kind);
+        if (const Result<void> known = checkKind(packed, where); !known) {
+            return known;
         }
         if (!isSound(packed, buffers)) {
-            return Error{where + " does not describe data of the file"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "%1 does not describe data of the file"),
+                         where};
         }
         total += packed.count * packed.stride;
         if (total > kMaxBufferBytes) {
-            return Error{where + ": the file is larger than 1 GiB when it is unpacked"};
+            return Error{QT_TRANSLATE_NOOP("Messages",
+                                           "%1: the file is larger than 1 GiB when it is unpacked"),
+                         where};
         }
         Bytes bytes;
         if (!decode(packed, buffers[packed.buffer], bytes)) {
-            return Error{where + ": its compressed data is damaged, or newer than Crowdbrush; "
-                                 "export the file without compression"};
+            return Error{QT_TRANSLATE_NOOP("Messages",
+                                           "%1: its compressed data is damaged, or newer than "
+                                           "Crowdbrush; export the file without compression"),
+                         where};
         }
         view["buffer"] = buffers.size();
         view["byteOffset"] = 0;

@@ -47,8 +47,7 @@ struct MeshUse
 /// What to draw at each level of detail, 0 the finest; in node order. Levels come from MSFT_lod and
 /// from names that end in _LODn; what has fewer levels than the rest keeps its last one. At most
 /// kMaxLevels; further ones are dropped with a warning. Never empty.
-[[nodiscard]] std::vector<std::vector<MeshUse>> planLevels(const tinygltf::Model& model,
-                                                           const SceneNodes& scene,
-                                                           std::vector<std::string>& warnings);
+[[nodiscard]] std::vector<std::vector<MeshUse>>
+planLevels(const tinygltf::Model& model, const SceneNodes& scene, std::vector<Message>& warnings);
 
 } // namespace crowd::model::gltf

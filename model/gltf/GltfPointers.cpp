@@ -46,7 +46,7 @@ std::optional<NodePointer> nodePointer(std::string_view text, std::size_t nodes)
 class Resolver
 {
 public:
-    Resolver(Json& root, std::vector<std::string>& warnings)
+    Resolver(Json& root, std::vector<Message>& warnings)
         : m_root(root), m_warnings(warnings), m_nodes(countOf(root, "nodes"))
     {
     }
@@ -117,17 +117,22 @@ private:
                 names += (named > 1 ? ", " : "") + shortened(pointer, 80);
             }
         }
-        m_warnings.push_back("KHR_animation_pointer moves nodes alone; what else it animates "
-                             "stands still (" +
-                             names + (m_unread.size() > kMostNamed ? ", …" : "") + ").");
+        names += m_unread.size() > kMostNamed ? ", …" : "";
+        m_warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "KHR_animation_pointer moves nodes alone; what else it "
+                                          "animates stands still (%1)."),
+            names);
         for (const std::string& clip : m_stillClips) {
-            m_warnings.push_back("The animation " + clip +
-                                 " moves nothing that Crowdbrush can move, and is left out.");
+            m_warnings.emplace_back(
+                QT_TRANSLATE_NOOP(
+                    "Messages",
+                    "The animation %1 moves nothing that Crowdbrush can move, and is left out."),
+                clip);
         }
     }
 
     Json& m_root;
-    std::vector<std::string>& m_warnings;
+    std::vector<Message>& m_warnings;
     std::size_t m_nodes;
     std::set<std::string> m_unread;
     std::vector<std::string> m_stillClips;
@@ -135,7 +140,7 @@ private:
 
 } // namespace
 
-void resolveAnimationPointers(Json& root, std::vector<std::string>& warnings)
+void resolveAnimationPointers(Json& root, std::vector<Message>& warnings)
 {
     Resolver(root, warnings).run();
 }

@@ -15,6 +15,8 @@ namespace crowd::model::gltf {
 namespace {
 
 constexpr int kMaxInfluenceSets = 4;
+constexpr const char* kWrongType =
+    QT_TRANSLATE_NOOP("Messages", "%1 has the wrong type of accessor");
 
 bool isUnsigned(int componentType)
 {
@@ -38,13 +40,15 @@ public:
             readIndices()) {
             return std::move(m_data);
         }
-        return Error{m_request.place + m_problem};
+        return Error{m_problem};
     }
 
 private:
-    bool fail(const std::string& what)
+    /// A message whose %1 is the place: the primitive, or `part` of it.
+    template<class... Arguments>
+    bool fail(const std::string& part, const char* id, const Arguments&... arguments)
     {
-        m_problem = what;
+        m_problem = Message(id, m_request.place + part, arguments...);
         return false;
     }
 
@@ -65,9 +69,10 @@ private:
         m_vertices = accessor(attribute("POSITION")).count;
         for (const auto& [name, index] : m_primitive.attributes) {
             if (!name.starts_with("_") && accessor(index).count != m_vertices) {
-                return fail(".attributes." + name + " has " +
-                            std::to_string(accessor(index).count) + " elements, but POSITION has " +
-                            std::to_string(m_vertices));
+                return fail(
+                    ".attributes." + name,
+                    QT_TRANSLATE_NOOP("Messages", "%1 has %2 elements, but POSITION has %3"),
+                    accessor(index).count, m_vertices);
             }
         }
         return true;
@@ -75,8 +80,7 @@ private:
 
     bool needsType(int index, int type, const std::string& name)
     {
-        return accessor(index).type == type ||
-               fail(".attributes." + name + " has the wrong type of accessor");
+        return accessor(index).type == type || fail(".attributes." + name, kWrongType);
     }
 
     bool readPositions()
@@ -92,9 +96,10 @@ private:
     void repair(std::vector<float>& values, const std::string& name)
     {
         if (const std::size_t bad = replaceNonFinite(values); bad > 0) {
-            m_data.warnings.push_back(m_request.place + ".attributes." + name + " has " +
-                                      std::to_string(bad) +
-                                      " values that are no numbers; they are read as 0.");
+            m_data.warnings.emplace_back(
+                QT_TRANSLATE_NOOP("Messages",
+                                  "%1 has %2 values that are no numbers; they are read as 0."),
+                m_request.place + ".attributes." + name, bad);
         }
     }
 
@@ -123,8 +128,8 @@ private:
             }
             const tinygltf::Accessor& target = accessor(found->second);
             if (target.count != m_vertices || target.type != TINYGLTF_TYPE_VEC3) {
-                return fail(".targets[" + std::to_string(t) + "]." + name +
-                            " does not fit POSITION");
+                return fail(".targets[" + std::to_string(t) + "]." + name,
+                            QT_TRANSLATE_NOOP("Messages", "%1 does not fit POSITION"));
             }
             const std::vector<glm::vec3> delta = readVectors(found->second, name);
             for (std::size_t i = 0; i < values.size(); ++i) {
@@ -185,7 +190,7 @@ private:
         }
         FloatArray array = readFloats(m_model, index);
         if (array.components != 3 && array.components != 4) {
-            return fail(".attributes.COLOR_0 has the wrong type of accessor");
+            return fail(".attributes.COLOR_0", kWrongType);
         }
         repair(array.values, "COLOR_0");
         for (std::size_t i = 0; i < m_vertices; ++i) {
@@ -253,9 +258,11 @@ private:
             for (std::size_t c = 0; c < stride; ++c) {
                 sum += static_cast<double>(weights[c]);
                 if (weights[c] > 0.0F && joints[c] >= m_request.joints) {
-                    return fail(": vertex " + std::to_string(i) + " follows joint " +
-                                std::to_string(joints[c]) + ", but the skin has only " +
-                                std::to_string(m_request.joints));
+                    return fail(
+                        "",
+                        QT_TRANSLATE_NOOP(
+                            "Messages", "%1: vertex %2 follows joint %3, but the skin has only %4"),
+                        i, joints[c], m_request.joints);
                 }
                 joints[c] = joints[c] < m_request.joints ? joints[c] : 0U;
             }
@@ -281,15 +288,17 @@ private:
         } else {
             const tinygltf::Accessor& from = accessor(m_primitive.indices);
             if (from.type != TINYGLTF_TYPE_SCALAR || !isUnsigned(from.componentType)) {
-                return fail(".indices has the wrong type of accessor");
+                return fail(".indices", kWrongType);
             }
             raw = readScalars(m_model, m_primitive.indices);
             const auto bad = std::find_if(raw.begin(), raw.end(),
                                           [this](std::uint32_t i) { return i >= m_vertices; });
             if (bad != raw.end()) {
-                return fail(".indices: index " + std::to_string(*bad) + " at position " +
-                            std::to_string(bad - raw.begin()) + ", but there are only " +
-                            std::to_string(m_vertices) + " vertices");
+                return fail(
+                    ".indices",
+                    QT_TRANSLATE_NOOP(
+                        "Messages", "%1: index %2 at position %3, but there are only %4 vertices"),
+                    *bad, bad - raw.begin(), m_vertices);
             }
         }
         return expand(std::move(raw));
@@ -310,9 +319,11 @@ private:
             }
         } else {
             if (count % 3 != 0) {
-                m_data.warnings.push_back(m_request.place + " ends with " +
-                                          std::to_string(count % 3) +
-                                          " corners that make no triangle; they are left out.");
+                m_data.warnings.emplace_back(
+                    QT_TRANSLATE_NOOP(
+                        "Messages",
+                        "%1 ends with %2 corners that make no triangle; they are left out."),
+                    m_request.place, count % 3);
                 raw.resize(count - count % 3);
             }
             out = std::move(raw);
@@ -325,7 +336,7 @@ private:
     const PrimitiveRequest& m_request;
     std::size_t m_vertices = 0;
     PrimitiveData m_data;
-    std::string m_problem;
+    Message m_problem;
 };
 
 } // namespace

@@ -29,7 +29,7 @@ struct PrimitiveData
     std::vector<std::uint32_t> joints;  ///< V × influences, into the skin's list
     std::vector<float> weights;         ///< sum 1 for each vertex
     std::vector<std::uint32_t> indices; ///< triangles; strips and fans are expanded
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// What decodePrimitive is asked for.

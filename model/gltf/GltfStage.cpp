@@ -153,8 +153,10 @@ void addSeats(const tinygltf::Value& extras, const glm::mat4& world, StageAsset&
         }
     }
     if (bad > 0) {
-        stage.warnings.push_back(std::to_string(bad) +
-                                 " seats of the extras cannot be read and are left out.");
+        stage.warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "%1 seats of the extras cannot be read and are left out."),
+            bad);
     }
 }
 

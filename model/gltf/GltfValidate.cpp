@@ -52,11 +52,15 @@ bool checkVersion(JsonCheck& check)
     const std::string minimum = textOf(asset, "minVersion");
     const std::string version = minimum.empty() ? textOf(asset, "version") : minimum;
     if (version.empty()) {
-        return check.fail("asset.version", "is missing, so this is no glTF 2.0 file");
+        return check.fail(
+            "asset.version",
+            QT_TRANSLATE_NOOP("Messages", "%1 is missing, so this is no glTF 2.0 file"));
     }
     if (!version.starts_with("2.") || (!minimum.empty() && minimum != "2.0")) {
-        return check.fail("asset.version", "asks for glTF " + shortened(version, 20) +
-                                               "; only glTF 2.0 can be read");
+        return check.fail(
+            "asset.version",
+            QT_TRANSLATE_NOOP("Messages", "%1 asks for glTF %2; only glTF 2.0 can be read"),
+            shortened(version, 20));
     }
     return true;
 }
@@ -67,13 +71,15 @@ bool checkExtensions(JsonCheck& check)
     for (std::size_t i = 0; required.is_array() && i < required.size(); ++i) {
         const std::string where = place("extensionsRequired", i);
         if (!required[i].is_string()) {
-            return check.fail(where, "is not a name");
+            return check.fail(where, QT_TRANSLATE_NOOP("Messages", "%1 is not a name"));
         }
         const auto& name = required[i].get_ref<const std::string&>();
         if (!isKnown(name)) {
             return check.fail(where,
-                              "demands the extension " + shortened(name, 80) +
-                                  ", which Crowdbrush cannot read; export the file without it");
+                              QT_TRANSLATE_NOOP("Messages",
+                                                "%1 demands the extension %2, which Crowdbrush "
+                                                "cannot read; export the file without it"),
+                              shortened(name, 80));
         }
     }
     return true;
@@ -83,7 +89,8 @@ bool checkArrays(JsonCheck& check)
 {
     for (const char* name : kArrays) {
         if (countOf(check.root(), name) > kMaxItems) {
-            return check.fail(name, "are more than " + std::to_string(kMaxItems));
+            return check.fail(name, QT_TRANSLATE_NOOP("Messages", "%1 are more than %2"),
+                              kMaxItems);
         }
         if (!check.each(check.root(), name, "",
                         [](const Json&, const std::string&) { return true; })) {
@@ -102,8 +109,8 @@ bool fits(std::uint64_t offset, std::uint64_t length, std::uint64_t available)
 Error pastEnd(const std::string& where, std::uint64_t end, const std::string& what,
               std::uint64_t available)
 {
-    return Error{where + " reaches to byte " + std::to_string(end) + ", but " + what +
-                 " has only " + std::to_string(available)};
+    return Error{QT_TRANSLATE_NOOP("Messages", "%1 reaches to byte %2, but %3 has only %4"), where,
+                 end, what, available};
 }
 
 /// `count` elements at `offset` within a view, `stride` apart.

@@ -212,25 +212,29 @@ ImportProposal proposeImport(const Template& asset)
     const glm::vec3 size = asset.bounds.size();
     settings.scale = proposeScale(largest(size));
     if (settings.scale != 1.0F) {
-        proposal.reasons.push_back("It is " + number(largest(size)) +
-                                   " m large as it is; import it at scale " +
-                                   number(settings.scale) + ".");
+        proposal.reasons.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "It is %1 m large as it is; import it at scale %2."),
+            number(largest(size)), number(settings.scale));
     }
     if (standsAlongZ(asset.bounds)) {
         settings.rotation = glm::angleAxis(-kQuarter, glm::vec3(1.0F, 0.0F, 0.0F));
-        proposal.reasons.push_back("It seems to lie on its back: Z was up where it was made.");
+        proposal.reasons.emplace_back(QT_TRANSLATE_NOOP(
+            "Messages", "It seems to lie on its back: Z was up where it was made."));
     }
     if (const float turn = turnToFront(asset, settings.rotation); turn != 0.0F) {
         settings.rotation = glm::angleAxis(turn, glm::vec3(0.0F, 1.0F, 0.0F)) * settings.rotation;
-        proposal.reasons.push_back("It seems to face another way than +Z; turn it by " +
-                                   number(glm::degrees(turn)) + " degrees.");
+        proposal.reasons.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "It seems to face another way than +Z; turn it by %1 degrees."),
+            number(glm::degrees(turn)));
     }
     const Bounds stood = turned(asset.bounds, settings);
     settings.groundOffset = proposeLift(stood);
     if (settings.groundOffset != 0.0F) {
-        proposal.reasons.push_back("Its lowest point is " + number(stood.low.y) +
-                                   " m from the ground; offset it by " +
-                                   number(settings.groundOffset) + " m.");
+        proposal.reasons.emplace_back(
+            QT_TRANSLATE_NOOP("Messages",
+                              "Its lowest point is %1 m from the ground; offset it by %2 m."),
+            number(stood.low.y), number(settings.groundOffset));
     }
     proposal.height = stood.size().y;
     return proposal;

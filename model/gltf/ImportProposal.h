@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "model/scene/Scene.h"
@@ -15,7 +14,7 @@ struct ImportProposal
     ImportSettings settings;
     /// One sentence for each thing that differs from taking the file as it is; empty when nothing
     /// does. For the artist.
-    std::vector<std::string> reasons;
+    std::vector<Message> reasons;
     float height = 0.0F; ///< metres, with the settings
 };
 

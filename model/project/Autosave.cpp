@@ -100,8 +100,9 @@ bool isNewerThan(const QFileInfo& recovery, const QFileInfo& project)
 Result<void> writeAt(const CopyPlace& place, const Scene& scene)
 {
     if (!QDir().mkpath(place.folder)) {
-        return Error{place.folder.toStdString() +
-                     ": the folder could not be made; unsaved work is not kept."};
+        return Error{QT_TRANSLATE_NOOP(
+                         "Messages", "%1: the folder could not be made; unsaved work is not kept."),
+                     place.folder.toStdString()};
     }
     return saveProject(scene, place.fileOf(ownProcessName()));
 }

@@ -20,11 +20,11 @@ namespace {
 
 using nlohmann::json;
 
-Error copyError(const QString& file, const QString& why)
+Error copyError(const QString& file, const Message& why)
 {
-    return Error{(file + QStringLiteral(": could not be copied (") + why +
-                  QStringLiteral("). Make room there or choose another place, then try again."))
-                     .toStdString()};
+    return Error{QT_TRANSLATE_NOOP("Messages", "%1: could not be copied (%2). Make room there or "
+                                               "choose another place, then try again."),
+                 file.toStdString(), why};
 }
 
 /// The JSON of a .gltf, or of a .glb's first chunk (12 bytes of header, then its length and kind).
@@ -73,13 +73,14 @@ Result<void> copyFile(const QString& from, const QString& to)
     }
     QFile source(from);
     if (!QDir().mkpath(QFileInfo(to).absolutePath())) {
-        return copyError(from, QFileInfo(to).absolutePath());
+        return copyError(from, QFileInfo(to).absolutePath().toStdString());
     }
     if (!source.open(QIODevice::ReadOnly)) {
-        return copyError(from, source.errorString());
+        return copyError(from, source.errorString().toStdString());
     }
     const auto problem = [&](const Error& why) {
-        return copyError(from, to + QStringLiteral(": ") + QString::fromStdString(why.message));
+        return copyError(from,
+                         {QT_TRANSLATE_NOOP("Messages", "%1: %2"), to.toStdString(), why.said});
     };
     auto target = WholeFile::begin(to);
     if (!target) {
@@ -89,7 +90,7 @@ Result<void> copyFile(const QString& from, const QString& to)
     while (!source.atEnd()) {
         const QByteArray piece = source.read(kPiece);
         if (piece.isEmpty()) {
-            return copyError(from, source.errorString());
+            return copyError(from, source.errorString().toStdString());
         }
         const std::string_view bytes(piece.constData(), static_cast<std::size_t>(piece.size()));
         if (const auto written = target.value().write(bytes); !written) {

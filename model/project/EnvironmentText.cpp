@@ -163,7 +163,7 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene, bool isS
         checkEnvironment(scene, changed, problem);
     }
     if (!problem.empty()) {
-        return Error{"%1.", problem};
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1."), problem};
     }
     scene = std::move(changed);
     return {};

@@ -43,13 +43,13 @@ std::vector<std::string> missingFromPictures(const Scene& scene)
     std::vector<std::string> missing;
     for (const MissingAsset& each : missingAssets(scene)) {
         if (each.isStage) {
-            missing.push_back("stage \"" + each.name + "\". " + each.problem);
+            missing.push_back("stage \"" + each.name + "\". " + each.problem.english());
             continue;
         }
         const auto people = std::ranges::count(used, each.id);
         if (people > 0) {
             missing.push_back("character \"" + each.name + "\", of whom there are " +
-                              std::to_string(people) + ". " + each.problem);
+                              std::to_string(people) + ". " + each.problem.english());
         }
     }
     return missing;

@@ -15,7 +15,7 @@ struct MissingAsset
     unsigned id = 0; ///< of the template or the stage
     std::string name;
     std::string path; ///< where it was looked for
-    std::string problem;  ///< why it is not there
+    Message problem;  ///< why it is not there
 };
 
 [[nodiscard]] std::vector<MissingAsset> missingAssets(const Scene& scene);

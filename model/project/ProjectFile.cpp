@@ -18,11 +18,6 @@ namespace {
 /// Text that holds four million people; anything larger is not one of our scenes.
 constexpr qint64 kMaxFileBytes = qint64{1} << 30;
 
-Error fileError(const QString& path, const QString& what)
-{
-    return Error{(path + QStringLiteral(": ") + what).toStdString()};
-}
-
 template<class Change>
 void changePaths(Scene& scene, const Change& change)
 {
@@ -43,12 +38,14 @@ Result<void> saveProject(const Scene& scene, const QString& path)
     changePaths(written, [&](const std::string& asset) { return storedAssetPath(asset, folder); });
     const Result<std::string> text = projectToText(written);
     if (!text) {
-        return Error{"The scene was not saved. " + text.error().message};
+        return Error{QT_TRANSLATE_NOOP("Messages", "The scene was not saved. %1"),
+                     text.error().said};
     }
     if (const auto saved = writeWholeFile(path, text.value()); !saved) {
-        return fileError(path, QStringLiteral("could not be written (%1). The scene was not saved; "
-                                              "choose another place or free some room.")
-                                   .arg(QString::fromStdString(saved.error().message)));
+        return Error{QT_TRANSLATE_NOOP("Messages",
+                                       "%1: could not be written (%2). The scene was not saved; "
+                                       "choose another place or free some room."),
+                     path.toStdString(), saved.error().said};
     }
     return {};
 }
@@ -58,25 +55,30 @@ Result<Scene> readProject(const QString& path)
     QFile file(path);
     const QFileInfo info(path);
     if (info.exists() && !info.isFile()) { // a pipe or a device might never end
-        return fileError(path, QStringLiteral("is not a file; choose a .crowd file."));
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1: is not a file; choose a .crowd file."),
+                     path.toStdString()};
     }
     if (!file.open(QIODevice::ReadOnly)) {
-        return fileError(path, QStringLiteral("could not be opened (%1). Check its name and that "
-                                              "you may read it.")
-                                   .arg(file.errorString()));
+        return Error{QT_TRANSLATE_NOOP(
+                         "Messages",
+                         "%1: could not be opened (%2). Check its name and that you may read it."),
+                     path.toStdString(), file.errorString().toStdString()};
     }
     if (file.size() > kMaxFileBytes) {
-        return fileError(path, QStringLiteral("is larger than 1 GiB, too large for a scene."));
+        return Error{
+            QT_TRANSLATE_NOOP("Messages", "%1: is larger than 1 GiB, too large for a scene."),
+            path.toStdString()};
     }
     const QByteArray bytes = file.readAll();
     if (bytes.size() < file.size()) {
-        return fileError(
-            path, QStringLiteral("could not be read to its end (%1).").arg(file.errorString()));
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1: could not be read to its end (%2)."),
+                     path.toStdString(), file.errorString().toStdString()};
     }
     Result<Scene> scene = projectFromText(
         std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     if (!scene) {
-        return fileError(path, QString::fromStdString(scene.error().message));
+        return Error{QT_TRANSLATE_NOOP("Messages", "%1: %2"), path.toStdString(),
+                     scene.error().said};
     }
     const QString folder = QFileInfo(path).absolutePath();
     changePaths(scene.value(),

@@ -82,21 +82,28 @@ private:
     bool m_isComplete = false;
 };
 
-Error damaged(const std::string& what)
+constexpr const char* kRowNoList =
+    QT_TRANSLATE_NOOP("Messages", "row %1 of the individuals must be a list");
+constexpr const char* kThreeFinite =
+    QT_TRANSLATE_NOOP("Messages", "a list of three finite numbers");
+
+Error damaged(const Message& what)
 {
-    return Error{"The file is damaged or was edited wrongly: " + what +
-                 ". Correct this place in a text editor, or restore an older copy."};
+    return Error{QT_TRANSLATE_NOOP("Messages",
+                                   "The file is damaged or was edited wrongly: %1. Correct this "
+                                   "place in a text editor, or restore an older copy."),
+                 what};
 }
 
 /// "line 3, column 7" of a byte in the text.
-std::string placeIn(std::string_view text, std::size_t byte)
+Message placeIn(std::string_view text, std::size_t byte)
 {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
     const auto lines = std::ranges::count(before, '\n');
     const auto lineStart = before.rfind('\n');
     const std::size_t column =
         lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1;
-    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column);
+    return {QT_TRANSLATE_NOOP("Messages", "line %1, column %2"), lines + 1, column};
 }
 
 /// Events of the whole file. The header is built as a tree; the rows of the individuals' table go
@@ -131,7 +138,10 @@ public:
     {
         return value({CellValue::Kind::Text, 0, text}, [&] { return json(text); });
     }
-    bool binary(binary_t&) override { return fail("binary data is not allowed"); }
+    bool binary(binary_t&) override
+    {
+        return fail(QT_TRANSLATE_NOOP("Messages", "binary data is not allowed"));
+    }
 
     bool start_object(std::size_t) override { return open(json::object()); }
     bool end_object() override { return close(); }
@@ -155,16 +165,19 @@ public:
     bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override
     {
         const std::string text = error.what();
-        const std::string place = placeIn(m_text, byte);
+        const Message place = placeIn(m_text, byte);
         if (text.find("unexpected end of input") != std::string::npos) {
-            return fail("it ends too early, at " + place);
+            return fail({QT_TRANSLATE_NOOP("Messages", "it ends too early, at %1"), place});
         }
         if (text.find("number overflow") != std::string::npos) {
-            return fail("there is a number that is too large at " + place);
+            return fail({QT_TRANSLATE_NOOP("Messages", "there is a number that is too large at %1"),
+                         place});
         }
         const auto reason = text.find(": ");
-        return fail("it is not valid JSON at " + place +
-                    (reason == std::string::npos ? "" : text.substr(reason)));
+        return reason == std::string::npos
+                   ? fail({QT_TRANSLATE_NOOP("Messages", "it is not valid JSON at %1"), place})
+                   : fail({QT_TRANSLATE_NOOP("Messages", "it is not valid JSON at %1: %2"), place,
+                           text.substr(reason + 2)});
     }
 
     [[nodiscard]] Result<Scene> finish();
@@ -173,7 +186,7 @@ public:
 private:
     enum class Where : std::uint8_t { Header, Rows, Row, Vector, Cell };
 
-    bool fail(std::string what)
+    bool fail(Message what)
     {
         if (m_problem.empty()) {
             m_problem = std::move(what);
@@ -182,14 +195,17 @@ private:
     }
     bool failTwice(const std::string& name)
     {
-        return fail("\"" + name + "\" stands twice in the same object");
+        return fail(
+            {QT_TRANSLATE_NOOP("Messages", "\"%1\" stands twice in the same object"), name});
     }
-    bool failCell(const std::string& expected)
+    /// `expected`: a message of what belongs there.
+    bool failCell(const char* expected)
     {
-        return fail("row " + std::to_string(m_rows.rowCount() + 1) +
-                    " of the individuals, column \"" + m_rows.nameOf(m_cell) + "\": it must be " +
-                    expected);
+        return fail({QT_TRANSLATE_NOOP("Messages",
+                                       "row %1 of the individuals, column \"%2\": it must be %3"),
+                     m_rows.rowCount() + 1, m_rows.nameOf(m_cell), Message(expected)});
     }
+    bool failRow() { return fail({kRowNoList, m_rows.rowCount() + 1}); }
 
     template<class MakeJson>
     bool value(const CellValue& cell, const MakeJson& make)
@@ -197,13 +213,12 @@ private:
         switch (m_where) {
         case Where::Header:
             if (m_depth == 0) {
-                return fail("the file must hold a JSON object");
+                return fail(QT_TRANSLATE_NOOP("Messages", "the file must hold a JSON object"));
             }
             m_header.value(make());
             return hasRoom();
         case Where::Rows:
-            return fail("row " + std::to_string(m_rows.rowCount() + 1) +
-                        " of the individuals must be a list");
+            return failRow();
         case Where::Row:
             return rowValue(cell, make);
         case Where::Vector:
@@ -237,15 +252,17 @@ private:
 
     bool failLength()
     {
-        return fail("row " + std::to_string(m_rows.rowCount() + 1) +
-                    " of the individuals must have " + std::to_string(m_rows.columnCount()) +
-                    " values, one for each column");
+        return fail(
+            {QT_TRANSLATE_NOOP(
+                 "Messages", "row %1 of the individuals must have %2 values, one for each column"),
+             m_rows.rowCount() + 1, m_rows.columnCount()});
     }
 
     bool open(json container)
     {
         if (++m_depth > kMaxDepth) {
-            return fail("it is nested more than " + std::to_string(kMaxDepth) + " deep");
+            return fail(
+                {QT_TRANSLATE_NOOP("Messages", "it is nested more than %1 deep"), kMaxDepth});
         }
         const bool isArray = container.is_array();
         switch (m_where) {
@@ -258,12 +275,11 @@ private:
         case Where::Rows:
             m_where = Where::Row;
             m_cell = 0;
-            return isArray || fail("row " + std::to_string(m_rows.rowCount() + 1) +
-                                   " of the individuals must be a list");
+            return isArray || failRow();
         case Where::Row:
             return openInRow(std::move(container));
         case Where::Vector:
-            return failCell("a list of three finite numbers");
+            return failCell(kThreeFinite);
         case Where::Cell:
             m_tree.open(std::move(container));
             return true;
@@ -282,7 +298,7 @@ private:
             return true;
         }
         if (!m_rows.isVector(m_cell) || !container.is_array()) {
-            return failCell("a single value of the right kind");
+            return failCell(QT_TRANSLATE_NOOP("Messages", "a single value of the right kind"));
         }
         m_where = Where::Vector;
         m_component = 0;
@@ -306,10 +322,11 @@ private:
             m_rows.endRow();
             m_where = Where::Rows;
             return m_rows.rowCount() <= kMaxIndividuals ||
-                   fail("it holds more than " + std::to_string(kMaxIndividuals) + " individuals");
+                   fail({QT_TRANSLATE_NOOP("Messages", "it holds more than %1 individuals"),
+                         kMaxIndividuals});
         case Where::Vector:
             if (m_component != 3) {
-                return failCell("a list of three finite numbers");
+                return failCell(kThreeFinite);
             }
             ++m_cell;
             m_where = Where::Row;
@@ -328,14 +345,15 @@ private:
     bool hasRoom()
     {
         return m_header.valueCount() <= kMaxHeaderValues ||
-               fail("it holds more than " + std::to_string(kMaxHeaderValues) +
-                    " values beside the individuals");
+               fail({QT_TRANSLATE_NOOP("Messages",
+                                       "it holds more than %1 values beside the individuals"),
+                     kMaxHeaderValues});
     }
 
     bool beginRows()
     {
         if (m_seenRows) {
-            return fail("individuals.rows stands there twice");
+            return fail(QT_TRANSLATE_NOOP("Messages", "individuals.rows stands there twice"));
         }
         m_seenRows = true;
         m_where = Where::Rows;
@@ -343,7 +361,7 @@ private:
         if (m_header.root().contains("version")) {
             if (const Result<void> format = checkFormat(m_header.root()); !format) {
                 m_isForeign = true;
-                return fail(format.error().message);
+                return fail(format.error().said);
             }
         }
         const json* table = m_header.peek("individuals");
@@ -351,10 +369,12 @@ private:
             table == nullptr || !table->is_object() ? json() : table->value("columns", json());
         if (!names.is_array() ||
             !std::ranges::all_of(names, [](const json& name) { return name.is_string(); })) {
-            return fail("individuals.columns must be a list of names and stand before the rows");
+            return fail(QT_TRANSLATE_NOOP(
+                "Messages",
+                "individuals.columns must be a list of names and stand before the rows"));
         }
         const Result<void> columns = m_rows.setColumns(names.get<std::vector<std::string>>());
-        return columns ? true : fail(columns.error().message);
+        return columns ? true : fail(columns.error().said);
     }
 
     std::string_view m_text;
@@ -369,7 +389,7 @@ private:
     bool m_seenRows = false;
     bool m_isForeign = false; ///< not damaged, but not for this program
     std::string m_tableKey;
-    std::string m_problem;
+    Message m_problem;
 };
 
 Error ProjectHandler::problem() const
@@ -385,13 +405,14 @@ Result<Scene> ProjectHandler::finish()
     }
     Result<Scene> scene = headerFromJson(top);
     if (!scene) {
-        return damaged(scene.error().message);
+        return damaged(scene.error().said);
     }
     if (!m_seenRows) {
-        return damaged("\"individuals\" with \"columns\" and \"rows\" is missing");
+        return damaged(QT_TRANSLATE_NOOP(
+            "Messages", "\"individuals\" with \"columns\" and \"rows\" is missing"));
     }
     if (const Result<void> rows = m_rows.finish(scene.value()); !rows) {
-        return damaged(rows.error().message);
+        return damaged(rows.error().said);
     }
     return scene;
 }
@@ -407,9 +428,10 @@ Result<Scene> projectFromText(std::string_view text)
         }
         return handler.finish();
     } catch (const std::bad_alloc&) {
-        return Error{"It needs more memory than there is; close other programs and try again."};
+        return Error{QT_TRANSLATE_NOOP(
+            "Messages", "It needs more memory than there is; close other programs and try again.")};
     } catch (const json::exception& error) {
-        return damaged(error.what());
+        return damaged(std::string(error.what()));
     }
 }
 

@@ -116,9 +116,10 @@ Result<void> checkFinite(const Population& population)
         const std::size_t perRow = info.stride / sizeof(float);
         for (std::size_t i = 0; i < population.size() * perRow; ++i) {
             if (!std::isfinite(valueAt<float>(bytes + i * sizeof(float)))) {
-                return Error{"Individual " + std::to_string(population.ids()[i / perRow]) +
-                             " has a " + std::string(info.name) +
-                             " that is not a number; undo the last change or give it a new value."};
+                return Error{QT_TRANSLATE_NOOP("Messages",
+                                               "Individual %1 has a %2 that is not a number; "
+                                               "undo the last change or give it a new value."),
+                             population.ids()[i / perRow], info.name};
             }
         }
     }
@@ -131,10 +132,11 @@ Result<void> checkTemplates(const Scene& scene)
     TemplateId known = 0; // 0 is nobody's
     for (std::size_t row = 0; row < used.size(); ++row) {
         if (used[row] != known && scene.findTemplate(used[row]) == nullptr) {
-            return Error{"Individual " + std::to_string(scene.population.ids()[row]) +
-                         " uses the template " + std::to_string(used[row]) +
-                         ", which the scene does not have; undo the last change, or give the "
-                         "individual another template."};
+            return Error{QT_TRANSLATE_NOOP(
+                             "Messages",
+                             "Individual %1 uses the template %2, which the scene does not have; "
+                             "undo the last change, or give the individual another template."),
+                         scene.population.ids()[row], used[row]};
         }
         known = used[row];
     }
@@ -145,8 +147,9 @@ Result<void> checkTemplates(const Scene& scene)
 Result<void> checkHeader(const nlohmann::json& header)
 {
     if (const Result<Scene> read = headerFromJson(header); !read) {
-        return Error{"There is a value that cannot be saved: " + read.error().message +
-                     ". Undo the last change or give it a new value."};
+        return Error{QT_TRANSLATE_NOOP("Messages", "There is a value that cannot be saved: %1. "
+                                                   "Undo the last change or give it a new value."),
+                     read.error().said};
     }
     return {};
 }

@@ -17,8 +17,11 @@ namespace crowd::model {
 
 namespace {
 
-constexpr const char* kWholeNumber = "a whole number that is not negative and not too large";
-constexpr const char* kFiniteNumber = "a finite number";
+constexpr const char* kWholeNumber =
+    QT_TRANSLATE_NOOP("Messages", "a whole number that is not negative and not too large");
+constexpr const char* kThreeNumbers =
+    QT_TRANSLATE_NOOP("Messages", "a list of three finite numbers");
+constexpr const char* kFiniteNumber = QT_TRANSLATE_NOOP("Messages", "a finite number");
 
 bool toFloat(const CellValue& value, float& target)
 {
@@ -111,20 +114,21 @@ const char* convert(const ColumnInfo& info, const CellValue& value, std::byte* b
         return value.kind == CellValue::Kind::Text && value.text.starts_with('#') &&
                        fromHex(value.text.substr(1), bytes, sizeof(Tint))
                    ? nullptr
-                   : "a tint like \"#c04020ff\" (red, green, blue, strength)";
+                   : QT_TRANSLATE_NOOP("Messages",
+                                       "a tint like \"#c04020ff\" (red, green, blue, strength)");
     case ColumnType::Bytes8:
         return value.kind == CellValue::Kind::Text && fromHex(value.text, bytes, info.stride)
                    ? nullptr
-                   : "sixteen hexadecimal digits";
+                   : QT_TRANSLATE_NOOP("Messages", "sixteen hexadecimal digits");
     case ColumnType::Vec3:
         break;
     }
-    return "a list of three finite numbers";
+    return kThreeNumbers;
 }
 
 /// Two on one seat happens when two people's work is merged: the seat stays with the lower id, the
 /// other keeps his place without it.
-void freeSharedSeats(IndividualRows& rows, std::vector<std::string>& warnings)
+void freeSharedSeats(IndividualRows& rows, std::vector<Message>& warnings)
 {
     constexpr std::size_t kMaxWarnings = 10;
     const std::span<SeatId> seats = rows.column(columns::seat);
@@ -140,28 +144,34 @@ void freeSharedSeats(IndividualRows& rows, std::vector<std::string>& warnings)
         }
         seats[i] = kNoSeat;
         if (++shared <= kMaxWarnings) {
-            warnings.push_back("Individual " + std::to_string(rows.ids[i]) +
-                               " had the same seat as individual " + std::to_string(owner->second) +
-                               " and has none now; move one of them.");
+            warnings.emplace_back(
+                QT_TRANSLATE_NOOP("Messages", "Individual %1 had the same seat as individual %2 "
+                                              "and has none now; move one of them."),
+                rows.ids[i], owner->second);
         }
     }
     if (shared > kMaxWarnings) {
-        warnings.push_back(std::to_string(shared - kMaxWarnings) +
-                           " more shared a seat and have none now.");
+        warnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "%1 more shared a seat and have none now."),
+            shared - kMaxWarnings);
     }
 }
 
 /// Values that nobody could give today are kept, so that a file from elsewhere stays what it is.
-void noteOddNumbers(const IndividualRows& rows, std::vector<std::string>& warnings)
+void noteOddNumbers(const IndividualRows& rows, std::vector<Message>& warnings)
 {
     for (const PropertyInfo& property : properties()) {
         const std::size_t odd =
             countIllegal(property, rows.bytes[static_cast<std::size_t>(property.id)]);
         if (odd > 0) {
-            warnings.push_back(std::to_string(odd) +
-                               (odd == 1 ? " individual has a " : " individuals have a ") +
-                               property.meta.key + " outside " + shortNumber(property.meta.low) +
-                               " to " + shortNumber(property.meta.high) + "; it is kept.");
+            warnings.emplace_back(
+                odd == 1
+                    ? QT_TRANSLATE_NOOP("Messages",
+                                        "%1 individual has a %2 outside %3 to %4; it is kept.")
+                    : QT_TRANSLATE_NOOP("Messages",
+                                        "%1 individuals have a %2 outside %3 to %4; it is kept."),
+                odd, property.meta.key, shortNumber(property.meta.low),
+                shortNumber(property.meta.high));
         }
     }
 }
@@ -177,9 +187,10 @@ void leaveMissingPaths(IndividualRows& rows, Scene& scene)
         }
     }
     if (lost > 0) {
-        scene.readWarnings.push_back(std::to_string(lost) +
-                                     " individuals followed a path that the file does not list; "
-                                     "they follow none now.");
+        scene.readWarnings.emplace_back(
+            QT_TRANSLATE_NOOP("Messages", "%1 individuals followed a path that the file does not "
+                                          "list; they follow none now."),
+            lost);
     }
 }
 
@@ -188,12 +199,14 @@ void leaveMissingPaths(IndividualRows& rows, Scene& scene)
 Result<void> RowParser::setColumns(const std::vector<std::string>& names)
 {
     if (names.empty() || names.front() != "id") {
-        return Error{"individuals.columns must be a list of names that begins with \"id\""};
+        return Error{QT_TRANSLATE_NOOP(
+            "Messages", "individuals.columns must be a list of names that begins with \"id\"")};
     }
     m_cells.assign(1, Cell{});
     for (std::size_t i = 1; i < names.size(); ++i) {
         if (std::ranges::count(names, names[i]) > 1) {
-            return Error{"individuals.columns names \"" + names[i] + "\" twice"};
+            return Error{QT_TRANSLATE_NOOP("Messages", "individuals.columns names \"%1\" twice"),
+                         names[i]};
         }
         const PropertyInfo* property = findProperty(names[i]);
         Cell cell{property != nullptr ? static_cast<int>(property->id) : -1, -1};
@@ -207,7 +220,7 @@ Result<void> RowParser::setColumns(const std::vector<std::string>& names)
     for (const ColumnId needed : {ColumnId::Template, ColumnId::Position}) {
         const std::string name(columnInfo(needed).name);
         if (std::ranges::find(names, name) == names.end()) {
-            return Error{"individuals.columns lacks \"" + name + "\""};
+            return Error{QT_TRANSLATE_NOOP("Messages", "individuals.columns lacks \"%1\""), name};
         }
     }
     return {};
@@ -242,7 +255,8 @@ const char* RowParser::put(std::size_t cell, const CellValue& value)
     if (target.column < 0) {
         IndividualId id = 0;
         if (!fits(value, id) || id == 0 || id > kMaxIndividualId) {
-            return "a whole number above zero and at most 4000000000";
+            return QT_TRANSLATE_NOOP("Messages",
+                                     "a whole number above zero and at most 4000000000");
         }
         m_ids.push_back(id);
         return nullptr;
@@ -260,7 +274,7 @@ const char* RowParser::putComponent(std::size_t cell, std::size_t component, con
 {
     float number = 0.0F;
     if (component >= 3 || !toFloat(value, number)) {
-        return "a list of three finite numbers";
+        return kThreeNumbers;
     }
     putBytes(m_cells[cell], &number, sizeof(number));
     return nullptr;
@@ -280,8 +294,10 @@ Result<IndividualRows> RowParser::sortedRows(std::vector<std::size_t>& order)
     for (std::size_t i = 0; i < m_rows; ++i) {
         ids[i] = m_ids[order[i]];
         if (i > 0 && ids[i] == ids[i - 1]) {
-            return Error{"two individuals have the id " + std::to_string(ids[i]) +
-                         "; give one of them another"};
+            return Error{
+                QT_TRANSLATE_NOOP("Messages",
+                                  "two individuals have the id %1; give one of them another"),
+                ids[i]};
         }
     }
     IndividualRows rows = IndividualRows::withDefaults(std::move(ids));
@@ -319,8 +335,10 @@ Result<void> RowParser::finish(Scene& scene)
     for (std::size_t i = 0; i < table.ids.size(); ++i) {
         const TemplateId templateId = table.column(columns::templateId)[i];
         if (scene.findTemplate(templateId) == nullptr) {
-            return Error{"individual " + std::to_string(table.ids[i]) + " uses the template " +
-                         std::to_string(templateId) + ", which the file does not list"};
+            return Error{
+                QT_TRANSLATE_NOOP(
+                    "Messages", "individual %1 uses the template %2, which the file does not list"),
+                table.ids[i], templateId};
         }
     }
     freeSharedSeats(table, scene.readWarnings);

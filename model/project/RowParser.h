@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool isVector(std::size_t cell) const;
     [[nodiscard]] std::string nameOf(std::size_t cell) const;
 
-    /// All return null when it fits, what is expected otherwise.
+    /// All return null when it fits, a message of what is expected otherwise.
     [[nodiscard]] const char* put(std::size_t cell, const CellValue& value);
     [[nodiscard]] const char* putComponent(std::size_t cell, std::size_t component,
                                            const CellValue& value);

@@ -17,7 +17,7 @@ namespace crowd::model {
 
 namespace {
 
-constexpr const char* kCancelled = "Loading was cancelled.";
+constexpr const char* kCancelled = QT_TRANSLATE_NOOP("Messages", "Loading was cancelled.");
 
 std::vector<std::string> clipNamesOf(const Template& asset)
 {
@@ -42,9 +42,11 @@ std::shared_ptr<Template> withClipsInOrder(const Template& asset, std::vector<st
         const int index = asset.clipIndex(name);
         Clip clip = asset.clips[static_cast<std::size_t>(index < 0 ? asset.defaultClip : index)];
         if (index < 0) {
-            ordered->warnings.push_back("The clip \"" + name +
-                                        "\" is not in the file any more; \"" + clip.name +
-                                        "\" is played instead.");
+            ordered->warnings.emplace_back(
+                QT_TRANSLATE_NOOP(
+                    "Messages",
+                    "The clip \"%1\" is not in the file any more; \"%2\" is played instead."),
+                name, clip.name);
             clip.name = name;
         }
         ordered->clips.push_back(std::move(clip));
@@ -130,11 +132,15 @@ Result<std::string> fileOf(const std::string& path)
 {
     const QString file = assetFile(path);
     if (isBuiltin(path) && builtinFolder().isEmpty()) {
-        return Error{path + ": the built-in models were not found. Install them beside the program "
-                            "or name their folder in CROWDBRUSH_RESOURCES."};
+        return Error{QT_TRANSLATE_NOOP(
+                         "Messages", "%1: the built-in models were not found. Install them beside "
+                                     "the program or name their folder in CROWDBRUSH_RESOURCES."),
+                     path};
     }
     if (file.isEmpty()) {
-        return Error{path + ": there is no such built-in model. Locate a file instead."};
+        return Error{QT_TRANSLATE_NOOP(
+                         "Messages", "%1: there is no such built-in model. Locate a file instead."),
+                     path};
     }
     return file.toStdString();
 }
@@ -231,7 +237,7 @@ void attachAsset(TemplateEntry& entry, TemplatePtr asset)
     }
     entry.clipNames = names;
     entry.asset = withRoles(entry, std::move(asset));
-    entry.problem.clear();
+    entry.problem = {};
 }
 
 void loadAssets(Scene& scene, const LoadProgress& progress)
@@ -249,7 +255,7 @@ void loadAssets(Scene& scene, const LoadProgress& progress)
         if (!entry.asset && overall(entry.name, 0.0F)) {
             Result<StagePtr> asset = loadStageAsset(entry, overall);
             entry.asset = asset ? asset.value() : nullptr;
-            entry.problem = asset ? std::string() : asset.error().message;
+            entry.problem = asset ? Message() : asset.error().said;
         } else if (!entry.asset) {
             entry.problem = kCancelled;
         }
@@ -267,7 +273,7 @@ void loadAssets(Scene& scene, const LoadProgress& progress)
             if (const Result<TemplatePtr>& asset = found->second; asset) {
                 attachAsset(entry, asset.value());
             } else {
-                entry.problem = asset.error().message;
+                entry.problem = asset.error().said;
             }
         } else if (!entry.asset) {
             entry.problem = kCancelled;

@@ -48,18 +48,19 @@ Result<QByteArray> followLinks(QByteArray path)
         const QByteArray target(buffer.data(), length);
         path = target.startsWith('/') ? target : folderOf(path) + target;
     }
-    return Error{"it is a link that leads back to itself"};
+    return Error{QT_TRANSLATE_NOOP("Messages", "it is a link that leads back to itself")};
 }
 
 const char* kindOf(mode_t mode)
 {
     if (S_ISDIR(mode)) {
-        return "it is a folder, not a file";
+        return QT_TRANSLATE_NOOP("Messages", "it is a folder, not a file");
     }
     if (S_ISFIFO(mode)) {
-        return "it is a pipe, not a file";
+        return QT_TRANSLATE_NOOP("Messages", "it is a pipe, not a file");
     }
-    return S_ISSOCK(mode) ? "it is a socket, not a file" : "it is a device, not a file";
+    return S_ISSOCK(mode) ? QT_TRANSLATE_NOOP("Messages", "it is a socket, not a file")
+                          : QT_TRANSLATE_NOOP("Messages", "it is a device, not a file");
 }
 
 /// How the old file is kept by the new one; nothing where there is none.

@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include "model/base/Message.h"
 #include "model/population/Population.h"
 #include "model/rules/Rule.h"
 #include "model/scene/Path.h"
@@ -44,7 +45,7 @@ struct TemplateEntry
     std::vector<float> clipSpeeds;      ///< ground speed edited by the artist, NaN: the asset's
     std::vector<std::optional<ClipRole>> clipRoles; ///< chosen by the artist; nothing: the asset's
     TemplatePtr asset;
-    std::string problem;        ///< why the asset is not there; empty otherwise
+    Message problem;            ///< why the asset is not there; empty otherwise
     std::string unknownMembers; ///< see Scene::unknownMembers
 };
 
@@ -57,7 +58,7 @@ struct StageEntry
     float headingRadians = 0.0F;
     float scale = 1.0F;
     StagePtr asset;
-    std::string problem;
+    Message problem;
     std::string unknownMembers; ///< see Scene::unknownMembers
 
     [[nodiscard]] glm::mat4 worldFromStage() const;
@@ -130,7 +131,7 @@ struct Scene
     std::string unknownTableMembers; ///< of "individuals"
     std::vector<UnknownColumn> unknownColumns;
     /// What was odd in the file that the scene was read from, for the artist; not saved.
-    std::vector<std::string> readWarnings;
+    std::vector<Message> readWarnings;
 
     [[nodiscard]] const TemplateEntry* findTemplate(TemplateId id) const; ///< null: no such entry
     [[nodiscard]] TemplateEntry* findTemplate(TemplateId id);

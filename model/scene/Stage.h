@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/Bounds.h"
+#include "model/base/Message.h"
 #include "model/template/Template.h"
 
 namespace crowd::model {
@@ -47,7 +48,7 @@ struct StageAsset
     std::vector<Seat> seats;
     std::size_t fileVertexCount = 0; ///< of the file's primitives, before any sharing or copying
     Bounds bounds;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 
     [[nodiscard]] std::size_t triangleCount() const
     {

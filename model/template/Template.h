@@ -15,6 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/Bounds.h"
+#include "model/base/Message.h"
 #include "model/template/ClipRole.h"
 
 /// The template as imported: immutable once loaded, shared by pointer between threads.
@@ -193,14 +194,14 @@ struct Template
     std::vector<Slot> slots;
     std::vector<Part> parts; ///< at most 32
     std::vector<Image> images;
-    std::vector<Clip> clips;           ///< never empty: a file without any gets a "static" pose
-    int defaultClip = 0;               ///< standing
-    int seatedClip = -1;               ///< first clip with a seat height, -1 none
-    glm::mat4 rootCorrection{1.0F};    ///< applied left of every node's world matrix
-    Bounds bounds;                     ///< of the default clip's first keyframe, corrected
-    float height = 0.0F;               ///< metres, of the same keyframe
-    Footprint footprint;               ///< of the same keyframe
-    std::vector<std::string> warnings; ///< for the artist
+    std::vector<Clip> clips;        ///< never empty: a file without any gets a "static" pose
+    int defaultClip = 0;            ///< standing
+    int seatedClip = -1;            ///< first clip with a seat height, -1 none
+    glm::mat4 rootCorrection{1.0F}; ///< applied left of every node's world matrix
+    Bounds bounds;                  ///< of the default clip's first keyframe, corrected
+    float height = 0.0F;            ///< metres, of the same keyframe
+    Footprint footprint;            ///< of the same keyframe
+    std::vector<Message> warnings;  ///< for the artist
 
     [[nodiscard]] int clipIndex(const std::string& clipName) const; ///< -1 if there is none
     [[nodiscard]] int slotIndex(const std::string& slotName) const; ///< -1 if there is none

@@ -76,9 +76,10 @@ model::Result<void> PictureTarget::make()
                            m_resolvedColor.name(), 0);
     isUsable = isUsable && isComplete();
     if (!isUsable) {
-        return model::Error{"The graphics driver offers no framebuffer of " +
-                            std::to_string(m_size.x) + " by " + std::to_string(m_size.y) +
-                            " pixels. Try a smaller picture."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages", "The graphics driver offers no framebuffer of %1 by %2 "
+                                          "pixels. Try a smaller picture."),
+            m_size.x, m_size.y};
     }
     return {};
 }

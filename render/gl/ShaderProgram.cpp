@@ -52,9 +52,11 @@ model::Result<void> attach(GLuint program, GLenum stage, const std::string& file
     const std::string log = isCompiled == GL_TRUE ? std::string() : logOf(shader, false);
     glDeleteShader(shader);
     if (isCompiled != GL_TRUE) {
-        return model::Error{"The graphics driver does not compile the shader " + file + " (" +
-                            std::string(defines) + "): " + log +
-                            " A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages",
+                              "The graphics driver does not compile the shader %1 (%2): %3 A newer "
+                              "driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."),
+            file, defines, log};
     }
     return {};
 }
@@ -77,9 +79,11 @@ model::Result<ShaderProgram> ShaderProgram::build(std::string_view name, std::st
     GLint isLinked = GL_FALSE;
     glGetProgramiv(id, GL_LINK_STATUS, &isLinked);
     if (isLinked != GL_TRUE) {
-        return model::Error{"The graphics driver does not link the shader " + file + " (" +
-                            std::string(defines) + "): " + logOf(id, true) +
-                            " A newer driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."};
+        return model::Error{
+            QT_TRANSLATE_NOOP("Messages",
+                              "The graphics driver does not link the shader %1 (%2): %3 A newer "
+                              "driver, or LIBGL_ALWAYS_SOFTWARE=1, may help."),
+            file, defines, logOf(id, true)};
     }
     return program;
 }

@@ -3,6 +3,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QProcess>
 #include <QtCore/QRegularExpression>
+#include <QtCore/QTranslator>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
@@ -52,6 +53,24 @@ void addMissing(model::Scene& scene, model::TemplateId id, const QString& name, 
     scene.templates.push_back(lost);
 }
 
+void writeTo(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+/// Hands the text of a message box on, and closes it.
+std::function<void(QDialog&)> reading(QString& text)
+{
+    return [&text](QDialog& dialog) {
+        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
+            text = box->text();
+        }
+        dialog.accept();
+    };
+}
+
 /// Makes this process's autosave of a document another one's; its new path.
 QString keepAs(const QString& path, qint64 process)
 {
@@ -85,6 +104,7 @@ private Q_SLOTS:
     void savesAndReopensIdentically();
     void asksBeforeClosing();
     void unreadableFileLeavesTheSceneAlone();
+    void whatIsWrongIsSaidInTheLanguageOfTheWindow();
     void missingAssetsAreNamed();
     void locatesMissingAssetsAndTheirNeighbours();
     void saysWhyALocatedFileWillNotDo();
@@ -158,22 +178,41 @@ void SceneFilesTest::asksBeforeClosing()
 void SceneFilesTest::unreadableFileLeavesTheSceneAlone()
 {
     openScene(plainScene(6), QStringLiteral("a.crowd"));
-    QFile broken(pathOf(QStringLiteral("broken.crowd")));
-    QVERIFY(broken.open(QIODevice::WriteOnly));
-    broken.write("not a scene");
-    broken.close();
+    const QString broken = pathOf(QStringLiteral("broken.crowd"));
+    writeTo(broken, "not a scene");
     QString message;
-    const DialogAnswer answer([&message](QDialog& dialog) {
-        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
-            message = box->text();
-        }
-        dialog.accept();
-    });
-    m_window->files().openPath(broken.fileName());
+    const DialogAnswer answer(reading(message));
+    m_window->files().openPath(broken);
     QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), kPatienceMs);
     QVERIFY2(message.contains(QStringLiteral("broken.crowd")), qPrintable(message));
     QCOMPARE(document().scene().population.size(), std::size_t{6});
     QCOMPARE(QFileInfo(document().path()).fileName(), QStringLiteral("a.crowd"));
+}
+
+void SceneFilesTest::whatIsWrongIsSaidInTheLanguageOfTheWindow()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/translations/crowdbrush_de.qm")));
+    QCoreApplication::installTranslator(&german); // goes when it dies
+    const QString scene = pathOf(QStringLiteral("broken.crowd"));
+    writeTo(scene, R"({"format": "crowdbrush-scene", "version": 1, )");
+    QString ofScene;
+    const DialogAnswer readScene(reading(ofScene));
+    m_window->files().openPath(scene);
+    QTRY_VERIFY_WITH_TIMEOUT(readScene.hasAnswered(), kPatienceMs);
+    QVERIFY2(ofScene.startsWith(scene + QStringLiteral(": Die Datei ist beschädigt oder")),
+             qPrintable(ofScene));
+    QVERIFY2(ofScene.contains(QStringLiteral("sie endet zu früh, bei Zeile 1, Spalte ")),
+             qPrintable(ofScene));
+    const QString model = pathOf(QStringLiteral("broken.glb"));
+    writeTo(model, "no model");
+    QString ofModel;
+    const DialogAnswer readModel(reading(ofModel));
+    m_window->assets().locateAt({false, 1, "man", "", {}}, model);
+    QTRY_VERIFY_WITH_TIMEOUT(readModel.hasAnswered(), kPatienceMs);
+    QVERIFY2(ofModel.startsWith(QStringLiteral("broken.glb: das ist weder eine .glb")),
+             qPrintable(ofModel));
 }
 
 void SceneFilesTest::missingAssetsAreNamed()
@@ -253,12 +292,7 @@ void SceneFilesTest::saysWhyALocatedFileWillNotDo()
     QTRY_VERIFY_WITH_TIMEOUT(openDialog() != nullptr, kPatienceMs);
     openDialog()->reject();
     QString message;
-    const DialogAnswer answer([&message](QDialog& dialog) {
-        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
-            message = box->text();
-        }
-        dialog.accept();
-    });
+    const DialogAnswer answer(reading(message));
     m_window->assets().locateAt(model::missingAssets(document().scene()).front(),
                                 document().path());
     QTRY_VERIFY_WITH_TIMEOUT(answer.hasAnswered(), kPatienceMs);

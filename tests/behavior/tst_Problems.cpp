@@ -48,8 +48,9 @@ std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene)
 bool isSaid(const std::vector<Problem>& problems, const char* words, const Problem& about)
 {
     return std::ranges::any_of(problems, [&](const Problem& problem) {
-        return problem.text.find(words) != std::string::npos && problem.rule == about.rule &&
-               problem.place == about.place && problem.path == about.path;
+        return problem.text.english().find(words) != std::string::npos &&
+               problem.rule == about.rule && problem.place == about.place &&
+               problem.path == about.path;
     });
 }
 

@@ -189,7 +189,8 @@ void TestRuleActions::whatIsGoneIsSaidByName()
     session.send("lost", 0.0F, {1});
     run(session, 3);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().text.find("\"lost\"") != std::string::npos);
+    QVERIFY(session.rules().problems().front().text.english().find("\"lost\"") !=
+            std::string::npos);
     QVERIFY(hasTag(session, 0, 1)); // the session goes on
 }
 

@@ -209,8 +209,8 @@ void TestRuleAims::nobodyToFollowIsSaid()
     session.send("seek", 0.0F, {2});
     run(session, 3);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().text.find("\"come\" follows whoever sent") !=
-            std::string::npos);
+    QVERIFY(session.rules().problems().front().text.english().find(
+                "\"come\" follows whoever sent") != std::string::npos);
     QVERIFY(isMarked(session, 0, 1) && isMarked(session, 1, 2)); // on with the next
 }
 

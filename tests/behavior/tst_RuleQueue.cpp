@@ -205,7 +205,7 @@ void TestRuleQueue::withoutAPathItWaitsForOne()
     QVERIFY(placeOf(session, 2).y > -1.0F); // nobody is served at any place that he comes to
     QCOMPARE(session.problems().size(), std::size_t{3});
     for (const behavior::Problem& problem : session.problems()) {
-        QVERIFY(problem.text.find("does nothing yet: choose a p") != std::string::npos);
+        QVERIFY(problem.text.english().find("does nothing yet: choose a p") != std::string::npos);
     }
 }
 

@@ -137,7 +137,7 @@ void TestRuleSequences::withoutTimeForEverIsEnded()
     session.send("go", 0.0F, {2});
     run(session, 5);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().text.find("\"go\" repeats without") !=
+    QVERIFY(session.rules().problems().front().text.english().find("\"go\" repeats without") !=
             std::string::npos);
     QVERIFY(session.rules().number(1, kCount) < 2000.0F);
     QCOMPARE(session.steps(), std::uint64_t{5});

@@ -38,8 +38,9 @@ std::vector<model::IndividualId> allOf(const model::Scene& scene)
 bool isStormSaid(Session& session)
 {
     return std::ranges::any_of(session.problems(), [](const behavior::Problem& problem) {
-        return problem.text.find("than a step has room for") != std::string::npos ||
-               problem.text.find("more events than can be under way") != std::string::npos;
+        return problem.text.english().find("than a step has room for") != std::string::npos ||
+               problem.text.english().find("more events than can be under way") !=
+                   std::string::npos;
     });
 }
 

@@ -202,8 +202,8 @@ void TestRuleWalks::whoHasNowhereToLeaveAtStays()
     QVERIFY(!isGone(session, 0));
     QVERIFY(hasTag(session, 0, 1)); // on with the next
     QCOMPARE(session.problems().size(), std::size_t{1});
-    QVERIFY2(session.problems().front().text.find(said.constData()) != std::string::npos,
-             session.problems().front().text.c_str());
+    QVERIFY2(session.problems().front().text.english().find(said.constData()) != std::string::npos,
+             session.problems().front().text.english().c_str());
 }
 
 void TestRuleWalks::exitsAreTakenByNoMoreThanHaveRoom()

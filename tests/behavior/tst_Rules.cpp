@@ -174,7 +174,8 @@ void TestRules::aRuleThatRepeatsWithoutTimeIsEnded()
     session.send("spin", 0.0F, {1});
     run(session, 5);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().text.find("\"spin\" repeats") != std::string::npos);
+    QVERIFY(session.rules().problems().front().text.english().find("\"spin\" repeats") !=
+            std::string::npos);
 }
 
 void TestRules::eventsInACircleNeverCloseWithinOneStep()
@@ -291,7 +292,8 @@ void TestRules::deletedPathsAreSaidByTheRulesName()
     session.send("walk", 0.0F, {1});
     run(session, 3);
     QCOMPARE(session.rules().problems().size(), std::size_t{1});
-    QVERIFY(session.rules().problems().front().text.find("\"walk\"") != std::string::npos);
+    QVERIFY(session.rules().problems().front().text.english().find("\"walk\"") !=
+            std::string::npos);
 }
 
 void TestRules::editsWhileItRunsTakeEffect()

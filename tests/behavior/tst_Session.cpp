@@ -454,7 +454,7 @@ void SessionTest::badPlansAreSaidAndSurvived()
     QCOMPARE(session.warnings().size(), std::size_t{5});
     const auto isSaid = [&](const char* words) {
         return std::ranges::any_of(session.warnings(), [&](const behavior::Problem& warning) {
-            return warning.text.find(words) != std::string::npos;
+            return warning.text.english().find(words) != std::string::npos;
         });
     };
     QVERIFY(isSaid("Place \"2\" has no position"));

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void jsonIsAloneOnStandardOutput_data();
     void jsonIsAloneOnStandardOutput();
     void aFailureIsOneLine();
+    void failuresAreEnglishInEveryLanguage();
     void measuresOnlyWhatMakesSense_data();
     void measuresOnlyWhatMakesSense();
     void givesScriptsTheirArgumentsInOrder();
@@ -136,6 +137,28 @@ void CommandLineTest::aFailureIsOneLine()
     QVERIFY(outcome.output.isEmpty());
     QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
     QVERIFY2(outcome.errors.contains("broken.crowd"), outcome.errors.constData());
+}
+
+void CommandLineTest::failuresAreEnglishInEveryLanguage()
+{
+    const QTemporaryDir folder;
+    const auto wrongIn = [&folder](const QString& name, const QByteArray& bytes) {
+        QFile file(folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+            return QByteArray();
+        }
+        file.close();
+        return run({QStringLiteral("info"), file.fileName()}).errors;
+    };
+    const QByteArray before = qgetenv("LANGUAGE");
+    qputenv("LANGUAGE", "de");
+    const QByteArray scene = wrongIn(QStringLiteral("broken.crowd"), R"({"version": 1, )");
+    const QByteArray model = wrongIn(QStringLiteral("broken.glb"), "no model");
+    before.isNull() ? qunsetenv("LANGUAGE") : qputenv("LANGUAGE", before);
+    QVERIFY2(scene.contains("The file is damaged or was edited wrongly: it ends too early, at "
+                            "line 1, column "),
+             scene.constData());
+    QVERIFY2(model.contains("broken.glb: this is neither a .glb"), model.constData());
 }
 
 void CommandLineTest::measuresOnlyWhatMakesSense_data()

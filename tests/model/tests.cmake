@@ -32,6 +32,7 @@ crowd_add_tests(ROOM model
     tst_GltfSpecMeshes
     tst_GroundSpeed
     tst_ImportProposal
+    tst_Message
     tst_PickScene
     tst_Population
     tst_Pose

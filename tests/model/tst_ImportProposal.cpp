@@ -146,8 +146,8 @@ void tst_ImportProposal::saysNumbersThatCount()
 {
     const auto reasons = [](const glm::vec3& low, const glm::vec3& high) {
         std::string text;
-        for (const std::string& reason : proposeImport(box(low, high)).reasons) {
-            text += reason;
+        for (const Message& reason : proposeImport(box(low, high)).reasons) {
+            text += reason.english();
         }
         return QString::fromStdString(text);
     };

@@ -196,7 +196,7 @@ void tst_ProjectFile::freesSeatsTakenTwice()
     QCOMPARE(scene.population.column(columns::seat)[0], SeatId{16777217});
     QCOMPARE(scene.population.column(columns::seat)[1], kNoSeat);
     QCOMPARE(scene.readWarnings.size(), std::size_t{1});
-    QVERIFY(scene.readWarnings.front().find("Individual 7") != std::string::npos);
+    QVERIFY(scene.readWarnings.front().english().find("Individual 7") != std::string::npos);
     QVERIFY(projectFromText(projectToText(scene).value()).value().readWarnings.empty());
 }
 

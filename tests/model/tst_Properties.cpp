@@ -232,9 +232,10 @@ void tst_Properties::oddNumbersOfAFileAreKeptAndTold()
     QVERIFY(read.value().population == scene.population);
     const auto& warnings = read.value().readWarnings;
     QCOMPARE(warnings.size(), std::size_t{2});
-    QCOMPARE(warnings[0], std::string("1 individual has a heading outside -1e+06 to 1e+06; "
-                                      "it is kept."));
-    QCOMPARE(warnings[1],
+    QCOMPARE(warnings[0].english(),
+             std::string("1 individual has a heading outside -1e+06 to 1e+06; "
+                         "it is kept."));
+    QCOMPARE(warnings[1].english(),
              std::string("2 individuals have a height outside 0.01 to 100; it is kept."));
 }
 

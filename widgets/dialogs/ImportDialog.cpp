@@ -17,6 +17,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "model/gltf/GltfImport.h"
 #include "widgets/dialogs/ClipTable.h"
 #include "widgets/dialogs/TemplatePreview.h"
@@ -172,11 +173,11 @@ void ImportDialog::offerRest(int count)
 QString ImportDialog::remarks() const
 {
     QStringList notes;
-    for (const std::string& reason : m_proposal.reasons) {
-        notes << QStringLiteral("• ") + QString::fromStdString(reason);
+    for (const model::Message& reason : m_proposal.reasons) {
+        notes << QStringLiteral("• ") + model::translated(reason);
     }
-    for (const std::string& warning : m_asset->warnings) {
-        notes << QStringLiteral("⚠ ") + QString::fromStdString(warning);
+    for (const model::Message& warning : m_asset->warnings) {
+        notes << QStringLiteral("⚠ ") + model::translated(warning);
     }
     const qsizetype more = notes.size() - kMostRemarks;
     if (more > 0) {
@@ -260,7 +261,7 @@ void ImportDialog::take(const model::Result<model::TemplatePtr>& asset,
         m_importAll->setEnabled(asset.isOk());
     }
     if (!asset) {
-        m_remarks->setText(QString::fromStdString(asset.error().message));
+        m_remarks->setText(model::translated(asset.error()));
         return;
     }
     m_asset = asset.value();

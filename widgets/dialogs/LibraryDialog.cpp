@@ -9,6 +9,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "widgets/dialogs/TemplatePictures.h"
 #include "widgets/theme/Icons.h"
 
@@ -75,7 +76,7 @@ void LibraryDialog::fill(const std::vector<model::TemplateEntry>& present)
         if (isThere || !entry.asset) {
             item->setFlags(Qt::NoItemFlags);
             item->setToolTip(isThere ? tr("Is in the scene already")
-                                     : QString::fromStdString(entry.problem));
+                                     : model::translated(entry.problem));
         }
     }
 }

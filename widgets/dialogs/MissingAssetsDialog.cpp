@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/dialogs/MissingAssetsDialog.h"
 
+#include "model/base/Translated.h"
+
 #include <algorithm>
 
 #include <QtWidgets/QDialogButtonBox>
@@ -55,8 +57,8 @@ void MissingAssetsDialog::refresh()
         auto* item = new QTreeWidgetItem(m_list, {QString::fromStdString(asset.name),
                                                   asset.isStage ? tr("Stage") : tr("Template"),
                                                   QString::fromStdString(asset.path)});
-        item->setToolTip(0, QString::fromStdString(asset.problem));
-        item->setToolTip(2, QString::fromStdString(asset.problem));
+        item->setToolTip(0, model::translated(asset.problem));
+        item->setToolTip(2, model::translated(asset.problem));
     }
     if (m_missing.empty()) {
         accept();

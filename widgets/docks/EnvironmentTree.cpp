@@ -9,6 +9,7 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QTreeWidget>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/EnvironmentMenu.h"
@@ -261,7 +262,7 @@ QString EnvironmentDock::problemOf(const QTreeWidgetItem& item) const
     const bool isPath = item.type() == PathItem;
     for (const behavior::Problem& problem : m_state.session().problems()) {
         if (id != 0 && item.type() != KindItem && (isPath ? problem.path : problem.place) == id) {
-            return QString::fromStdString(problem.text);
+            return model::translated(problem.text);
         }
     }
     return {};
@@ -286,7 +287,7 @@ void EnvironmentDock::showProblems()
         problems, [](const behavior::Problem& problem) { return !problem.people.empty(); });
     if (chosen.isEmpty() && ofPeople != problems.end()) {
         chosen = tr("%1 <a href=\"people\">Select them</a>")
-                     .arg(QString::fromStdString(ofPeople->text).toHtmlEscaped());
+                     .arg(model::translated(ofPeople->text).toHtmlEscaped());
     }
     m_problem->setText(chosen);
     m_problem->setVisible(!chosen.isEmpty());

@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include "model/base/Translated.h"
 #include "model/rules/RuleFlaws.h"
 #include "model/rules/RuleSequence.h"
 
@@ -215,7 +216,7 @@ QString problemText(const Scene& scene, const behavior::Problem& problem)
     const auto rule = std::ranges::find(scene.rules, problem.rule, &Rule::id);
     const QString text = rule == scene.rules.end() ? QString() : ruleProblem(scene, *rule);
     return text.isEmpty()
-               ? QString::fromStdString(problem.text)
+               ? model::translated(problem.text)
                : RuleProblemsText::tr("“%1”: %2").arg(QString::fromStdString(rule->name), text);
 }
 

@@ -13,6 +13,7 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/CueBar.h"
 #include "widgets/docks/NamesForm.h"
@@ -225,7 +226,7 @@ QString RulesDock::problemOf(const Rule& rule) const
     }
     const std::vector<behavior::Problem>& problems = m_state.session().problems();
     const auto found = std::ranges::find(problems, rule.id, &behavior::Problem::rule);
-    return found == problems.end() ? QString() : QString::fromStdString(found->text);
+    return found == problems.end() ? QString() : model::translated(found->text);
 }
 
 /// At the rules in the list, and below it for the one that is chosen.

@@ -11,6 +11,7 @@
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/docks/LightForm.h"
@@ -153,8 +154,8 @@ void SceneDock::addStages()
         auto* item = new QTreeWidgetItem(stages, {QString::fromStdString(entry.name)}, StageItem);
         item->setData(0, kIdRole, entry.id);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(
-            0, QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
+        item->setToolTip(0, entry.problem.empty() ? QString::fromStdString(entry.path)
+                                                  : model::translated(entry.problem));
         item->setText(1, entry.asset
                              ? tr("%n seats", nullptr, static_cast<int>(entry.asset->seats.size()))
                              : tr("missing"));
@@ -170,8 +171,8 @@ void SceneDock::addPeople()
             new QTreeWidgetItem(templates, {QString::fromStdString(entry.name)}, TemplateItem);
         item->setData(0, kIdRole, entry.id);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(
-            0, QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
+        item->setToolTip(0, entry.problem.empty() ? QString::fromStdString(entry.path)
+                                                  : model::translated(entry.problem));
         item->setText(1, entry.asset ? QLocale().toString(counts[entry.id]) : tr("missing"));
     }
 }

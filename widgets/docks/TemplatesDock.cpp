@@ -10,6 +10,7 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/dialogs/TemplatePictures.h"
 #include "widgets/docks/TemplateDelegate.h"
@@ -145,8 +146,8 @@ void TemplatesDock::rebuild()
         item->setData(kIdRole, entry.id);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
         item->setCheckState(Qt::Unchecked);
-        item->setToolTip(
-            QString::fromStdString(entry.problem.empty() ? entry.path : entry.problem));
+        item->setToolTip(entry.problem.empty() ? QString::fromStdString(entry.path)
+                                               : model::translated(entry.problem));
         m_list->addItem(item);
         if (entry.id == current) {
             m_list->setCurrentItem(item);

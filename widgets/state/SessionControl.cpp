@@ -10,6 +10,7 @@
 
 #include "behavior/session/PoseKeeping.h"
 #include "behavior/session/SessionPlayer.h"
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
@@ -178,7 +179,7 @@ void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
     if (built) {
         m_surface->current = built.value();
     } else {
-        m_surfaceProblem = QString::fromStdString(built.error().message);
+        m_surfaceProblem = model::translated(built.error());
     }
     m_progress.stop();
     if (isRunning()) {

@@ -8,6 +8,7 @@
 #include <QtGui/QOpenGLContext>
 #include <QtWidgets/QApplication>
 
+#include "model/base/Translated.h"
 #include "render/Renderer.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
@@ -148,7 +149,7 @@ void ViewportWidget::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewportWidget::releaseContext,
             Qt::UniqueConnection);
     const model::Result<void> result = m_renderer->initialize();
-    setProblem(result ? QString() : QString::fromStdString(result.error().message));
+    setProblem(result ? QString() : model::translated(result.error()));
 }
 
 void ViewportWidget::releaseContext()
@@ -218,7 +219,7 @@ void ViewportWidget::paintGL()
         m_isSceneNew = false;
         m_renderer->releaseUnused();
     }
-    setProblem(result ? QString() : QString::fromStdString(result.error().message));
+    setProblem(result ? QString() : model::translated(result.error()));
     m_shownSeconds = m_state.transport().seconds();
     m_statistics.render = m_renderer->statistics();
     m_isShownFinal = !isMoving();

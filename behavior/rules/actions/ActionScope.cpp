@@ -41,7 +41,9 @@ void setTag(const ActionScope& scope, std::uint8_t tag, bool hasIt)
 void changeNumber(const ActionScope& scope, model::NumberId number, float value, bool isAdded)
 {
     if (!scope.state.numbers.change(scope.agent, number, value, isAdded)) {
-        scope.report(" changes a number that is not there any more. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages",
+            "Rule \"%1\" changes a number that is not there any more. Choose another one."));
     }
 }
 

@@ -28,10 +28,11 @@ struct ActionScope : RuleScope
     {
         return state.rules[self().rule].data.actions;
     }
-    /// A problem that begins with the name of the rule that runs.
-    void report(const std::string& text) const
+    /// A message whose %1 is the name of the rule that runs.
+    template<class... Arguments>
+    void report(const char* id, const Arguments&... arguments) const
     {
-        state.problems.add(problemOf(state, self().rule, text));
+        state.problems.add(problemOf(state, self().rule, id, arguments...));
     }
 };
 

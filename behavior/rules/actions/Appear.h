@@ -11,8 +11,9 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::Appear& 
 {
     const model::Place* place = scope.state.places.find(action.place);
     if (place == nullptr) {
-        scope.report(" lets characters appear at a place that is not there any "
-                     "more. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP(
+            "Messages", "Rule \"%1\" lets characters appear at a place that is not there any "
+                        "more. Choose another one."));
         return ActionStatus::Done;
     }
     scope.host.appear(scope.agent, pointIn(scope, *place));

@@ -11,8 +11,8 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::FollowPa
     if (scope.host.follow(scope.agent, action.path)) {
         holdPlace(scope.state, scope.agent, 0);
     } else {
-        scope.report(
-            " lets characters follow a path that is not there any more. Choose another one.");
+        scope.report(QT_TRANSLATE_NOOP("Messages", "Rule \"%1\" lets characters follow a path that "
+                                                   "is not there any more. Choose another one."));
     }
     return ActionStatus::Done;
 }

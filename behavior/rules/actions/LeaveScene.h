@@ -28,8 +28,10 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::LeaveSce
         return ActionStatus::Running;
     } else if (scope.progress().isTravelling) {
         const std::string& name = scope.state.places.find(scope.self().errand.goal)->name;
-        scope.report(" lets characters leave at \"" + name +
-                     "\", but some do not get there: they stay. Move it, or choose another one.");
+        scope.report(QT_TRANSLATE_NOOP("Messages",
+                                       "Rule \"%1\" lets characters leave at \"%2\", but some do "
+                                       "not get there: they stay. Move it, or choose another one."),
+                     name);
     }
     return ActionStatus::Done;
 }

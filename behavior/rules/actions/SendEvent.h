@@ -29,10 +29,12 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::SendEven
     const std::size_t asked = candidates != nullptr ? candidates->size() : state.agents.size();
     if (state.events.isFull() || state.budget.asked < asked) {
         if (state.problems.noteOverload()) {
-            scope.report(
-                " sends more events than can be under way; further ones are dropped. It may "
+            scope.report(QT_TRANSLATE_NOOP(
+                "Messages",
+                "Rule \"%1\" sends more events than can be under way; further ones are dropped. It "
+                "may "
                 "be sending events that make it send again: give it a pause, or say how "
-                "often at most.");
+                "often at most."));
         }
         return ActionStatus::Done;
     }

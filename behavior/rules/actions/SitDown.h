@@ -16,8 +16,10 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::SitDown&
     scope.progress().isStarted = true;
     if (!scope.host.sit(agent, action.metres)) {
         if (!scope.host.hasSeats()) {
-            scope.report(" lets characters sit down, but the scene has no seats. Bring a "
-                         "stage with seats along.");
+            scope.report(QT_TRANSLATE_NOOP(
+                "Messages",
+                "Rule \"%1\" lets characters sit down, but the scene has no seats. Bring a "
+                "stage with seats along."));
         }
         return ActionStatus::Done;
     }
