@@ -39,32 +39,25 @@ constexpr QColor kProblemColor(208, 80, 64);
 RulesDock::RulesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Rules"), "rules", parent), m_state(state), m_list(new QListWidget(this))
 {
+    makeActions();
+    buildContent();
+    connectTimers();
+    connectState();
+    connectList();
+    rebuildList();
+    rebuildEditor();
+}
+
+void RulesDock::buildContent()
+{
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
-    makeActions();
     layout->addWidget(makeButtons(content));
-    layout->addWidget(new CueBar(state, content));
-    m_list->setObjectName(QStringLiteral("ruleList"));
-    m_list->setWordWrap(true);
-    m_list->setItemDelegate(new RuleItemDelegate(m_list));
-    m_list->setDragDropMode(QAbstractItemView::InternalMove);
-    m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_list, &QWidget::customContextMenuRequested, this, &RulesDock::showMenu);
+    layout->addWidget(new CueBar(m_state, content));
+    setUpList();
     layout->addWidget(m_list);
-    m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
-                           "brush (E) sets them off while it plays."),
-                        content);
-    m_note->setWordWrap(true);
-    m_note->setEnabled(false);
-    layout->addWidget(m_note);
-    m_problem = new QLabel(content);
-    m_problem->setObjectName(QStringLiteral("ruleProblem"));
-    m_problem->setWordWrap(true);
-    m_problem->setStyleSheet(QStringLiteral("color: %1").arg(kProblemColor.name()));
-    layout->addWidget(m_problem);
+    addNotes(*layout);
     m_editorArea = new QWidget(content);
     auto* area = new QVBoxLayout(m_editorArea);
     area->setContentsMargins(0, 0, 0, 0);
@@ -77,9 +70,40 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     m_log->setPlaceholderText(tr("What fired, while it plays"));
     m_log->setMinimumHeight(50);
     layout->addWidget(m_log, 1);
-    layout->addWidget(new NamesForm(state, content));
+    layout->addWidget(new NamesForm(m_state, content));
     setScrolledContent(content);
+}
 
+void RulesDock::setUpList()
+{
+    m_list->setObjectName(QStringLiteral("ruleList"));
+    m_list->setWordWrap(true);
+    m_list->setItemDelegate(new RuleItemDelegate(m_list));
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &RulesDock::showMenu);
+}
+
+/// What there is to say where there is no rule, or something is wrong with one.
+void RulesDock::addNotes(QVBoxLayout& layout)
+{
+    m_note = new QLabel(tr("No rules yet. “Add” has ready-made ones to begin with; the event "
+                           "brush (E) sets them off while it plays."),
+                        this);
+    m_note->setWordWrap(true);
+    m_note->setEnabled(false);
+    layout.addWidget(m_note);
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(QStringLiteral("ruleProblem"));
+    m_problem->setWordWrap(true);
+    m_problem->setStyleSheet(QStringLiteral("color: %1").arg(kProblemColor.name()));
+    layout.addWidget(m_problem);
+}
+
+void RulesDock::connectTimers()
+{
     m_fit.setSingleShot(true);
     m_fit.setInterval(0);
     connect(&m_fit, &QTimer::timeout, this, &RulesDock::fitList);
@@ -89,6 +113,12 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
         rebuildList();
         rebuildEditor();
     });
+    m_counting.setInterval(kCountMs);
+    connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
+}
+
+void RulesDock::connectState()
+{
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
                 if (isOneOf<model::SceneReplaced>(change)) {
@@ -99,8 +129,6 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
                     m_rebuild.start();
                 }
             });
-    m_counting.setInterval(kCountMs);
-    connect(&m_counting, &QTimer::timeout, this, &RulesDock::refreshCounts);
     connect(&m_state.session(), &SessionControl::stateChanged, this, [this] {
         if (m_state.session().isRunning()) {
             forgetLog();
@@ -113,6 +141,10 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connect(&m_state.session(), &SessionControl::problemsChanged, this, &RulesDock::showProblems);
     connect(m_onlySelected, &QCheckBox::clicked, this, &RulesDock::showLog);
     connect(&m_state.selection(), &Selection::changed, this, &RulesDock::showLog);
+}
+
+void RulesDock::connectList()
+{
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
             m_current = item == nullptr ? 0 : item->data(kIdRole).toUInt();
@@ -130,8 +162,6 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
         }
     });
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &RulesDock::takeOrder);
-    rebuildList();
-    rebuildEditor();
 }
 
 /// As high as its rules, so that the chosen one is built right below.

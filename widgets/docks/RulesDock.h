@@ -15,6 +15,7 @@ class QCheckBox;
 class QLabel;
 class QListWidget;
 class QPlainTextEdit;
+class QVBoxLayout;
 
 namespace crowd::widgets {
 
@@ -34,6 +35,12 @@ protected:
 private:
     using Change = std::function<void(model::Rule&)>;
 
+    void buildContent();
+    void setUpList();
+    void addNotes(QVBoxLayout& layout);
+    void connectTimers();
+    void connectState();
+    void connectList();
     void makeActions();
     QAction* makeAction(const char* name, const char* icon, const QString& text,
                         const QKeySequence& keys, void (RulesDock::*run)());

@@ -68,40 +68,53 @@ ViewportWidget::~ViewportWidget()
     releaseContext();
 }
 
+void ViewportWidget::redraw()
+{
+    update();
+    refreshClock();
+}
+
+void ViewportWidget::redrawPaths()
+{
+    m_paths.forget();
+    refreshPlaces();
+    redraw();
+}
+
 void ViewportWidget::connectState()
 {
-    const auto redraw = [this] {
-        update();
-        refreshClock();
-    };
-    connect(&m_state.document(), &model::SceneDocument::changed, this, [this, redraw] {
+    connectScene();
+    connectSession();
+    connectView();
+    connectOwn();
+}
+
+void ViewportWidget::connectScene()
+{
+    connect(&m_state.document(), &model::SceneDocument::changed, this, [this] {
         redraw();
         refreshText();
     });
-    connect(&m_state.selection(), &Selection::changed, this, redraw);
-    connect(&m_state.transport(), &Transport::stateChanged, this, redraw);
-    const auto redrawPaths = [this, redraw] {
-        m_paths.forget();
-        refreshPlaces();
-        redraw();
-    };
+    connect(&m_state.selection(), &Selection::changed, this, &ViewportWidget::redraw);
+    connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [this, redrawPaths](const model::SceneChange& change) {
+            [this](const model::SceneChange& change) {
                 visitChange(
-                    change, [redrawPaths](const model::PathsChanged&) { redrawPaths(); },
-                    [redrawPaths](const model::StagesChanged&) { redrawPaths(); },
-                    [this, redrawPaths](const model::SceneReplaced&) {
+                    change, [this](const model::PathsChanged&) { redrawPaths(); },
+                    [this](const model::StagesChanged&) { redrawPaths(); },
+                    [this](const model::SceneReplaced&) {
                         m_isSceneNew = true;
                         redrawPaths();
                     },
                     // Places that rules speak of have their names shown.
                     [this](const model::RulesChanged&) { refreshPlaces(); });
             });
-    connect(&m_state.paths(), &PathFocus::changed, this, redrawPaths);
-    connect(&m_state, &EditorState::viewOptionsChanged, this, redrawPaths);
-    connect(&m_state, &EditorState::toolChanged, this, &ViewportWidget::refreshPlaces);
-    connect(&m_state, &EditorState::viewCameraChanged, this, &ViewportWidget::refreshPlaces);
-    connect(&m_state.session(), &SessionControl::stateChanged, this, redraw);
+    connect(&m_state.paths(), &PathFocus::changed, this, &ViewportWidget::redrawPaths);
+}
+
+void ViewportWidget::connectSession()
+{
+    connect(&m_state.session(), &SessionControl::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.session(), &SessionControl::surfaceChanged, this,
             &ViewportWidget::refreshText);
     connect(&m_state.session(), &SessionControl::stepped, this, [this] {
@@ -109,26 +122,37 @@ void ViewportWidget::connectState()
             update(); // a single step
         }
     });
+}
+
+void ViewportWidget::connectView()
+{
+    connect(&m_state, &EditorState::viewOptionsChanged, this, &ViewportWidget::redrawPaths);
+    connect(&m_state, &EditorState::toolChanged, this, &ViewportWidget::refreshPlaces);
+    connect(&m_state, &EditorState::viewCameraChanged, this, &ViewportWidget::refreshPlaces);
     m_handRests.setSingleShot(true);
     m_handRests.setInterval(kHandStillMs);
     connect(&m_handRests, &QTimer::timeout, this, [this] { m_overlay->setBrushCarried(false); });
     m_viewMotion.setSingleShot(true);
     m_viewMotion.setInterval(kViewStillMs);
     connect(&m_viewMotion, &QTimer::timeout, this, qOverload<>(&ViewportWidget::update));
-    connect(&m_state, &EditorState::viewCameraChanged, this, [this, redraw] {
+    connect(&m_state, &EditorState::viewCameraChanged, this, [this] {
         m_viewMotion.start();
         redraw();
     });
-    connect(&m_state, &EditorState::viewOptionsChanged, this, redraw);
-    connect(&m_state, &EditorState::brushChanged, this, redraw);
-    connect(&m_state, &EditorState::toolChanged, this, redraw);
-    connect(&m_state, &EditorState::keyframesChanged, this, [this, redraw] {
+    connect(&m_state, &EditorState::viewOptionsChanged, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::brushChanged, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::toolChanged, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::keyframesChanged, this, [this] {
         redraw();
         refreshText();
     });
+}
+
+void ViewportWidget::connectOwn()
+{
     connect(&m_state, &EditorState::longWorkChanged, this, &ViewportWidget::refreshText);
     connect(m_work, &WorkBar::buttonPressed, this, &ViewportWidget::pressWorkButton);
-    connect(&m_tools, &ToolController::scenePreviewChanged, this, redraw);
+    connect(&m_tools, &ToolController::scenePreviewChanged, this, &ViewportWidget::redraw);
     connect(&m_tools, &ToolController::pictureChanged, this, &ViewportWidget::refreshOverlay);
     connect(&m_tools, &ToolController::paletteRequested, this, &ViewportWidget::showPopup);
     connect(&m_clock, &FrameClock::beat, this, &ViewportWidget::beat);

@@ -83,6 +83,12 @@ protected:
 
 private:
     void connectState();
+    void connectScene();
+    void connectSession();
+    void connectView();
+    void connectOwn();
+    void redraw();
+    void redrawPaths();
     void releaseContext();
     void beat(double elapsedSeconds);
     void finishFrame();
