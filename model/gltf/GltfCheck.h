@@ -70,11 +70,4 @@ private:
     Message m_problem;
 };
 
-/// Buffers, views and accessors by themselves; their extents are for validateLayout.
-bool checkData(JsonCheck& check);
-/// Images, textures, materials and meshes.
-bool checkMeshes(JsonCheck& check);
-/// Nodes, skins, animations and scenes.
-bool checkScenes(JsonCheck& check);
-
 } // namespace crowd::model::gltf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "model/gltf/GltfCheck.h"
+#include "model/gltf/GltfCheckData.h"
+
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfValidate.h"
 

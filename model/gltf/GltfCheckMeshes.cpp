@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/gltf/GltfCheck.h"
+#include "model/gltf/GltfCheckMeshes.h"
 
 namespace crowd::model::gltf {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <vector>
+#include "model/gltf/GltfCheckScenes.h"
 
-#include "model/gltf/GltfCheck.h"
+#include <vector>
 
 namespace crowd::model::gltf {
 

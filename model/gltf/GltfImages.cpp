@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "model/gltf/GltfImages.h"
+
 #include <algorithm>
 #include <cstring>
 #include <span>
@@ -11,8 +13,8 @@
 
 #include "model/base/Result.h"
 #include "model/gltf/GltfContainer.h"
+#include "model/gltf/GltfJson.h"
 #include "model/gltf/GltfLimits.h"
-#include "model/gltf/GltfMaterials.h"
 #include "model/gltf/GltfValue.h"
 
 namespace crowd::model::gltf {

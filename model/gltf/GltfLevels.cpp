@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "model/gltf/GltfLevels.h"
+
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "model/gltf/GltfNodes.h"
 #include "model/gltf/GltfValue.h"
 
 namespace crowd::model::gltf {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "model/gltf/GltfFile.h"
+#include "model/gltf/GltfImages.h"
 #include "model/template/Template.h"
 
 namespace tinygltf {
@@ -15,32 +15,8 @@ struct Material;
 struct Primitive;
 } // namespace tinygltf
 
-/// Materials, their variants and pictures.
+/// Materials and their variants.
 namespace crowd::model::gltf {
-
-/// Decodes the pictures that materials ask for, each once. What cannot be decoded becomes a
-/// warning, and the material is drawn without it.
-class ImageTable
-{
-public:
-    ImageTable(const GltfFile& file, std::vector<Message>& warnings);
-
-    /// Index into images() of the picture of a texture, -1 if there is none to be had.
-    int fromTexture(int texture);
-    [[nodiscard]] std::vector<Image> take() { return std::move(m_images); }
-
-private:
-    int fromImage(int image);
-    Result<Image> read(const ImageSource& source);
-
-    const GltfFile& m_file;
-    std::vector<Message>& m_warnings;
-    std::set<int> m_withoutPicture; ///< textures that were warned of
-    std::map<int, int> m_ofFileImage;
-    std::vector<Image> m_images;
-    std::uint64_t m_encodedBytes = 0;
-    std::uint64_t m_pixels = 0;
-};
 
 /// Makes slots of materials: one a material and set of variants, named by extras "slot", else by
 /// the material.

@@ -9,6 +9,7 @@
 #include "model/gltf/FlatNormals.h"
 #include "model/gltf/GltfBones.h"
 #include "model/gltf/GltfJson.h"
+#include "model/gltf/GltfLevels.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfMaterials.h"
 #include "model/gltf/GltfNames.h"

@@ -5,7 +5,9 @@
 #include <array>
 #include <string_view>
 
-#include "model/gltf/GltfCheck.h"
+#include "model/gltf/GltfCheckData.h"
+#include "model/gltf/GltfCheckMeshes.h"
+#include "model/gltf/GltfCheckScenes.h"
 #include "model/gltf/GltfLimits.h"
 #include "model/gltf/GltfText.h"
 

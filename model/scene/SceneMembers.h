@@ -11,8 +11,9 @@
 
 /// What a scene holds beside its people, each member described once. Undo, deltas, comparison,
 /// project files, scripts' environment and recordings are functions over SceneMembers; the compiler
-/// asks for what a new member lacks: isSame() and bytesOf() (model/document/MemberEntries.h) where
-/// its type is not described by fields, and a MemberFile (model/project/MemberFile.h) likewise.
+/// asks for what a new member lacks where its type is not described by fields: isSame() and
+/// bytesOf() (model/document/MemberEntries.h), memberJson() and readMember()
+/// (model/project/MemberJson.h).
 namespace crowd::model {
 
 enum class MemberKind : std::uint8_t {
