@@ -5,6 +5,12 @@ namespace crowd::model::gltf {
 
 namespace {
 
+/// The place of an object's member.
+std::string memberOf(std::string where, const std::string& name)
+{
+    return where.append(".").append(name);
+}
+
 class MeshCheck
 {
 public:
@@ -38,8 +44,8 @@ private:
             return true;
         }
         for (auto& [name, extension] : extensions->items()) {
-            if (extension.is_object() &&
-                !m_check.index(extension, "source", "images", where + ".extensions." + name)) {
+            if (extension.is_object() && !m_check.index(extension, "source", "images",
+                                                        memberOf(where + ".extensions", name))) {
                 return false;
             }
         }
@@ -53,7 +59,7 @@ private:
             if (key == "extras" || !value.is_object() || depth > 4) {
                 continue;
             }
-            const std::string at = where + "." + key;
+            const std::string at = memberOf(where, key);
             if (key.ends_with("Texture") && value.contains("index") &&
                 !m_check.index(value, "index", "textures", at, JsonCheck::Need::Required)) {
                 return false;
@@ -85,7 +91,7 @@ private:
     bool attributes(Json& owner, const std::string& where)
     {
         for (auto& [name, value] : owner.items()) {
-            if (!m_check.indexValue(value, "accessors", where + "." + name)) {
+            if (!m_check.indexValue(value, "accessors", memberOf(where, name))) {
                 return false;
             }
         }

@@ -250,7 +250,7 @@ void RulesDock::rebuildList()
 /// What is wrong with a rule as it stands, or came to light while it runs.
 QString RulesDock::problemOf(const Rule& rule) const
 {
-    const QString problem = ruleProblem(m_state.scene(), rule);
+    QString problem = ruleProblem(m_state.scene(), rule);
     if (!problem.isEmpty()) {
         return problem;
     }
