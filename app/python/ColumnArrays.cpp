@@ -347,46 +347,65 @@ py::object initialValue(const PropertyInfo& property)
     return copied(shape.type, shape.extents, bytes).attr("tolist")();
 }
 
-GivenColumns columnsFrom(const ScenePtr& scene, const py::kwargs& arguments,
-                         std::optional<std::size_t> count, std::span<const TemplateId> templates)
+namespace {
+
+struct GivenArguments
 {
-    std::vector<std::pair<std::string, py::object>> given;
-    std::size_t longest = 1;
+    std::vector<std::pair<std::string, py::object>> byName; ///< templates first
+    std::size_t rows = 1;                                   ///< of the longest
+    bool hasEmpty = false;
+};
+
+/// Refuses what has more rows than a scene has room for before so much is converted.
+GivenArguments argumentsFrom(const py::kwargs& arguments)
+{
+    GivenArguments given;
     for (const auto& [key, value] : arguments) {
         const auto name = key.cast<std::string>();
         const auto object = py::reinterpret_borrow<py::object>(value);
         const std::size_t rows = rowsIn(name, object).value_or(1);
-        if (rows > kMostPeople) { // before so much is converted
+        if (rows > kMostPeople) {
             throw ScriptError(name + " has " + std::to_string(rows) +
                               " rows; a scene has room "
                               "for " +
                               std::to_string(kMostPeople) + " characters.");
         }
-        longest = std::max(longest, rows);
-        if (rows == 0) {
-            longest = 0;
-            count = count.value_or(0);
-        }
-        given.emplace_back(name, object);
+        given.rows = std::max(given.rows, rows);
+        given.hasEmpty |= rows == 0;
+        given.byName.emplace_back(name, object);
     }
-    GivenColumns columns{count.value_or(longest), {}};
-    // Templates first: clip names are theirs.
-    std::stable_partition(given.begin(), given.end(),
+    // Clip names are their templates' own.
+    std::stable_partition(given.byName.begin(), given.byName.end(),
                           [](const auto& item) { return item.first == "template"; });
-    for (const auto& [name, object] : given) {
+    return given;
+}
+
+/// Clips by name: of the templates beside them, or else of those whom the individuals have.
+ColumnValues clipColumn(const Scene& scene, const py::object& names, const GivenColumns& beside,
+                        std::span<const TemplateId> templates)
+{
+    const auto given = std::ranges::find(beside.values, ColumnId::Template, &ColumnValues::column);
+    const std::vector<TemplateId> theirs =
+        given == beside.values.end() ? std::vector<TemplateId>(templates.begin(), templates.end())
+                                     : templatesIn(*given);
+    if (theirs.size() != beside.count) {
+        throw ScriptError("Clips by name need the template beside them.");
+    }
+    return clipsByName(scene, names, theirs);
+}
+
+} // namespace
+
+GivenColumns columnsFrom(const ScenePtr& scene, const py::kwargs& arguments,
+                         std::optional<std::size_t> count, std::span<const TemplateId> templates)
+{
+    const GivenArguments given = argumentsFrom(arguments);
+    GivenColumns columns{count.value_or(given.hasEmpty ? 0 : given.rows), {}};
+    for (const auto& [name, object] : given.byName) {
         if (name == "tint") {
             addTints(object, columns.count, columns.values);
         } else if (name == "clip" && isText(object)) {
-            const auto beside =
-                std::ranges::find(columns.values, ColumnId::Template, &ColumnValues::column);
-            const std::vector<TemplateId> theirs =
-                beside == columns.values.end()
-                    ? std::vector<TemplateId>(templates.begin(), templates.end())
-                    : templatesIn(*beside);
-            if (theirs.size() != columns.count) {
-                throw ScriptError("Clips by name need the template beside them.");
-            }
-            columns.values.push_back(clipsByName(*scene->scene(), object, theirs));
+            columns.values.push_back(clipColumn(*scene->scene(), object, columns, templates));
         } else {
             const ColumnId column = columnNamed(name);
             const RowShape shape = shapeOf(columnInfo(column).type);

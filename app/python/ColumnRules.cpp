@@ -263,35 +263,58 @@ Result<void> checkRoom(const Scene& scene, std::size_t coming)
     return {};
 }
 
+namespace {
+
+/// What can be said of the values of new individuals before any rows are made of them.
+Result<void> checkNew(const Scene& scene, std::size_t n, std::span<const ColumnValues> values)
+{
+    if (auto room = checkRoom(scene, n); !room) {
+        return room;
+    }
+    if (auto valid = checkCommon(n, values); !valid) {
+        return valid;
+    }
+    if (auto valid = checkWalks(scene, values); !valid) {
+        return valid;
+    }
+    if (find(values, ColumnId::Template) == nullptr) {
+        return Error{"create needs a template, as in create(template=t, position=...)."};
+    }
+    if (find(values, ColumnId::Seat) == nullptr && find(values, ColumnId::Position) == nullptr) {
+        return Error{"create needs a position or a seat for each individual."};
+    }
+    return {};
+}
+
+/// Clips and styles are their templates' own.
+Result<void> checkMotion(const TemplateTable& table, const IndividualRows& rows)
+{
+    const auto templates = rows.column(columns::templateId);
+    if (auto valid = checkClips(table, templates, rows.column(columns::clip)); !valid) {
+        return valid;
+    }
+    return checkStyles(table, templates, rows.column(columns::walkStyle));
+}
+
+} // namespace
+
 Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
                                std::span<const ColumnValues> values)
 {
-    if (auto room = checkRoom(scene, n); !room) {
-        return room.error();
-    }
-    if (auto valid = checkCommon(n, values); !valid) {
+    if (auto valid = checkNew(scene, n, values); !valid) {
         return valid.error();
     }
-    if (auto valid = checkWalks(scene, values); !valid) {
-        return valid.error();
-    }
-    const ColumnValues* templates = find(values, ColumnId::Template);
+    const ColumnValues& templates = *find(values, ColumnId::Template);
     const ColumnValues* seats = find(values, ColumnId::Seat);
-    if (templates == nullptr) {
-        return Error{"create needs a template, as in create(template=t, position=...)."};
-    }
-    if (seats == nullptr && find(values, ColumnId::Position) == nullptr) {
-        return Error{"create needs a position or a seat for each individual."};
-    }
     const TemplateTable table(scene);
-    if (auto known = checkTemplates(table, itemsOf<TemplateId>(*templates)); !known) {
+    if (auto known = checkTemplates(table, itemsOf<TemplateId>(templates)); !known) {
         return known.error();
     }
     const std::vector<WorldSeat> places =
         seats != nullptr ? scene.worldSeats() : std::vector<WorldSeat>();
     const Seats seatTable = seatsById(places);
     IndividualRows rows = IndividualRows::withDefaults(std::vector<IndividualId>(n));
-    put(rows, *templates);
+    put(rows, templates);
     if (seats != nullptr) {
         const auto wanted = itemsOf<SeatId>(*seats);
         if (auto free = checkSeats(seatTable, takenByOthers(scene, {}), wanted); !free) {
@@ -303,14 +326,7 @@ Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
     for (const ColumnValues& each : values) {
         put(rows, each);
     }
-    if (auto valid =
-            checkClips(table, rows.column(columns::templateId), rows.column(columns::clip));
-        !valid) {
-        return valid.error();
-    }
-    if (auto valid =
-            checkStyles(table, rows.column(columns::templateId), rows.column(columns::walkStyle));
-        !valid) {
+    if (auto valid = checkMotion(table, rows); !valid) {
         return valid.error();
     }
     return rows;

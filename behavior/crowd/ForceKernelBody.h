@@ -222,19 +222,19 @@ CROWD_INLINE void storeSome(float* to, F8 value, std::size_t lanes)
     }
 }
 
-/// Velocity and place of a block of rows after the step, walls apart. Returns how far each got away
-/// from the way that it was on.
+struct Push
+{
+    F8 x;
+    F8 z;
+};
+
+/// Metres per second², on a block of rows: of others, of walls, and of each one's own wish to go
+/// on.
 template<bool kSlows>
-CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lanes, const Sums& sums,
-                          std::size_t at)
+CROWD_INLINE Push pushOn(const ForceJob& job, std::size_t row, const F8 (&self)[kLanes],
+                         const Sums& sums, std::size_t at)
 {
     const ForceParameters& p = job.parameters;
-    const float* records[kLanes];
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        records[i] = &job.agents.seen[row + i].x;
-    }
-    F8 self[kLanes]; // in the order of Seen
-    transpose(records, self);
     const auto& [atX, atZ, beforeX, beforeZ, radius, facingX, facingZ, preferred] = self;
     const F8 desiredSpeed = load(job.agents.desiredSpeed.data() + row);
     // The mean over a disk of the nearness is a third of it.
@@ -259,6 +259,24 @@ CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lane
     const float perSecond = 1.0F / p.relaxationSeconds;
     forceX += (facingX * (desiredSpeed * pace) - beforeX) * perSecond;
     forceZ += (facingZ * (desiredSpeed * pace) - beforeZ) * perSecond;
+    return {forceX, forceZ};
+}
+
+/// Velocity and place of a block of rows after the step, walls apart. Returns how far each got away
+/// from the way that it was on.
+template<bool kSlows>
+CROWD_INLINE F8 moveBlock(const ForceJob& job, std::size_t row, std::size_t lanes, const Sums& sums,
+                          std::size_t at)
+{
+    const ForceParameters& p = job.parameters;
+    const float* records[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        records[i] = &job.agents.seen[row + i].x;
+    }
+    F8 self[kLanes]; // in the order of Seen
+    transpose(records, self);
+    const auto& [atX, atZ, beforeX, beforeZ, radius, facingX, facingZ, preferred] = self;
+    const auto [forceX, forceZ] = pushOn<kSlows>(job, row, self, sums, at);
     const I8 isBraking = preferred < 0.0F;
     F8 velocityX = isBraking ? beforeX : beforeX + forceX * job.seconds;
     F8 velocityZ = isBraking ? beforeZ : beforeZ + forceZ * job.seconds;

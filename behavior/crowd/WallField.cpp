@@ -72,16 +72,9 @@ void WallField::addCorners(std::span<const Wall> walls)
     }
 }
 
-/// Lists the pieces of each bin, widened by the reach.
-void WallField::layOut(float reach)
+/// Places bins around all pieces, widened by the reach. Returns their size, metres.
+float WallField::placeBins(float reach)
 {
-    m_start.clear();
-    m_items.clear();
-    m_width = 0;
-    m_depth = 0;
-    if (m_pieces.empty()) {
-        return;
-    }
     glm::vec2 low(std::numeric_limits<float>::max());
     glm::vec2 high(std::numeric_limits<float>::lowest());
     for (const WallPiece& piece : m_pieces) {
@@ -99,30 +92,47 @@ void WallField::layOut(float reach)
     m_perMetre = 1.0F / bin;
     m_width = static_cast<int>(size.x * m_perMetre) + 1;
     m_depth = static_cast<int>(size.y * m_perMetre) + 1;
+    return bin;
+}
 
+/// Lists a piece in the bins that it comes near. A slanting wall passes by most bins of its box.
+void WallField::listPiece(std::uint32_t index, float bin, float reach,
+                          std::vector<std::vector<std::uint32_t>>& lists) const
+{
+    const WallPiece& piece = m_pieces[index];
+    const auto [a, b] = endsOf(piece);
+    const glm::vec2 from = (glm::min(a, b) - reach - m_low) * m_perMetre;
+    const glm::vec2 to = (glm::max(a, b) + reach - m_low) * m_perMetre;
+    const int lastColumn = std::min(static_cast<int>(to.x), m_width - 1);
+    const int lastLine = std::min(static_cast<int>(to.y), m_depth - 1);
+    for (int line = std::max(0, static_cast<int>(from.y)); line <= lastLine; ++line) {
+        for (int column = std::max(0, static_cast<int>(from.x)); column <= lastColumn; ++column) {
+            const glm::vec2 middle = m_low + (glm::vec2(column, line) + 0.5F) * bin - piece.at;
+            const float along = std::clamp(glm::dot(middle, piece.along), 0.0F, piece.length);
+            if (glm::distance(middle, along * piece.along) <= reach + bin * 0.7072F) {
+                lists[static_cast<std::size_t>(line) * static_cast<std::size_t>(m_width) +
+                      static_cast<std::size_t>(column)]
+                    .push_back(index);
+            }
+        }
+    }
+}
+
+/// Lists the pieces of each bin, widened by the reach.
+void WallField::layOut(float reach)
+{
+    m_start.clear();
+    m_items.clear();
+    m_width = 0;
+    m_depth = 0;
+    if (m_pieces.empty()) {
+        return;
+    }
+    const float bin = placeBins(reach);
     std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(m_width) *
                                                   static_cast<std::size_t>(m_depth));
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-        const auto [a, b] = endsOf(m_pieces[i]);
-        const glm::vec2 from = (glm::min(a, b) - reach - m_low) * m_perMetre;
-        const glm::vec2 to = (glm::max(a, b) + reach - m_low) * m_perMetre;
-        const int lastColumn = std::min(static_cast<int>(to.x), m_width - 1);
-        const int lastLine = std::min(static_cast<int>(to.y), m_depth - 1);
-        for (int line = std::max(0, static_cast<int>(from.y)); line <= lastLine; ++line) {
-            for (int column = std::max(0, static_cast<int>(from.x)); column <= lastColumn;
-                 ++column) {
-                // A slanting wall passes by most bins of its box.
-                const glm::vec2 middle =
-                    m_low + (glm::vec2(column, line) + 0.5F) * bin - m_pieces[i].at;
-                const float along =
-                    std::clamp(glm::dot(middle, m_pieces[i].along), 0.0F, m_pieces[i].length);
-                if (glm::distance(middle, along * m_pieces[i].along) <= reach + bin * 0.7072F) {
-                    lists[static_cast<std::size_t>(line) * static_cast<std::size_t>(m_width) +
-                          static_cast<std::size_t>(column)]
-                        .push_back(i);
-                }
-            }
-        }
+        listPiece(i, bin, reach, lists);
     }
     for (const auto& list : lists) {
         m_start.push_back(static_cast<std::uint32_t>(m_items.size()));

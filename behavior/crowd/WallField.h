@@ -59,6 +59,9 @@ public:
 private:
     void addCorners(std::span<const Wall> walls);
     void layOut(float reach);
+    [[nodiscard]] float placeBins(float reach);
+    void listPiece(std::uint32_t index, float bin, float reach,
+                   std::vector<std::vector<std::uint32_t>>& lists) const;
 
     std::vector<WallPiece> m_pieces;
     glm::vec2 m_low{0.0F};

@@ -149,59 +149,78 @@ CROWD_INLINE void turnAll(std::span<const Body> bodies, const MotionState& b,
     }
 }
 
+/// Who of a block goes on as before, and who is to be looked at again; their eased speeds.
+struct Gait
+{
+    I8 isWalk;
+    I8 needsUpdate;
+    I8 goesOn;
+    F8 smooth; ///< metres per second
+};
+
+CROWD_INLINE Gait gaitOf(const Turned& turned, const MotionState& b, const StrideParameters& p,
+                         std::size_t first, std::size_t i)
+{
+    const I8 mode = loadWhole(b.mode.data() + first);
+    const I8 mayGoOn = mode == static_cast<std::int32_t>(UpdateMode::Continue);
+    const F8 speed = load(turned.speed + i);
+    const I8 wantsOn = load(turned.preferred + i) > 0.0F;
+    const I8 isWalk = load(b.perMetre.data() + first) > 0.0F;
+    const F8 former = load(b.speed.data() + first);
+    const F8 smooth = former + (speed - former) * p.smoothing;
+    const F8 paced = wantsOn ? (isWalk ? smooth : greater(speed, smooth)) : speed;
+    const I8 isBeyond = (paced > load(b.fastest.data() + first)) |
+                        (paced < load(b.slowest.data() + first)) | (isWalk & ~wantsOn);
+    const I8 needsUpdate = (mode == static_cast<std::int32_t>(UpdateMode::Full)) |
+                           (mayGoOn & isBeyond) |
+                           ((mode == static_cast<std::int32_t>(UpdateMode::Rest)) &
+                            ((speed > p.movesAbove) | wantsOn));
+    return {isWalk, needsUpdate, mayGoOn & ~needsUpdate, smooth};
+}
+
+/// Moves those of a block that go on to where they are now, and their gait along with the way.
+CROWD_INLINE void goOn(const Turned& turned, std::span<const float> heights, MotionState& b,
+                       const StrideParameters& p, std::size_t first, std::size_t i,
+                       const Gait& gait)
+{
+    const F8 x = load(turned.x + i);
+    const F8 z = load(turned.z + i);
+    const F8 heading = load(turned.heading + i);
+    const F8 wayX = x - load(b.x.data() + first);
+    const F8 wayZ = z - load(b.z.data() + first);
+    const F8 quarter = wrapped(heading + kTurn * 0.25F);
+    const F8 ahead = (wayX * sineOf(heading) + wayZ * sineOf(quarter)) * (1.0F / p.stepSeconds);
+    const F8 stride = ahead < p.fastest ? greater(ahead, all(0.0F)) : all(0.0F);
+    const F8 perSecond = load(b.perSecond.data() + first);
+    const F8 rest = perSecond > 0.0F ? all(1.0F) : F8{};
+    const F8 rate = gait.isWalk ? stride * load(b.perMetre.data() + first) : rest;
+    F8 place = load(b.gaitPlace.data() + first) + rate * p.stepSeconds * perSecond;
+    place -= wholeBelow(place);
+
+    storeWhere(gait.goesOn, b.x.data() + first, x);
+    storeWhere(gait.goesOn, b.y.data() + first, load(heights.data() + first));
+    storeWhere(gait.goesOn, b.z.data() + first, z);
+    storeWhere(gait.goesOn, b.heading.data() + first, heading);
+    storeWhere(gait.goesOn, b.speed.data() + first, gait.smooth);
+    storeWhere(gait.goesOn, b.stride.data() + first, stride);
+    storeWhere(gait.goesOn, b.gaitPlace.data() + first, place);
+    const I8 isShown = gait.goesOn & loadWhole(b.isGaitShown.data() + first);
+    storeWhere(isShown, b.place.data() + first, place);
+    storeWhere(isShown, b.rate.data() + first, rate);
+}
+
 inline std::size_t stride(std::span<const Body> bodies, std::span<const float> heights,
                           MotionState& b, const StrideParameters& p, std::size_t begin,
                           std::size_t end, std::uint32_t* needUpdate)
 {
     Turned turned;
     turnAll(bodies, b, p, begin, end, turned);
-    const float perStep = 1.0F / p.stepSeconds;
     std::size_t updates = 0;
     for (std::size_t first = begin; first < end; first += kLanes) {
-        const I8 mode = loadWhole(b.mode.data() + first);
-        const I8 mayGoOn = mode == static_cast<std::int32_t>(UpdateMode::Continue);
-        const std::size_t i = first - begin;
-        const F8 speed = load(turned.speed + i);
-        const I8 wantsOn = load(turned.preferred + i) > 0.0F;
-        const F8 perMetre = load(b.perMetre.data() + first);
-        const I8 isWalk = perMetre > 0.0F;
-        const F8 former = load(b.speed.data() + first);
-        const F8 smooth = former + (speed - former) * p.smoothing;
-        const F8 paced = wantsOn ? (isWalk ? smooth : greater(speed, smooth)) : speed;
-        const I8 isBeyond = (paced > load(b.fastest.data() + first)) |
-                            (paced < load(b.slowest.data() + first)) | (isWalk & ~wantsOn);
-        const I8 needsUpdate = (mode == static_cast<std::int32_t>(UpdateMode::Full)) |
-                               (mayGoOn & isBeyond) |
-                               ((mode == static_cast<std::int32_t>(UpdateMode::Rest)) &
-                                ((speed > p.movesAbove) | wantsOn));
-        const I8 goesOn = mayGoOn & ~needsUpdate;
-
-        const F8 x = load(turned.x + i);
-        const F8 z = load(turned.z + i);
-        const F8 heading = load(turned.heading + i);
-        const F8 wayX = x - load(b.x.data() + first);
-        const F8 wayZ = z - load(b.z.data() + first);
-        const F8 quarter = wrapped(heading + kTurn * 0.25F);
-        const F8 ahead = (wayX * sineOf(heading) + wayZ * sineOf(quarter)) * perStep;
-        const F8 stride = ahead < p.fastest ? greater(ahead, all(0.0F)) : all(0.0F);
-        const F8 perSecond = load(b.perSecond.data() + first);
-        const F8 rest = perSecond > 0.0F ? all(1.0F) : F8{};
-        const F8 rate = isWalk ? stride * perMetre : rest;
-        F8 place = load(b.gaitPlace.data() + first) + rate * p.stepSeconds * perSecond;
-        place -= wholeBelow(place);
-
-        storeWhere(goesOn, b.x.data() + first, x);
-        storeWhere(goesOn, b.y.data() + first, load(heights.data() + first));
-        storeWhere(goesOn, b.z.data() + first, z);
-        storeWhere(goesOn, b.heading.data() + first, heading);
-        storeWhere(goesOn, b.speed.data() + first, smooth);
-        storeWhere(goesOn, b.stride.data() + first, stride);
-        storeWhere(goesOn, b.gaitPlace.data() + first, place);
-        const I8 isShown = goesOn & loadWhole(b.isGaitShown.data() + first);
-        storeWhere(isShown, b.place.data() + first, place);
-        storeWhere(isShown, b.rate.data() + first, rate);
+        const Gait gait = gaitOf(turned, b, p, first, first - begin);
+        goOn(turned, heights, b, p, first, first - begin, gait);
         const std::size_t lanes = std::min(kLanes, end - first);
-        const unsigned bits = bitsOf(needsUpdate) & ((1U << lanes) - 1U);
+        const unsigned bits = bitsOf(gait.needsUpdate) & ((1U << lanes) - 1U);
         listBits(bits, static_cast<std::uint32_t>(first), needUpdate + updates);
         updates += static_cast<std::size_t>(std::popcount(bits));
     }

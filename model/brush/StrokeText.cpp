@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/brush/StrokeText.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QtCore/QCoreApplication>
 
 #include "model/brush/Stroke.h"
@@ -14,6 +17,55 @@ struct Brushes
 {
     Q_DECLARE_TR_FUNCTIONS(Brushes)
 };
+
+struct ReasonText
+{
+    StrokeReason reason;
+    const char* text; ///< in English
+};
+
+/// Those that are said in the same words for each brush.
+constexpr ReasonText kReasons[] = {
+    {StrokeReason::NobodyUnderBrush, QT_TRANSLATE_NOOP("Brushes", "Nobody under the brush")},
+    {StrokeReason::NoFreeSeat, QT_TRANSLATE_NOOP("Brushes", "No free seat under the brush")},
+    {StrokeReason::NoChosenSeat,
+     QT_TRANSLATE_NOOP("Brushes", "No free seat of the chosen rows and wedges under the brush")},
+    {StrokeReason::NoTemplateChosen,
+     QT_TRANSLATE_NOOP("Brushes", "Choose a template to create first")},
+    {StrokeReason::TemplateNotLoaded,
+     QT_TRANSLATE_NOOP("Brushes", "The chosen template is not loaded")},
+    {StrokeReason::TooSteep, QT_TRANSLATE_NOOP("Brushes", "Too steep to stand on")},
+    {StrokeReason::NotWalkable,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "Nobody can walk there: choose “Anywhere” in the brush settings to "
+                       "create characters there all the same")},
+    {StrokeReason::NothingUnderBrush,
+     QT_TRANSLATE_NOOP("Brushes", "Nothing to stand on under the brush")},
+    {StrokeReason::TooNearToOthers,
+     QT_TRANSLATE_NOOP("Brushes", "Others are nearer than the minimal distance")},
+    {StrokeReason::AreaTooFar,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "The area is too large for this density: zoom in or lower the density")},
+    {StrokeReason::TooFewInArea,
+     QT_TRANSLATE_NOOP("Brushes", "The area is too small for anybody at this density")},
+    {StrokeReason::ShareTooSmall,
+     QT_TRANSLATE_NOOP("Brushes", "So small a share of them is nobody")},
+    {StrokeReason::NoSuchSlot, QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen slot")},
+    {StrokeReason::NoSession,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "Nothing runs that could hear an event: give the scene rules, or characters "
+                       "a path, and press Play")},
+    {StrokeReason::NoSuchClip, QT_TRANSLATE_NOOP("Brushes", "None of them has a chosen clip")},
+    {StrokeReason::NothingChosen,
+     QT_TRANSLATE_NOOP("Brushes", "The brush is set to change nothing")},
+    {StrokeReason::ScriptChangedNothing,
+     QT_TRANSLATE_NOOP("Brushes", "The script brush changed nothing")},
+    {StrokeReason::NoDirection, QT_TRANSLATE_NOOP("Brushes", "Drag to show the direction")},
+};
+
+constexpr auto kLast = StrokeReason::NoDirection;
+constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
+static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 
 } // namespace
 
@@ -32,53 +84,12 @@ QString moveText(int affected)
 
 QString reasonText(StrokeReason reason, BrushKind kind)
 {
-    switch (reason) {
-    case StrokeReason::None:
-    case StrokeReason::Cancelled:
-        return {};
-    case StrokeReason::NobodyUnderBrush:
-        return Brushes::tr("Nobody under the brush");
-    case StrokeReason::NoFreeSeat:
-        return Brushes::tr("No free seat under the brush");
-    case StrokeReason::NoChosenSeat:
-        return Brushes::tr("No free seat of the chosen rows and wedges under the brush");
-    case StrokeReason::NoTemplateChosen:
-        return Brushes::tr("Choose a template to create first");
-    case StrokeReason::TemplateNotLoaded:
-        return Brushes::tr("The chosen template is not loaded");
-    case StrokeReason::TooSteep:
-        return Brushes::tr("Too steep to stand on");
-    case StrokeReason::NotWalkable:
-        return Brushes::tr("Nobody can walk there: choose “Anywhere” in the brush settings to "
-                           "create characters there all the same");
-    case StrokeReason::NothingUnderBrush:
-        return Brushes::tr("Nothing to stand on under the brush");
-    case StrokeReason::TooNearToOthers:
-        return Brushes::tr("Others are nearer than the minimal distance");
-    case StrokeReason::AreaTooFar:
-        return Brushes::tr("The area is too large for this density: zoom in or lower the density");
-    case StrokeReason::TooFewInArea:
-        return Brushes::tr("The area is too small for anybody at this density");
-    case StrokeReason::ShareTooSmall:
-        return Brushes::tr("So small a share of them is nobody");
-    case StrokeReason::Unchanged:
+    if (reason == StrokeReason::Unchanged) {
         return QCoreApplication::translate("Brushes", brushType(kind).info.unchanged);
-    case StrokeReason::NoSuchSlot:
-        return Brushes::tr("None of them has the chosen slot");
-    case StrokeReason::NoSession:
-        return Brushes::tr(
-            "Nothing runs that could hear an event: give the scene rules, or characters "
-            "a path, and press Play");
-    case StrokeReason::NoSuchClip:
-        return Brushes::tr("None of them has a chosen clip");
-    case StrokeReason::NothingChosen:
-        return Brushes::tr("The brush is set to change nothing");
-    case StrokeReason::ScriptChangedNothing:
-        return Brushes::tr("The script brush changed nothing");
-    case StrokeReason::NoDirection:
-        return Brushes::tr("Drag to show the direction");
     }
-    return {};
+    const auto* found = std::ranges::find(kReasons, reason, &ReasonText::reason);
+    return found == std::end(kReasons) ? QString()
+                                       : QCoreApplication::translate("Brushes", found->text);
 }
 
 } // namespace crowd::model

@@ -202,24 +202,35 @@ private:
         channel.node = node;
         channel.path = *path;
         channel.interpolation = interpolationOf(sampler.interpolation);
-        const int type = *path == ChannelPath::Rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
+        if (auto read = readValues(channel, output, sampler.output, where); !read) {
+            return read.error();
+        }
+        splitMatrix(m_asset.nodes[static_cast<std::size_t>(node)]);
+        return channel;
+    }
+
+    /// The values of a channel's keys; bad ones are dropped and counted.
+    Result<void> readValues(Channel& channel, const tinygltf::Accessor& output, int accessor,
+                            const std::string& where)
+    {
+        const bool turns = channel.path == ChannelPath::Rotation;
         const std::size_t keys =
             channel.times.size() * (channel.interpolation == Interpolation::CubicSpline ? 3 : 1);
-        if (output.type != type || output.count < keys) {
+        if (output.type != (turns ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3) ||
+            output.count < keys) {
             return Error{
                 QT_TRANSLATE_NOOP(
                     "Messages", "%1: it has %2 values of the wrong number or type for its %3 keys"),
                 where, output.count, channel.times.size()};
         }
-        FloatArray values = readFloats(m_model, sampler.output);
+        FloatArray values = readFloats(m_model, accessor);
         values.values.resize(keys * values.components);
         channel.values = std::move(values.values);
         m_dropped += dropBadKeys(channel);
-        if (*path == ChannelPath::Rotation) {
+        if (turns) {
             normalizeRotations(channel);
         }
-        splitMatrix(m_asset.nodes[static_cast<std::size_t>(node)]);
-        return channel;
+        return {};
     }
 
     static void keepFiniteTimes(std::vector<float>& times)

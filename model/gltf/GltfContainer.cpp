@@ -30,9 +30,9 @@ std::uint32_t readU32(const Bytes& bytes, std::size_t at)
            static_cast<std::uint32_t>(bytes[at + 3]) << 24U;
 }
 
-Result<Container> readGlb(const Bytes& bytes)
+/// How many bytes of a file its GLB header says are the GLB's.
+Result<std::size_t> lengthOfGlb(const Bytes& bytes)
 {
-    Container container;
     if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
         return Error{
             QT_TRANSLATE_NOOP("Messages", "the file ends within the GLB header (%1 bytes)"),
@@ -49,6 +49,48 @@ Result<Container> readGlb(const Bytes& bytes)
             QT_TRANSLATE_NOOP("Messages", "the GLB header promises %1 bytes, the file has only %2"),
             length, bytes.size()};
     }
+    return length;
+}
+
+/// Takes in the chunk of the given number at a byte, `left` of them from there on. Returns its size
+/// with its header.
+Result<std::size_t> takeChunk(Container& container, const Bytes& bytes, std::size_t chunk,
+                              std::size_t at, std::size_t left)
+{
+    const std::size_t size = readU32(bytes, at);
+    const std::uint32_t type = readU32(bytes, at + 4);
+    if (size > left - kChunkHeaderBytes) {
+        return Error{
+            QT_TRANSLATE_NOOP("Messages",
+                              "GLB chunk %1 at byte %2 is %3 bytes long, but only %4 are left"),
+            chunk, at, size, left - kChunkHeaderBytes};
+    }
+    if ((chunk == 0) != (type == kJsonChunk)) {
+        return Error{
+            chunk == 0
+                ? QT_TRANSLATE_NOOP("Messages", "GLB chunk %1 at byte %2 is not the JSON chunk")
+                : QT_TRANSLATE_NOOP("Messages", "GLB chunk %1 at byte %2 is a second JSON chunk"),
+            chunk, at};
+    }
+    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at + kChunkHeaderBytes);
+    const auto last = first + static_cast<std::ptrdiff_t>(size);
+    if (type == kJsonChunk) {
+        container.json.assign(first, last);
+    } else if (type == kBinaryChunk && !container.hasBinary) {
+        container.binary.assign(first, last);
+        container.hasBinary = true;
+    }
+    return kChunkHeaderBytes + size;
+}
+
+Result<Container> readGlb(const Bytes& bytes)
+{
+    const Result<std::size_t> whole = lengthOfGlb(bytes);
+    if (!whole) {
+        return whole.error();
+    }
+    const std::size_t length = whole.value();
+    Container container;
     if (length < bytes.size()) {
         container.warnings.emplace_back(
             QT_TRANSLATE_NOOP("Messages", "%1 bytes after the end of the GLB are ignored."),
@@ -56,32 +98,11 @@ Result<Container> readGlb(const Bytes& bytes)
     }
     std::size_t at = kHeaderBytes;
     for (std::size_t chunk = 0; at + kChunkHeaderBytes <= length; ++chunk) {
-        const std::size_t size = readU32(bytes, at);
-        const std::uint32_t type = readU32(bytes, at + 4);
-        const std::size_t begin = at + kChunkHeaderBytes;
-        if (size > length - begin) {
-            return Error{
-                QT_TRANSLATE_NOOP("Messages",
-                                  "GLB chunk %1 at byte %2 is %3 bytes long, but only %4 are left"),
-                chunk, at, size, length - begin};
+        const Result<std::size_t> size = takeChunk(container, bytes, chunk, at, length - at);
+        if (!size) {
+            return size.error();
         }
-        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
-        const auto last = first + static_cast<std::ptrdiff_t>(size);
-        if ((chunk == 0) != (type == kJsonChunk)) {
-            return Error{
-                chunk == 0
-                    ? QT_TRANSLATE_NOOP("Messages", "GLB chunk %1 at byte %2 is not the JSON chunk")
-                    : QT_TRANSLATE_NOOP("Messages",
-                                        "GLB chunk %1 at byte %2 is a second JSON chunk"),
-                chunk, at};
-        }
-        if (type == kJsonChunk) {
-            container.json.assign(first, last);
-        } else if (type == kBinaryChunk && !container.hasBinary) {
-            container.binary.assign(first, last);
-            container.hasBinary = true;
-        }
-        at = begin + size;
+        at += size.value();
     }
     return container;
 }

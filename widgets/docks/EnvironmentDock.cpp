@@ -38,6 +38,16 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_tree->setObjectName(QStringLiteral("environmentTree"));
     setUpOutline(*m_tree);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    buildContent();
+    followScene();
+    followSession();
+    followTree();
+    rebuild();
+}
+
+/// The tree, what is said below it, and the form of what is chosen.
+void EnvironmentDock::buildContent()
+{
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
@@ -64,9 +74,10 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_tree->setMinimumHeight(kLeastTreeHeight);
     layout->addWidget(new SurfaceForm(m_state, content));
     setScrolledContent(content);
+}
 
-    followScene();
-    followSession();
+void EnvironmentDock::followTree()
+{
     connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentDock::showSelection);
     connect(&m_state.session(), &SessionControl::problemsChanged, this,
             &EnvironmentDock::showProblems);
@@ -81,7 +92,6 @@ EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     m_scroll.setInterval(kRedrawMs);
     connect(&m_scroll, &QTimer::timeout, this, &EnvironmentDock::scrollToSelection);
     connect(this, &QDockWidget::visibilityChanged, &m_scroll, qOverload<>(&QTimer::start));
-    rebuild();
 }
 
 void EnvironmentDock::followScene()

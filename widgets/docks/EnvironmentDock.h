@@ -53,7 +53,9 @@ private:
     static constexpr QColor kTroubleColor{208, 80, 64};
     [[nodiscard]] static QIcon colorIcon(const std::array<std::uint8_t, 3>& color);
 
+    void buildContent();
     void followScene();
+    void followTree();
     void followSession();
     void buildForm();
     void buildNameRow();

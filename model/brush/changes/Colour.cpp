@@ -56,6 +56,31 @@ Tint steppedTint(const Tint& from, const Tint& to, float share)
             stepped(from.blue, to.blue, share), stepped(from.strength, to.strength, share)};
 }
 
+/// What the operator brings to a slot: asked when it is first needed, once for all slots or once
+/// for each.
+class SlotValues
+{
+public:
+    SlotValues(const ChangeRequest& request, bool eachApart)
+        : m_shares(request), m_eachApart(eachApart)
+    {
+    }
+
+    [[nodiscard]] const OperatorResult& of(std::size_t slot)
+    {
+        auto& asked = m_values[m_eachApart ? slot : 0];
+        if (!asked) {
+            asked = m_shares.of(DrawPurpose::Colour, m_eachApart ? slot + 1 : 0);
+        }
+        return *asked;
+    }
+
+private:
+    OperatorShares m_shares;
+    bool m_eachApart;
+    std::array<std::optional<OperatorResult>, kMaxTintSlots> m_values;
+};
+
 } // namespace
 
 ChangeResult ColourSettings::change(const ChangeRequest& request)
@@ -64,16 +89,7 @@ ChangeResult ColourSettings::change(const ChangeRequest& request)
     const BrushSettings& brush = request.settings;
     const auto& settings = brush.as<ColourSettings>();
     const auto templates = scene.population.column(columns::templateId);
-    const OperatorShares shares(request);
-    std::array<std::optional<OperatorResult>, kMaxTintSlots> values;
-    const auto valuesOf = [&](std::size_t slot) -> const OperatorResult& {
-        const std::size_t apart = settings.eachSlotApart ? slot + 1 : 0;
-        auto& asked = values[settings.eachSlotApart ? slot : 0];
-        if (!asked) {
-            asked = shares.of(DrawPurpose::Colour, apart);
-        }
-        return *asked;
-    };
+    SlotValues values(request, settings.eachSlotApart);
     const auto replaced = scene.population.column(columns::tintReplaces);
     std::array<ColumnChange<Tint>, kMaxTintSlots> changes;
     ColumnChange<std::uint16_t> modeChange;
@@ -94,7 +110,7 @@ ChangeResult ColourSettings::change(const ChangeRequest& request)
             const auto bit = static_cast<std::uint16_t>(1U << slot);
             modes = static_cast<std::uint16_t>(settings.replaces ? modes | bit : modes & ~bit);
             const Tint before = scene.population.column(columns::tint(static_cast<int>(slot)))[row];
-            const Tint target = targetTint(settings, valuesOf(slot), i);
+            const Tint target = targetTint(settings, values.of(slot), i);
             changes[slot].set(id, before,
                               brush.buildUp ? steppedTint(before, target, brush.flow) : target);
         }

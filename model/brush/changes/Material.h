@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <string>
+
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
 
@@ -72,6 +75,19 @@ constexpr auto MaterialSettings::fields()
             .when([](const S& s, const FieldContext&) { return s.choice.empty(); }));
 }
 
+/// The index of a slot's choice: the one of that name, or by the share where there is no name; as
+/// many as there are where none is meant.
+template<class Choices>
+std::size_t chosenMaterial(const Choices& all, const std::string& name, double share)
+{
+    if (name.empty()) {
+        return std::min(static_cast<std::size_t>(share * static_cast<double>(all.size())),
+                        all.size() - 1);
+    }
+    return static_cast<std::size_t>(std::ranges::find(all, name, &Choices::value_type::name) -
+                                    all.begin());
+}
+
 /// `Request` is ChangeRequest, which knows this brush: its tools are looked up when it is complete.
 template<class Request>
 auto MaterialSettings::change(const Request& request)
@@ -104,15 +120,7 @@ auto MaterialSettings::change(const Request& request)
             if (!meant.contains(entry->asset->slots[index])) {
                 continue;
             }
-            std::size_t chosen = 0;
-            if (settings.choice.empty()) {
-                const double place = draws[index][i] * static_cast<double>(all.size());
-                chosen = std::min(static_cast<std::size_t>(place), all.size() - 1);
-            } else {
-                while (chosen < all.size() && all[chosen].name != settings.choice) {
-                    ++chosen;
-                }
-            }
+            const std::size_t chosen = chosenMaterial(all, settings.choice, draws[index][i]);
             if (chosen < all.size()) {
                 hasSlot = true;
                 wanted[index] = static_cast<std::uint8_t>(chosen);
