@@ -1852,6 +1852,61 @@
     </message>
 </context>
 <context>
+    <name>IndividualWriter</name>
+    <message>
+        <source>Change template</source>
+        <translation>Vorlage wechseln</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Change tags</source>
+        <translation>Marken ändern</translation>
+    </message>
+    <message>
+        <source>Change clip</source>
+        <translation>Clip ändern</translation>
+    </message>
+    <message>
+        <source>Sit down</source>
+        <translation>Hinsetzen</translation>
+    </message>
+    <message>
+        <source>There is no seat %1.</source>
+        <translation>Es gibt keinen Sitz %1.</translation>
+    </message>
+    <message>
+        <source>Somebody else sits on seat %1.</source>
+        <translation>Auf Sitz %1 sitzt schon jemand.</translation>
+    </message>
+    <message>
+        <source>Stand up</source>
+        <translation>Aufstehen</translation>
+    </message>
+    <message>
+        <source>Change tint</source>
+        <translation>Tönung ändern</translation>
+    </message>
+    <message>
+        <source>Change the mode of a tint</source>
+        <translation>Modus einer Tönung ändern</translation>
+    </message>
+    <message>
+        <source>Change outfit</source>
+        <translation>Kleidung ändern</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Teil verbergen</translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -6130,14 +6185,6 @@ Verworfen ist sie fort.</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Orte</translation>
-    </message>
-    <message>
         <source>Colour a place</source>
         <translation>Einen Ort färben</translation>
     </message>
@@ -6161,13 +6208,6 @@ Verworfen ist sie fort.</translation>
         <source>Change the speed on slow ground</source>
         <translation>Tempo auf langsamem Boden ändern</translation>
     </message>
-    <message numerus="yes">
-        <source>%n in it · %1 m</source>
-        <translation>
-            <numerusform>%n darin · %1 m</numerusform>
-            <numerusform>%n darin · %1 m</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No paths yet. Take the path brush (P) and click where characters are to walk; then let characters walk along it with the walk brush (W).</source>
         <translation>Noch keine Wege. Den Wegpinsel nehmen (P) und klicken, wo gegangen werden soll; dann Figuren mit dem Gehpinsel (W) darauf gehen lassen.</translation>
@@ -6183,13 +6223,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Characters stop</source>
         <translation>Figuren halten an</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n characters</source>
-        <translation>
-            <numerusform>Eine Figur</numerusform>
-            <numerusform>%n Figuren</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
@@ -6275,6 +6308,39 @@ Verworfen ist sie fort.</translation>
             <numerusform>Eine Figur gehen lassen</numerusform>
             <numerusform>%n Figuren gehen lassen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentTree</name>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1 m</source>
+        <translation>
+            <numerusform>%n darin · %1 m</numerusform>
+            <numerusform>%n darin · %1 m</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Rename a path</source>
+        <translation>Einen Weg umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename a place</source>
+        <translation>Einen Ort umbenennen</translation>
     </message>
 </context>
 <context>
@@ -6443,10 +6509,6 @@ Verworfen ist sie fort.</translation>
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
         <source>Tint of %1</source>
         <translation>Tönung von %1</translation>
     </message>
@@ -6478,52 +6540,8 @@ Verworfen ist sie fort.</translation>
         <translation>Farbton; ein Klick wählt eine Farbe, ein Rechtsklick nimmt sie weg</translation>
     </message>
     <message>
-        <source>There is no seat %1.</source>
-        <translation>Es gibt keinen Sitz %1.</translation>
-    </message>
-    <message>
-        <source>Somebody else sits on seat %1.</source>
-        <translation>Auf Sitz %1 sitzt schon jemand.</translation>
-    </message>
-    <message>
         <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
         <translation>Namen oder Nummern von Marken von 1 bis 64, etwa mutig, 3-5</translation>
-    </message>
-    <message>
-        <source>Change template</source>
-        <translation>Vorlage wechseln</translation>
-    </message>
-    <message>
-        <source>Change tags</source>
-        <translation>Marken ändern</translation>
-    </message>
-    <message>
-        <source>Change clip</source>
-        <translation>Clip ändern</translation>
-    </message>
-    <message>
-        <source>Sit down</source>
-        <translation>Hinsetzen</translation>
-    </message>
-    <message>
-        <source>Stand up</source>
-        <translation>Aufstehen</translation>
-    </message>
-    <message>
-        <source>Change tint</source>
-        <translation>Tönung ändern</translation>
-    </message>
-    <message>
-        <source>Change outfit</source>
-        <translation>Kleidung ändern</translation>
-    </message>
-    <message>
-        <source>Show part</source>
-        <translation>Teil zeigen</translation>
-    </message>
-    <message>
-        <source>Hide part</source>
-        <translation>Teil verbergen</translation>
     </message>
     <message>
         <source>Character</source>
@@ -6551,10 +6569,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Whether the tint multiplies the colour that is there or replaces it</source>
         <translation>Ob die Tönung die Farbe darunter multipliziert oder ersetzt</translation>
-    </message>
-    <message>
-        <source>Change the mode of a tint</source>
-        <translation>Modus einer Tönung ändern</translation>
     </message>
 </context>
 <context>
@@ -6759,6 +6773,113 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RuleCommands</name>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Duplicate the rule</source>
+        <translation>Die Regel verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the rule</source>
+        <translation>Die Regel löschen</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>Ausschalten</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Up</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Down</translation>
+    </message>
+    <message>
+        <source>Test on Selected</source>
+        <translation>An den gewählten ausprobieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected characters, or on all, while it plays</source>
+        <translation>Die Regel an den gewählten Figuren oder an allen ausprobieren, während abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a rule, or a ready-made set of rules</source>
+        <translation>Eine Regel oder fertige Regeln hinzufügen</translation>
+    </message>
+    <message>
+        <source>A New Rule</source>
+        <translation>Eine neue Regel</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Change a rule</source>
+        <translation>Eine Regel ändern</translation>
+    </message>
+    <message>
+        <source>Reorder the rules</source>
+        <translation>Die Regeln umordnen</translation>
+    </message>
+    <message>
+        <source>New rule</source>
+        <translation>Neue Regel</translation>
+    </message>
+    <message>
+        <source>Add a rule</source>
+        <translation>Eine Regel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add rules: %1</source>
+        <translation>Regeln hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Duplicate a rule</source>
+        <translation>Eine Regel verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete a rule</source>
+        <translation>Eine Regel löschen</translation>
+    </message>
+    <message>
+        <source>Choose a rule that begins with an event to try it.</source>
+        <translation>Zum Ausprobieren eine Regel wählen, die mit einem Ereignis beginnt.</translation>
+    </message>
+    <message>
+        <source>Press Play first: rules act while it plays.</source>
+        <translation>Zuerst auf Abspielen drücken: Regeln wirken, während abgespielt wird.</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RuleEditor</name>
     <message>
         <source>Name</source>
@@ -6888,116 +7009,12 @@ Verworfen ist sie fort.</translation>
         <translation>Beim Abspielen Ausgelöstes</translation>
     </message>
     <message>
-        <source>Add a rule, or a ready-made set of rules</source>
-        <translation>Eine Regel oder fertige Regeln hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>A New Rule</source>
-        <translation>Eine neue Regel</translation>
-    </message>
-    <message>
-        <source>Duplicate the rule</source>
-        <translation>Die Regel verdoppeln</translation>
-    </message>
-    <message>
-        <source>Delete the rule</source>
-        <translation>Die Regel löschen</translation>
-    </message>
-    <message>
-        <source>Change a rule</source>
-        <translation>Eine Regel ändern</translation>
-    </message>
-    <message>
-        <source>New rule</source>
-        <translation>Neue Regel</translation>
-    </message>
-    <message>
-        <source>Add a rule</source>
-        <translation>Eine Regel hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add rules: %1</source>
-        <translation>Regeln hinzufügen: %1</translation>
-    </message>
-    <message>
-        <source>Duplicate a rule</source>
-        <translation>Eine Regel verdoppeln</translation>
-    </message>
-    <message>
-        <source>Delete a rule</source>
-        <translation>Eine Regel löschen</translation>
-    </message>
-    <message>
-        <source>Choose a rule that begins with an event to try it.</source>
-        <translation>Zum Ausprobieren eine Regel wählen, die mit einem Ereignis beginnt.</translation>
-    </message>
-    <message>
-        <source>Press Play first: rules act while it plays.</source>
-        <translation>Zuerst auf Abspielen drücken: Regeln wirken, während abgespielt wird.</translation>
-    </message>
-    <message>
-        <source>Reorder the rules</source>
-        <translation>Die Regeln umordnen</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Verdoppeln</translation>
-    </message>
-    <message>
-        <source>Ctrl+D</source>
-        <translation>Ctrl+D</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Disable</source>
-        <translation>Ausschalten</translation>
-    </message>
-    <message>
-        <source>Move Up</source>
-        <translation>Nach oben</translation>
-    </message>
-    <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
-        <source>Move Down</source>
-        <translation>Nach unten</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
-    </message>
-    <message>
-        <source>Test on Selected</source>
-        <translation>An den gewählten ausprobieren</translation>
-    </message>
-    <message>
-        <source>Ctrl+T</source>
-        <translation>Ctrl+T</translation>
-    </message>
-    <message>
-        <source>Enable</source>
-        <translation>Einschalten</translation>
-    </message>
-    <message>
         <source>Log only the selected characters</source>
         <translation>Nur Ausgewählte aufschreiben</translation>
     </message>
     <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
-    </message>
-    <message>
-        <source>Test the rule on the selected characters, or on all, while it plays</source>
-        <translation>Die Regel an den gewählten Figuren oder an allen ausprobieren, während abgespielt wird</translation>
     </message>
 </context>
 <context>

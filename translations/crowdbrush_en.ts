@@ -1852,6 +1852,61 @@
     </message>
 </context>
 <context>
+    <name>IndividualWriter</name>
+    <message>
+        <source>Change template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sit down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no seat %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody else sits on seat %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stand up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mode of a tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change outfit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -6123,14 +6178,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Colour a place</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6154,13 +6201,6 @@ Thrown away, it is gone.</source>
         <source>Change the speed on slow ground</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n in it · %1 m</source>
-        <translation>
-            <numerusform>%n in it · %1 m</numerusform>
-            <numerusform>%n in it · %1 m</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No paths yet. Take the path brush (P) and click where characters are to walk; then let characters walk along it with the walk brush (W).</source>
         <translation type="unfinished"></translation>
@@ -6176,13 +6216,6 @@ Thrown away, it is gone.</source>
     <message>
         <source>Characters stop</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n characters</source>
-        <translation>
-            <numerusform>%n character</numerusform>
-            <numerusform>%n characters</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 &lt;a href=&quot;people&quot;&gt;Select them&lt;/a&gt;</source>
@@ -6268,6 +6301,39 @@ Thrown away, it is gone.</source>
             <numerusform>Let %n character walk</numerusform>
             <numerusform>Let %n characters walk</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::EnvironmentTree</name>
+    <message>
+        <source>Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in it · %1 m</source>
+        <translation>
+            <numerusform>%n in it · %1 m</numerusform>
+            <numerusform>%n in it · %1 m</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a place</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6436,10 +6502,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tint of %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6471,51 +6533,7 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no seat %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Somebody else sits on seat %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Names or numbers of tags from 1 to 64, as brave, 3-5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change template</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change tags</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change clip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sit down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stand up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change tint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change outfit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hide part</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6543,10 +6561,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Whether the tint multiplies the colour that is there or replaces it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the mode of a tint</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6752,6 +6766,113 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RuleCommands</name>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test on Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test the rule on the selected characters, or on all, while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a rule, or a ready-made set of rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A New Rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reorder the rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add rules: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a rule that begins with an event to try it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Play first: rules act while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RuleEditor</name>
     <message>
         <source>Name</source>
@@ -6881,115 +7002,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add a rule, or a ready-made set of rules</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A New Rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate the rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete the rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add rules: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a rule that begins with an event to try it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Play first: rules act while it plays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reorder the rules</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move Up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt+Up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move Down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Test on Selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Log only the selected characters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Test the rule on the selected characters, or on all, while it plays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -11,7 +11,7 @@ DockBase::DockBase(const QString& title, const char* objectName, QWidget* parent
     setObjectName(QLatin1String(objectName));
 }
 
-void DockBase::setUpOutline(QTreeWidget& tree)
+void setUpOutline(QTreeWidget& tree)
 {
     tree.setColumnCount(2);
     tree.header()->hide();

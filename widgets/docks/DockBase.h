@@ -9,6 +9,9 @@ namespace crowd::widgets {
 
 inline constexpr int kIdRole = Qt::UserRole; ///< where a list keeps the id of what a row shows
 
+/// Makes a tree one of names with their values beside them, renamed by key, with a menu of its own.
+void setUpOutline(QTreeWidget& tree);
+
 /// A dock whose content scrolls when the dock is small and that never forces the window wider.
 class DockBase : public QDockWidget
 {
@@ -17,8 +20,6 @@ class DockBase : public QDockWidget
 protected:
     DockBase(const QString& title, const char* objectName, QWidget* parent);
     void setScrolledContent(QWidget* content);
-    /// A tree of names with their values beside them, renamed by key, with a menu of its own.
-    static void setUpOutline(QTreeWidget& tree);
 };
 
 } // namespace crowd::widgets

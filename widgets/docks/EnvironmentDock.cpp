@@ -7,42 +7,35 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
-#include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/docks/BranchList.h"
+#include "widgets/docks/EnvironmentTree.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/SurfaceForm.h"
 #include "widgets/state/BrushTexts.h"
-#include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
 
 namespace {
 
-constexpr int kRedrawMs = 30;
-constexpr int kLeastTreeHeight = 120; ///< half a dozen rows; what is left over is the tree's too
+constexpr int kScrollMs = 30;
 constexpr int kRowSpacing = 3;
 
 } // namespace
 
 EnvironmentDock::EnvironmentDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Environment"), "environment", parent), m_state(state),
-      m_tree(new QTreeWidget(this))
+      m_tree(new EnvironmentTree(state, this))
 {
-    m_tree->setObjectName(QStringLiteral("environmentTree"));
-    setUpOutline(*m_tree);
-    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     buildContent();
-    followScene();
-    followSession();
     followTree();
-    rebuild();
+    m_tree->rebuild();
 }
 
 /// The tree, what is said below it, and the form of what is chosen.
@@ -71,50 +64,30 @@ void EnvironmentDock::buildContent()
     m_form->setVerticalSpacing(kRowSpacing);
     layout->addLayout(m_form);
     buildForm();
-    m_tree->setMinimumHeight(kLeastTreeHeight);
     layout->addWidget(new SurfaceForm(m_state, content));
     setScrolledContent(content);
 }
 
 void EnvironmentDock::followTree()
 {
-    connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentDock::showSelection);
-    connect(&m_state.session(), &SessionControl::problemsChanged, this,
-            &EnvironmentDock::showProblems);
-    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &EnvironmentDock::takeSelection);
-    connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-        if (!m_isFilling) {
-            rename(item);
-        }
+    connect(m_tree, &EnvironmentTree::rebuilt, this, [this] {
+        const bool isEmpty = m_state.scene().places.empty() && m_state.scene().paths.empty();
+        m_note->setVisible(isEmpty);
+        m_tree->setVisible(!isEmpty); // else the note would stand below an empty list
     });
-    connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &EnvironmentDock::showMenu);
+    connect(m_tree, &EnvironmentTree::chosen, this, [this] {
+        refreshForm();
+        showProblem();
+        m_scroll.start();
+    });
+    connect(&m_state.session(), &SessionControl::problemsChanged, this, [this] {
+        m_tree->showProblems();
+        showProblem();
+    });
     m_scroll.setSingleShot(true);
-    m_scroll.setInterval(kRedrawMs);
-    connect(&m_scroll, &QTimer::timeout, this, &EnvironmentDock::scrollToSelection);
+    m_scroll.setInterval(kScrollMs);
+    connect(&m_scroll, &QTimer::timeout, m_tree, &EnvironmentTree::scrollToSelection);
     connect(this, &QDockWidget::visibilityChanged, &m_scroll, qOverload<>(&QTimer::start));
-}
-
-void EnvironmentDock::followScene()
-{
-    m_rebuild.setSingleShot(true);
-    m_rebuild.setInterval(kRedrawMs);
-    connect(&m_rebuild, &QTimer::timeout, this, &EnvironmentDock::rebuild);
-    connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                const bool isShown =
-                    std::visit(model::Overloaded{
-                                   [](const model::ColumnsChanged& columns) {
-                                       return columns.columns.contains(model::ColumnId::Path);
-                                   },
-                                   [](const model::LightingChanged&) { return false; },
-                                   [](const model::CamerasChanged&) { return false; },
-                                   [](const auto&) { return true; },
-                               },
-                               change);
-                if (isShown && !m_rebuild.isActive()) {
-                    m_rebuild.start();
-                }
-            });
 }
 
 void EnvironmentDock::buildForm()
@@ -299,27 +272,6 @@ void EnvironmentDock::refreshForm()
     m_isFilling = false;
 }
 
-void EnvironmentDock::rename(QTreeWidgetItem* item)
-{
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    const std::string name = item->text(0).toStdString();
-    const auto id = item->data(0, kIdRole).toUInt();
-    auto edit = m_state.document().beginEdit();
-    if (item->type() == PathItem) {
-        model::Path renamed = *m_state.scene().findPath(id);
-        renamed.name = name;
-        edit->changePath(renamed);
-        edit->commit(tr("Rename a path"));
-    } else if (item->type() == PlaceItem) {
-        model::Place renamed = *m_state.scene().findPlace(id);
-        renamed.name = name;
-        edit->changePlace(renamed);
-        edit->commit(tr("Rename a place"));
-    }
-}
-
 void EnvironmentDock::chooseColor()
 {
     const model::Place* shown = place();
@@ -337,6 +289,31 @@ void EnvironmentDock::chooseColor()
         changePlace(tr("Colour a place"), [&](model::Place& each) { each.color = color; });
     } else {
         changePath(tr("Colour a path"), [&](model::Path& each) { each.color = color; });
+    }
+}
+
+/// Above the form: of what is chosen, or of people, whom a click selects.
+void EnvironmentDock::showProblem()
+{
+    QString text = m_tree->problemOfChosen();
+    const std::vector<behavior::Problem>& problems = m_state.session().problems();
+    const auto ofPeople = std::ranges::find_if(
+        problems, [](const behavior::Problem& problem) { return !problem.people.empty(); });
+    if (text.isEmpty() && ofPeople != problems.end()) {
+        text = tr("%1 <a href=\"people\">Select them</a>")
+                   .arg(model::translated(ofPeople->text).toHtmlEscaped());
+    }
+    m_problem->setText(text);
+    m_problem->setVisible(!text.isEmpty());
+}
+
+void EnvironmentDock::selectTroubled()
+{
+    for (const behavior::Problem& problem : m_state.session().problems()) {
+        if (!problem.people.empty()) {
+            m_state.selection().set(problem.people);
+            return;
+        }
     }
 }
 

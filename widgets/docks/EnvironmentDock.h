@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <functional>
-#include <vector>
 
 #include <QtCore/QTimer>
-#include <QtGui/QColor>
-#include <QtGui/QIcon>
 
-#include "behavior/session/SessionTally.h"
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
@@ -19,17 +14,15 @@ class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace crowd::widgets {
 
 class BranchList;
+class EnvironmentTree;
 class NumberField;
 
-/// Places and paths as a tree, with all their values below it. What is selected here is selected
-/// in the picture and the other way round; every change is one undo step. While a session runs, its
-/// people are counted.
+/// Places and paths as a tree, with all values of what is selected below it, and what is wrong with
+/// them; every change is one undo step.
 class EnvironmentDock : public DockBase
 {
     Q_OBJECT
@@ -38,46 +31,17 @@ public:
     EnvironmentDock(EditorState& state, QWidget* parent);
 
 private:
-    /// Of items in the tree, and where the place of a path is in it.
-    enum ItemType { KindItem = 1001, PathItem, PlaceItem };
-    static constexpr int kIndexRole = Qt::UserRole + 1;
-
-    /// What the tree last scrolled to: the path, the places, and how many places it has.
-    struct Shown
-    {
-        model::PathId path = 0;
-        std::vector<model::PlaceId> places;
-        int length = 0;
-        friend bool operator==(const Shown&, const Shown&) = default;
-    };
-    static constexpr QColor kTroubleColor{208, 80, 64};
-    [[nodiscard]] static QIcon colorIcon(const std::array<std::uint8_t, 3>& color);
-
     void buildContent();
-    void followScene();
     void followTree();
-    void followSession();
     void buildForm();
     void buildNameRow();
     void buildPlaceRows();
     void buildSizeRow();
     void buildPathRows();
-    void rebuild();
-    void addPaths();
-    void addPlaces();
-    static QTreeWidgetItem* addPlace(QTreeWidgetItem& parent, const model::Place& place);
-    [[nodiscard]] behavior::SessionTally tally() const;
-    void showCounts();
-    void showSelection();
-    void scrollToSelection();
-    void takeSelection();
     void refreshForm();
-    [[nodiscard]] QString problemOf(const QTreeWidgetItem& item) const;
-    void showProblems();
+    void showProblem();
     /// The people whom a problem names.
     void selectTroubled();
-    void rename(QTreeWidgetItem* item);
-    void showMenu(const QPoint& position);
     void chooseColor();
     void changePlace(const QString& undoText, const std::function<void(model::Place&)>& change);
     void changePath(const QString& undoText, const std::function<void(model::Path&)>& change);
@@ -85,13 +49,8 @@ private:
     [[nodiscard]] const model::Path* path() const;
 
     EditorState& m_state;
-    QTreeWidget* m_tree;
-    QTimer m_rebuild;
-    QTimer m_scroll;                ///< the form below may take room from the tree first
-    QTimer m_count;                 ///< until people of the session are counted again
-    double m_countedSeconds = -1.0; ///< of the session, when they last were
-    behavior::SessionTally m_tally; ///< as the tree shows it
-    Shown m_shown;
+    EnvironmentTree* m_tree;
+    QTimer m_scroll; ///< the form below may take room from the tree first
     // Children of this widget.
     QLineEdit* m_name;
     NumberField* m_position[3];

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
+#include "widgets/docks/EnvironmentTree.h"
+
 #include <algorithm>
 #include <map>
 
 #include <QtCore/QLocale>
 #include <QtGui/QPainter>
-#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QScrollBar>
-#include <QtWidgets/QTreeWidget>
 
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
-#include "widgets/docks/EnvironmentDock.h"
+#include "widgets/docks/DockBase.h"
 #include "widgets/docks/EnvironmentMenu.h"
+#include "widgets/state/SceneChanges.h"
 
-/// Paths and places as a tree: what is in it, what is selected in it, and how many people are
-/// where.
 namespace crowd::widgets {
 
 namespace {
 
 constexpr int kUnfoldedPlaces = 8; ///< longer paths are folded at first
+constexpr int kRedrawMs = 30;
 constexpr int kTallyMs = 300;
+constexpr int kLeastHeight = 120; ///< half a dozen rows; what is left over is the tree's too
 
 } // namespace
 
-QIcon EnvironmentDock::colorIcon(const std::array<std::uint8_t, 3>& color)
+QIcon colorIcon(const std::array<std::uint8_t, 3>& color)
 {
     QPixmap pixmap(14, 14);
     pixmap.fill(Qt::transparent);
@@ -37,7 +38,49 @@ QIcon EnvironmentDock::colorIcon(const std::array<std::uint8_t, 3>& color)
     return pixmap;
 }
 
-void EnvironmentDock::followSession()
+EnvironmentTree::EnvironmentTree(EditorState& state, QWidget* parent)
+    : QTreeWidget(parent), m_state(state)
+{
+    setObjectName(QStringLiteral("environmentTree"));
+    setUpOutline(*this);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setMinimumHeight(kLeastHeight);
+    followScene();
+    followSession();
+    connect(&m_state.paths(), &PathFocus::changed, this, &EnvironmentTree::showSelection);
+    connect(this, &QTreeWidget::itemSelectionChanged, this, &EnvironmentTree::takeSelection);
+    connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        if (!m_isFilling) {
+            rename(item);
+        }
+    });
+    connect(this, &QTreeWidget::customContextMenuRequested, this, &EnvironmentTree::showMenu);
+}
+
+void EnvironmentTree::followScene()
+{
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(kRedrawMs);
+    connect(&m_rebuild, &QTimer::timeout, this, &EnvironmentTree::rebuild);
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                const bool isShown =
+                    std::visit(model::Overloaded{
+                                   [](const model::ColumnsChanged& columns) {
+                                       return columns.columns.contains(model::ColumnId::Path);
+                                   },
+                                   [](const model::LightingChanged&) { return false; },
+                                   [](const model::CamerasChanged&) { return false; },
+                                   [](const auto&) { return true; },
+                               },
+                               change);
+                if (isShown && !m_rebuild.isActive()) {
+                    m_rebuild.start();
+                }
+            });
+}
+
+void EnvironmentTree::followSession()
 {
     m_count.setSingleShot(true);
     m_count.setInterval(kTallyMs);
@@ -46,56 +89,54 @@ void EnvironmentDock::followSession()
         m_countedSeconds = session.availableSeconds();
         session.askTally();
     });
-    connect(&session, &SessionControl::stateChanged, this, &EnvironmentDock::showCounts);
+    connect(&session, &SessionControl::stateChanged, this, &EnvironmentTree::showCounts);
     connect(&session, &SessionControl::stepped, this, [this, &session] {
         if (session.tally() != m_tally) {
             showCounts();
         }
         const bool isAnother = session.availableSeconds() != m_countedSeconds;
-        if (isAnother && m_tree->isVisible() && !m_count.isActive()) {
+        if (isAnother && isVisible() && !m_count.isActive()) {
             m_count.start();
         }
     });
 }
 
-void EnvironmentDock::rebuild()
+void EnvironmentTree::rebuild()
 {
-    if (m_tree->viewport()->findChild<QLineEdit*>() != nullptr) {
+    if (viewport()->findChild<QLineEdit*>() != nullptr) {
         m_rebuild.start(); // not under the hands of who renames
         return;
     }
     m_countedSeconds = -1.0; // people may have been given other paths
     std::map<model::PathId, bool> isOpen;
-    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
-        const QTreeWidgetItem& item = *m_tree->topLevelItem(i);
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const QTreeWidgetItem& item = *topLevelItem(i);
         isOpen[item.data(0, kIdRole).toUInt()] = item.isExpanded();
     }
-    const int scrolled = m_tree->verticalScrollBar()->value();
+    const int scrolled = verticalScrollBar()->value();
     m_isFilling = true;
-    m_tree->clear();
+    clear();
     addPaths();
     addPlaces();
-    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
-        QTreeWidgetItem& item = *m_tree->topLevelItem(i);
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem& item = *topLevelItem(i);
         const auto known = isOpen.find(item.data(0, kIdRole).toUInt());
         item.setExpanded(known != isOpen.end()
                              ? known->second
                              : item.childCount() <= kUnfoldedPlaces || item.type() == KindItem);
     }
     m_isFilling = false;
-    const bool isEmpty = m_state.scene().places.empty() && m_state.scene().paths.empty();
-    m_note->setVisible(isEmpty);
-    m_tree->setVisible(!isEmpty); // else the note would stand below an empty list
-    m_tree->verticalScrollBar()->setValue(scrolled);
+    Q_EMIT rebuilt(); // whoever shows it may hide an empty one
+    verticalScrollBar()->setValue(scrolled);
     showCounts();
     showSelection();
 }
 
-void EnvironmentDock::addPaths()
+void EnvironmentTree::addPaths()
 {
     const model::Scene& scene = m_state.scene();
     for (const model::Path& each : scene.paths) {
-        auto* item = new QTreeWidgetItem(m_tree, {QString::fromStdString(each.name)}, PathItem);
+        auto* item = new QTreeWidgetItem(this, {QString::fromStdString(each.name)}, PathItem);
         item->setData(0, kIdRole, each.id);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setIcon(0, colorIcon(each.color));
@@ -110,7 +151,7 @@ void EnvironmentDock::addPaths()
 }
 
 /// Those that no path leads over.
-void EnvironmentDock::addPlaces()
+void EnvironmentTree::addPlaces()
 {
     const model::Scene& scene = m_state.scene();
     QTreeWidgetItem* heading = nullptr;
@@ -122,13 +163,13 @@ void EnvironmentDock::addPlaces()
             continue;
         }
         if (heading == nullptr) {
-            heading = new QTreeWidgetItem(m_tree, {tr("Places")}, KindItem);
+            heading = new QTreeWidgetItem(this, {tr("Places")}, KindItem);
         }
         addPlace(*heading, each)->setIcon(0, colorIcon(each.color));
     }
 }
 
-QTreeWidgetItem* EnvironmentDock::addPlace(QTreeWidgetItem& parent, const model::Place& place)
+QTreeWidgetItem* EnvironmentTree::addPlace(QTreeWidgetItem& parent, const model::Place& place)
 {
     auto* item = new QTreeWidgetItem(&parent, {QString::fromStdString(place.name)}, PlaceItem);
     item->setData(0, kIdRole, place.id);
@@ -137,7 +178,7 @@ QTreeWidgetItem* EnvironmentDock::addPlace(QTreeWidgetItem& parent, const model:
 }
 
 /// Of the run, while there is one; else of the scene, which says nothing of places.
-behavior::SessionTally EnvironmentDock::tally() const
+behavior::SessionTally EnvironmentTree::tally() const
 {
     if (m_state.session().isRunning()) {
         return m_state.session().tally();
@@ -149,7 +190,7 @@ behavior::SessionTally EnvironmentDock::tally() const
     return tally;
 }
 
-void EnvironmentDock::showCounts()
+void EnvironmentTree::showCounts()
 {
     m_tally = tally();
     const auto countIn = [](const auto& counts, std::uint32_t id) {
@@ -157,7 +198,7 @@ void EnvironmentDock::showCounts()
         return found == counts.end() ? 0 : static_cast<int>(found->second);
     };
     m_isFilling = true;
-    for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
+    for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it) {
         const auto id = (*it)->data(0, kIdRole).toUInt();
         if ((*it)->type() == PathItem) {
             (*it)->setText(1, tr("%n characters", nullptr, countIn(m_tally.followers, id)));
@@ -171,10 +212,10 @@ void EnvironmentDock::showCounts()
     m_isFilling = false;
 }
 
-void EnvironmentDock::showSelection()
+void EnvironmentTree::showSelection()
 {
     m_isFilling = true;
-    for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
+    for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it) {
         const auto id = (*it)->data(0, kIdRole).toUInt();
         const bool isPlace = (*it)->type() == PlaceItem;
         const bool isPath = (*it)->type() == PathItem && m_state.paths().places().empty();
@@ -182,18 +223,17 @@ void EnvironmentDock::showSelection()
                            (isPath && id != 0 && id == m_state.paths().path()));
     }
     m_isFilling = false;
-    refreshForm();
     showProblems();
-    m_scroll.start();
+    Q_EMIT chosen();
 }
 
 /// Once for each choice, and for each place that a chosen path grows by: who scrolls on is left
 /// alone.
-void EnvironmentDock::scrollToSelection()
+void EnvironmentTree::scrollToSelection()
 {
     QTreeWidgetItem* last = nullptr;
     const PathFocus& focus = m_state.paths();
-    for (QTreeWidgetItem* item : m_tree->selectedItems()) {
+    for (QTreeWidgetItem* item : selectedItems()) {
         const bool isLast = item->type() == PathItem || focus.places().empty() ||
                             item->data(0, kIdRole).toUInt() == focus.places().back();
         const bool isInPath =
@@ -202,20 +242,20 @@ void EnvironmentDock::scrollToSelection()
     }
     const int length = last != nullptr && last->type() == PathItem ? last->childCount() : 0;
     const Shown shown{focus.path(), focus.places(), length};
-    if (last == nullptr || shown == m_shown || !m_tree->isVisible()) {
+    if (last == nullptr || shown == m_shown || !isVisible()) {
         return;
     }
     const bool isLonger = shown.path == m_shown.path && length > m_shown.length;
     m_shown = shown;
     if (isLonger && focus.isPainting()) {
-        m_tree->scrollToItem(last->child(length - 1));
+        scrollToItem(last->child(length - 1));
     }
-    m_tree->scrollToItem(last);
+    scrollToItem(last);
 }
 
-void EnvironmentDock::showMenu(const QPoint& position)
+void EnvironmentTree::showMenu(const QPoint& position)
 {
-    const QTreeWidgetItem* item = m_tree->itemAt(position);
+    const QTreeWidgetItem* item = itemAt(position);
     if (item == nullptr || m_state.document().isEditOpen() || item->type() == KindItem) {
         return;
     }
@@ -230,17 +270,17 @@ void EnvironmentDock::showMenu(const QPoint& position)
     } else {
         menu.fillForPlace(id, std::nullopt);
     }
-    menu.exec(m_tree->viewport()->mapToGlobal(position));
+    menu.exec(viewport()->mapToGlobal(position));
 }
 
-void EnvironmentDock::takeSelection()
+void EnvironmentTree::takeSelection()
 {
     if (m_isFilling) {
         return;
     }
     std::vector<model::PlaceId> places;
     model::PathId chosen = m_state.paths().path();
-    for (QTreeWidgetItem* item : m_tree->selectedItems()) {
+    for (QTreeWidgetItem* item : selectedItems()) {
         const auto id = item->data(0, kIdRole).toUInt();
         if (item->type() == PathItem) {
             chosen = id;
@@ -256,7 +296,7 @@ void EnvironmentDock::takeSelection()
 }
 
 /// What a session has to say about a path or a place; empty: nothing.
-QString EnvironmentDock::problemOf(const QTreeWidgetItem& item) const
+QString EnvironmentTree::problemOf(const QTreeWidgetItem& item) const
 {
     const auto id = item.data(0, kIdRole).toUInt();
     const bool isPath = item.type() == PathItem;
@@ -268,38 +308,46 @@ QString EnvironmentDock::problemOf(const QTreeWidgetItem& item) const
     return {};
 }
 
-/// At the paths and places, and above the form for the one that is chosen.
-void EnvironmentDock::showProblems()
+void EnvironmentTree::showProblems()
 {
     m_isFilling = true;
-    QString chosen;
-    for (QTreeWidgetItemIterator it(m_tree); *it != nullptr; ++it) {
+    for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it) {
         const QString problem = problemOf(**it);
         (*it)->setData(0, Qt::ForegroundRole,
                        problem.isEmpty() ? QVariant() : QVariant(QBrush(kTroubleColor)));
         (*it)->setToolTip(0, problem);
-        chosen = chosen.isEmpty() && (*it)->isSelected() ? problem : chosen;
     }
     m_isFilling = false;
-    // Of people; a click selects them.
-    const std::vector<behavior::Problem>& problems = m_state.session().problems();
-    const auto ofPeople = std::ranges::find_if(
-        problems, [](const behavior::Problem& problem) { return !problem.people.empty(); });
-    if (chosen.isEmpty() && ofPeople != problems.end()) {
-        chosen = tr("%1 <a href=\"people\">Select them</a>")
-                     .arg(model::translated(ofPeople->text).toHtmlEscaped());
-    }
-    m_problem->setText(chosen);
-    m_problem->setVisible(!chosen.isEmpty());
 }
 
-void EnvironmentDock::selectTroubled()
+QString EnvironmentTree::problemOfChosen() const
 {
-    for (const behavior::Problem& problem : m_state.session().problems()) {
-        if (!problem.people.empty()) {
-            m_state.selection().set(problem.people);
-            return;
+    for (const QTreeWidgetItem* item : selectedItems()) {
+        if (const QString problem = problemOf(*item); !problem.isEmpty()) {
+            return problem;
         }
+    }
+    return {};
+}
+
+void EnvironmentTree::rename(QTreeWidgetItem* item)
+{
+    if (m_state.document().isEditOpen()) {
+        return;
+    }
+    const std::string name = item->text(0).toStdString();
+    const auto id = item->data(0, kIdRole).toUInt();
+    auto edit = m_state.document().beginEdit();
+    if (item->type() == PathItem) {
+        model::Path renamed = *m_state.scene().findPath(id);
+        renamed.name = name;
+        edit->changePath(renamed);
+        edit->commit(tr("Rename a path"));
+    } else if (item->type() == PlaceItem) {
+        model::Place renamed = *m_state.scene().findPlace(id);
+        renamed.name = name;
+        edit->changePlace(renamed);
+        edit->commit(tr("Rename a place"));
     }
 }
 

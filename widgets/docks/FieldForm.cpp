@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include <QtCore/QSettings>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QToolButton>
 
+#include "widgets/docks/FieldControls.h"
 #include "widgets/state/BrushTexts.h"
 
 namespace crowd::widgets {
@@ -75,7 +77,7 @@ void FieldForm::addField(const model::FieldInfo& field, const FieldPath& path,
     if (field.isGroup()) {
         addGroup(bound);
     } else if (*field.meta.label != '\0') {
-        addControl(bound);
+        addControl(*this, bound);
     }
 }
 
@@ -97,6 +99,41 @@ void FieldForm::bind(QWidget* row, std::function<void()> refresh, Condition isSh
     }
     m_rows.push_back(
         {row, std::move(refresh), std::move(isShown), static_cast<int>(m_sections.size()) - 1});
+}
+
+void FieldForm::addLabelled(const QString& label, QWidget* control, std::function<void()> refresh,
+                            Condition isShown)
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* text = new QLabel(label, row);
+    text->setBuddy(control);
+    layout->addWidget(text);
+    layout->addWidget(control, 1);
+    bind(row, std::move(refresh), std::move(isShown));
+}
+
+void FieldForm::addSlider(const QString& label, const ValueSlider::Range& range,
+                          std::function<double()> get, std::function<void(double)> set,
+                          Condition isShown)
+{
+    auto* slider = new ValueSlider(label, range, this);
+    connect(slider, &ValueSlider::valueEdited, this, std::move(set));
+    bind(
+        slider, [slider, get = std::move(get)] { slider->setValue(get()); }, std::move(isShown));
+}
+
+void FieldForm::addChoice(const QString& label, const QStringList& names, std::function<int()> get,
+                          std::function<void(int)> set, Condition isShown)
+{
+    auto* box = new QComboBox(this);
+    box->addItems(names);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(box, &QComboBox::activated, this, std::move(set));
+    addLabelled(
+        label, box, [box, get = std::move(get)] { box->setCurrentIndex(get()); },
+        std::move(isShown));
 }
 
 void FieldForm::refresh()

@@ -56,7 +56,7 @@ public:
     void finish();
     void refresh();
 
-    // For the parts of the form that have a file of their own.
+    // For the controls, which have files of their own.
 
     /// A field in a form: where its object is, and when it is shown.
     struct Bound
@@ -106,16 +106,6 @@ private:
     };
 
     void addGroup(const Bound& bound);
-    void addControl(const Bound& bound);
-    void addNumber(const Bound& bound, double low, double high);
-    void addFlag(const Bound& bound);
-    void addChoices(const Bound& bound);
-    void addTextChoices(const Bound& bound);
-    void addText(const Bound& bound);
-    void addRange(const Bound& bound);
-    void addColour(const Bound& bound);
-    void addCurve(const Bound& bound);
-    void addNumberList(const Bound& bound);
     void fold(int section, bool isOpen);
     void refreshVisibility();
 
@@ -129,9 +119,5 @@ private:
     std::vector<Row> m_rows;
     bool m_isRefreshing = false;
 };
-
-/// Controls of fields that refer to something: a slot, clips, a path, a tag, an event, a point.
-/// False where the field has no such role.
-bool addReferenceControl(FieldForm& form, const FieldForm::Bound& bound);
 
 } // namespace crowd::widgets

@@ -7,6 +7,7 @@
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QHBoxLayout>
@@ -98,10 +99,11 @@ void fill(QComboBox& box, const std::vector<std::string>& names)
 } // namespace
 
 IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Character"), "individual", parent), m_state(state), m_title(new QLabel(this)),
-      m_content(new QWidget(this)), m_template(narrowBox(this)), m_clip(narrowBox(this)),
-      m_tags(new QLineEdit(this)), m_seat(new NumberField(1.0, kMostSeats, 0, this)),
-      m_seatPlace(new QLabel(this)), m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
+    : DockBase(tr("Character"), "individual", parent), m_state(state), m_write(state),
+      m_title(new QLabel(this)), m_content(new QWidget(this)), m_template(narrowBox(this)),
+      m_clip(narrowBox(this)), m_tags(new QLineEdit(this)),
+      m_seat(new NumberField(1.0, kMostSeats, 0, this)), m_seatPlace(new QLabel(this)),
+      m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
 {
     auto* all = new QWidget(this);
     auto* layout = new QVBoxLayout(all);
@@ -133,14 +135,20 @@ void IndividualDock::connectState()
     };
     connect(&m_state.selection(), &Selection::changed, this, later);
     connect(&m_state.document(), &model::SceneDocument::changed, this, later);
-    connect(m_template, &QComboBox::activated, this, &IndividualDock::setTemplate);
-    connect(m_clip, &QComboBox::textActivated, this, &IndividualDock::setClip);
-    connect(m_seat, &NumberField::valueEdited, this, &IndividualDock::setSeat);
-    connect(m_standUp, &QToolButton::clicked, this, &IndividualDock::standUp);
+    connect(m_template, &QComboBox::activated, this, [this](int index) {
+        m_write.setTemplate(static_cast<model::TemplateId>(m_template->itemData(index).toUInt()));
+    });
+    connect(m_clip, &QComboBox::textActivated, this,
+            [this](const QString& name) { m_write.setClip(name); });
+    connect(m_seat, &NumberField::valueEdited, this, [this](double number) {
+        m_write.setSeat(number);
+        m_refresh.start(); // what was refused goes out of the field
+    });
+    connect(m_standUp, &QToolButton::clicked, this, [this] { m_write.standUp(); });
     connect(m_tags, &QLineEdit::editingFinished, this, [this] {
         if (m_tags->isModified()) {
             m_tags->setModified(false);
-            setTags(m_tags->text());
+            m_write.setTags(m_tags->text());
         }
     });
 }
@@ -197,7 +205,7 @@ void IndividualDock::addPosition(QFormLayout* form, const model::PropertyInfo& p
         m_position[static_cast<std::size_t>(axis)] = field;
         row->addWidget(field);
         connect(field, &NumberField::valueEdited, this,
-                [this, axis](double value) { setPosition(axis, value); });
+                [this, axis](double value) { m_write.setPosition(axis, value); });
     }
     form->addRow(labelOf(property), row);
 }
@@ -210,7 +218,7 @@ void IndividualDock::addNumber(QFormLayout* form, const model::PropertyInfo& pro
     form->addRow(labelOf(property), field);
     m_numbers.push_back({field, &property});
     connect(field, &NumberField::valueEdited, this,
-            [this, &property](double shown) { setNumber(property, shown); });
+            [this, &property](double shown) { m_write.setNumber(property, shown); });
 }
 
 void IndividualDock::addSeat(QFormLayout* form, const model::PropertyInfo& property)
@@ -235,7 +243,6 @@ void IndividualDock::addSeat(QFormLayout* form, const model::PropertyInfo& prope
 void IndividualDock::refresh()
 {
     const SelectedPeople selected = people();
-    m_isFilling = true;
     m_content->setVisible(!selected.rows().empty());
     refreshTitle(selected);
     if (!selected.rows().empty()) {
@@ -245,7 +252,6 @@ void IndividualDock::refresh()
         refreshSlots(selected);
         refreshParts(selected);
     }
-    m_isFilling = false;
 }
 
 void IndividualDock::refreshTitle(const SelectedPeople& selected)
@@ -376,11 +382,11 @@ void IndividualDock::addSlot(QFormLayout* form, const SelectedPeople& selected,
     form->addRow(row.choice); // over both columns: materials have long names
     connect(row.color, &QToolButton::clicked, this, [this, slot] { chooseTint(slot); });
     connect(row.color, &QToolButton::customContextMenuRequested, this,
-            [this, slot] { setTint(slot, {}); });
+            [this, slot] { m_write.setTint(slot, {}); });
     connect(row.mode, &QComboBox::activated, this,
-            [this, slot](int index) { setTintMode(slot, index == 1); });
+            [this, slot](int index) { m_write.setTintMode(slot, index == 1); });
     connect(row.choice, &QComboBox::textActivated, this,
-            [this, slot](const QString& choice) { setChoice(slot, choice); });
+            [this, slot](const QString& choice) { m_write.setChoice(slot, choice); });
     m_slots.push_back(row);
 }
 
@@ -390,7 +396,7 @@ void IndividualDock::addPart(QFormLayout* form, const std::string& part, bool is
     auto* box = new QCheckBox(shortened(name, *m_slotArea, kLongestName), m_slotArea);
     box->setToolTip(name);
     form->addRow(isFirst ? tr("Parts") : QString(), box);
-    connect(box, &QCheckBox::clicked, this, [this, part](bool on) { setPart(part, on); });
+    connect(box, &QCheckBox::clicked, this, [this, part](bool on) { m_write.setPart(part, on); });
     m_parts.push_back({part, box});
 }
 
@@ -447,6 +453,27 @@ void IndividualDock::refreshParts(const SelectedPeople& selected)
         item.box->setCheckState(!shown   ? Qt::PartiallyChecked
                                 : *shown ? Qt::Checked
                                          : Qt::Unchecked);
+    }
+}
+
+void IndividualDock::chooseTint(const std::string& slot)
+{
+    QColor before(Qt::white);
+    const SelectedPeople selected = people();
+    const model::Population& all = m_state.scene().population;
+    const auto tint = selected.commonOf<model::Tint>(
+        [&](const SelectedPeople::Group& group) { return group.slotIndex(slot); },
+        [&](std::size_t row, int index) { return all.column(model::columns::tint(index))[row]; });
+    if (tint && tint->strength > 0) {
+        before = QColor(tint->red, tint->green, tint->blue);
+    }
+    const QColor color =
+        QColorDialog::getColor(before, this, tr("Tint of %1").arg(QString::fromStdString(slot)),
+                               QColorDialog::DontUseNativeDialog);
+    if (color.isValid()) {
+        m_write.setTint(slot, {static_cast<std::uint8_t>(color.red()),
+                               static_cast<std::uint8_t>(color.green()),
+                               static_cast<std::uint8_t>(color.blue()), 255});
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "model/population/Properties.h"
 #include "widgets/docks/DockBase.h"
+#include "widgets/docks/IndividualWriter.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/SelectedPeople.h"
 #include "widgets/state/EditorState.h"
@@ -75,24 +76,10 @@ private:
     void refreshParts(const SelectedPeople& people);
 
     [[nodiscard]] SelectedPeople people() const { return {m_state.scene(), m_state.selection()}; }
-    [[nodiscard]] bool mayWrite() const;
-    void setTemplate(int index);
-    void setPosition(int axis, double value);
-    void setNumber(const model::PropertyInfo& property, double shown);
-    void setClip(const QString& name);
-    void setTags(const QString& text);
-    void setSeat(double number);
-    void standUp();
     void chooseTint(const std::string& slot);
-    void setTint(const std::string& slot, const model::Tint& tint);
-    void setTintMode(const std::string& slot, bool isReplacing);
-    void setChoice(const std::string& slot, const QString& choice);
-    void setPart(const std::string& part, bool isShown);
-    /// One row of the column, for all of them.
-    void writeSame(model::ColumnId column, std::span<const std::byte> value,
-                   const QString& undoText);
 
     EditorState& m_state;
+    IndividualWriter m_write;
     QLabel* m_title;
     QWidget* m_content;
     QComboBox* m_template;
@@ -109,7 +96,6 @@ private:
     /// Whose clips, slots and parts are shown.
     std::vector<std::weak_ptr<const model::Template>> m_builtFor;
     QTimer m_refresh; ///< many changes in a stroke make few refreshes
-    bool m_isFilling = false;
 };
 
 } // namespace crowd::widgets

@@ -13,6 +13,7 @@
 #include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleNames.h"
+#include "widgets/docks/RuleOrder.h"
 #include "widgets/docks/WrapRow.h"
 
 namespace crowd::widgets {
@@ -210,7 +211,7 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
     const Action& action = m_rule.actions[index];
     m_depth = action.depth;
     QHBoxLayout* row = rowIn(layout);
-    row->addWidget(new QLabel(wordBefore(index)));
+    row->addWidget(new QLabel(wordBefore(m_rule.actions, index)));
     const std::span<const model::RuleKind> kinds = model::kindsOf<model::ActionData>();
     addGroupedField(row, kindNames(kinds), groupsOf(kinds), static_cast<int>(action.data.index()),
                     [this, index](int kind) {
@@ -220,7 +221,7 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
                         });
                     });
     if (m_rule.actions.size() > 1) {
-        addMoveButtons(row, index);
+        addMoveButtons(*row, *this, m_rule.actions, index, m_apply);
     }
     addRemoveButton(
         row, model::isHead(action) ? tr("Remove this and what is in it") : tr("Remove this"),
@@ -232,6 +233,18 @@ void RuleEditor::addAction(QVBoxLayout* layout, std::size_t index)
         addBlockButtons(last == nullptr ? indentedRowIn(layout) : last, index);
     }
     m_depth = 0;
+}
+
+/// More of what repeats, or is one of several.
+void RuleEditor::addBlockButtons(QHBoxLayout* row, std::size_t index)
+{
+    addTextButton(
+        row, "addInside", tr("+ in it"), tr("Adds something to do in it"),
+        [index](Rule& each) { model::addInside(each.actions, index, model::actions::Wait()); });
+    if (m_rule.actions[index].is<model::actions::OneOf>()) {
+        addTextButton(row, "addAlternative", tr("+ or…"), tr("Adds another one to choose among"),
+                      [index](Rule& each) { model::addAlternative(each.actions, index); });
+    }
 }
 
 void RuleEditor::addMeeting(QVBoxLayout* layout)

@@ -39,8 +39,6 @@ private:
     void addCondition(QVBoxLayout* layout, std::size_t index);
     void addNegation(QHBoxLayout* row, std::size_t index);
     void addAction(QVBoxLayout* layout, std::size_t index);
-    void addMoveButtons(QHBoxLayout* row, std::size_t index);
-    [[nodiscard]] QString wordBefore(std::size_t index) const;
     void addBlockButtons(QHBoxLayout* row, std::size_t index);
     void addMore(QVBoxLayout* layout);
     void addMeeting(QVBoxLayout* layout);

@@ -9,12 +9,12 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/base/Translated.h"
-#include "model/document/SceneEdit.h"
 #include "widgets/docks/CueBar.h"
 #include "widgets/docks/NamesForm.h"
 #include "widgets/docks/RuleEditor.h"
@@ -37,9 +37,9 @@ constexpr QColor kProblemColor(208, 80, 64);
 } // namespace
 
 RulesDock::RulesDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Rules"), "rules", parent), m_state(state), m_list(new QListWidget(this))
+    : DockBase(tr("Rules"), "rules", parent), m_state(state), m_list(new QListWidget(this)),
+      m_commands(new RuleCommands(state, *m_list, this))
 {
-    makeActions();
     buildContent();
     connectTimers();
     connectState();
@@ -53,7 +53,7 @@ void RulesDock::buildContent()
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
-    layout->addWidget(makeButtons(content));
+    layout->addWidget(m_commands->makeButtons(content));
     layout->addWidget(new CueBar(m_state, content));
     setUpList();
     layout->addWidget(m_list);
@@ -147,7 +147,7 @@ void RulesDock::connectList()
 {
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
-            m_current = item == nullptr ? 0 : item->data(kIdRole).toUInt();
+            m_commands->setCurrentId(item == nullptr ? 0 : item->data(kIdRole).toUInt());
             if (item != nullptr) {
                 item->setSelected(true); // the focus alone makes the first one current
             }
@@ -156,9 +156,9 @@ void RulesDock::connectList()
     });
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (!m_isFilling) {
-            m_current = item->data(kIdRole).toUInt();
+            m_commands->setCurrentId(item->data(kIdRole).toUInt());
             const bool isOn = item->checkState() == Qt::Checked;
-            change([isOn](Rule& rule) { rule.isEnabled = isOn; });
+            m_commands->change([isOn](Rule& rule) { rule.isEnabled = isOn; });
         }
     });
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &RulesDock::takeOrder);
@@ -181,48 +181,25 @@ void RulesDock::resizeEvent(QResizeEvent* event)
     m_fit.start(); // sentences break elsewhere
 }
 
-const Rule* RulesDock::current() const
-{
-    const auto& rules = m_state.scene().rules;
-    const auto found = std::ranges::find(rules, m_current, &Rule::id);
-    return found == rules.end() ? nullptr : &*found;
-}
-
-void RulesDock::setRules(std::vector<Rule> rules, const QString& undoText)
-{
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = m_state.document().beginEdit();
-    edit->setRules(std::move(rules));
-    edit->commit(undoText);
-}
-
-void RulesDock::change(const Change& apply)
-{
-    std::vector<Rule> rules = m_state.scene().rules;
-    const auto found = std::ranges::find(rules, m_current, &Rule::id);
-    if (m_isFilling || found == rules.end()) {
-        return;
-    }
-    apply(*found);
-    setRules(std::move(rules), tr("Change a rule"));
-}
-
 void RulesDock::takeOrder()
 {
-    std::vector<Rule> rules;
+    std::vector<model::RuleId> order;
     for (int i = 0; i < m_list->count(); ++i) {
-        const auto id = m_list->item(i)->data(kIdRole).toUInt();
-        const auto& all = m_state.scene().rules;
-        const auto found = std::ranges::find(all, id, &Rule::id);
-        if (found != all.end()) {
-            rules.push_back(*found);
-        }
+        order.push_back(m_list->item(i)->data(kIdRole).toUInt());
     }
-    if (rules.size() == m_state.scene().rules.size()) {
-        setRules(std::move(rules), tr("Reorder the rules"));
+    m_commands->reorder(order);
+}
+
+void RulesDock::showMenu(const QPoint& position)
+{
+    QListWidgetItem* item = m_list->itemAt(position);
+    if (item == nullptr || m_state.document().isEditOpen()) {
+        return;
     }
+    m_list->setCurrentItem(item);
+    QMenu menu(this);
+    m_commands->fill(menu);
+    menu.exec(m_list->viewport()->mapToGlobal(position));
 }
 
 void RulesDock::rebuildList()
@@ -235,7 +212,7 @@ void RulesDock::rebuildList()
         item->setData(kIdRole, rule.id);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(rule.isEnabled ? Qt::Checked : Qt::Unchecked);
-        if (rule.id == m_current) {
+        if (rule.id == m_commands->currentId()) {
             m_list->setCurrentItem(item);
         }
     }
@@ -273,7 +250,7 @@ void RulesDock::showProblems()
         item->setToolTip(problem);
     }
     m_isFilling = false;
-    const Rule* rule = current();
+    const Rule* rule = m_commands->current();
     const QString problem = rule == nullptr ? QString() : problemOf(*rule);
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
@@ -346,16 +323,20 @@ void RulesDock::rebuildEditor()
     const qsizetype focused = focusedField();
     delete m_editor;
     m_editor = nullptr;
-    const Rule* rule = current();
+    const Rule* rule = m_commands->current();
     showProblems();
-    enableActions();
+    m_commands->enable();
     if (rule == nullptr) {
         return;
     }
     const Rule shown = *rule;
     m_isFilling = true;
-    m_editor = new RuleEditor(
-        m_state.scene(), shown, [this](const auto& apply) { change(apply); }, m_editorArea);
+    const auto change = [this](const RuleCommands::Change& apply) {
+        if (!m_isFilling) {
+            m_commands->change(apply);
+        }
+    };
+    m_editor = new RuleEditor(m_state.scene(), shown, change, m_editorArea);
     m_editorArea->layout()->addWidget(m_editor);
     const QList<QWidget*> fields = m_editor->findChildren<QWidget*>();
     if (focused >= 0 && focused < fields.size()) {

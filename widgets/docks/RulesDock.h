@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-
 #include <QtCore/QTimer>
 
-#include "model/rules/RuleSets.h"
 #include "widgets/docks/DockBase.h"
+#include "widgets/docks/RuleCommands.h"
 #include "widgets/docks/RuleLog.h"
 #include "widgets/state/EditorState.h"
 
-class QAction;
 class QCheckBox;
 class QLabel;
 class QListWidget;
@@ -33,19 +30,12 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    using Change = std::function<void(model::Rule&)>;
-
     void buildContent();
     void setUpList();
     void addNotes(QVBoxLayout& layout);
     void connectTimers();
     void connectState();
     void connectList();
-    void makeActions();
-    QAction* makeAction(const char* name, const char* icon, const QString& text,
-                        const QKeySequence& keys, void (RulesDock::*run)());
-    QWidget* makeButtons(QWidget* parent);
-    void enableActions();
     void showMenu(const QPoint& position);
     void rebuildList();
     void fitList();
@@ -55,29 +45,17 @@ private:
     [[nodiscard]] QString problemOf(const model::Rule& rule) const;
     void showProblems();
     void takeOrder();
-    void setRules(std::vector<model::Rule> rules, const QString& undoText);
-    void change(const Change& apply);
-    void addRule();
-    void addSet(model::RuleSet set);
-    void duplicateRule();
-    void removeRule();
-    void switchRule();
-    void moveRule(std::ptrdiff_t by);
-    void moveUp();
-    void moveDown();
-    void tryRule();
     void showLog();
     void forgetLog();
-    [[nodiscard]] const model::Rule* current() const;
 
     EditorState& m_state;
     QTimer m_rebuild;
     QTimer m_fit;
     QTimer m_counting;
-    model::RuleId m_current = 0;
     bool m_isFilling = false;
     // Children of this widget.
     QListWidget* m_list;
+    RuleCommands* m_commands;
     QLabel* m_note;
     QWidget* m_editorArea;
     QWidget* m_editor = nullptr;
@@ -85,13 +63,6 @@ private:
     QCheckBox* m_onlySelected;
     QPlainTextEdit* m_log;
     RuleLog m_fired;
-    // What can be done to the chosen rule, by button, menu and key.
-    QAction* m_duplicate = nullptr;
-    QAction* m_remove = nullptr;
-    QAction* m_switch = nullptr;
-    QAction* m_moveUp = nullptr;
-    QAction* m_moveDown = nullptr;
-    QAction* m_try = nullptr;
 };
 
 } // namespace crowd::widgets

@@ -6,7 +6,6 @@
 
 #include <QtCore/QEvent>
 #include <QtGui/QOpenGLContext>
-#include <QtWidgets/QApplication>
 
 #include "model/base/Translated.h"
 #include "render/Renderer.h"
@@ -44,15 +43,14 @@ QSurfaceFormat surfaceFormat()
 
 ViewportWidget::ViewportWidget(EditorState& state, QWidget* parent)
     : QOpenGLWidget(parent), m_state(state), m_renderer(std::make_unique<render::Renderer>()),
-      m_tools(state), m_overlay(new ViewportOverlay(this)), m_work(new WorkBar(this))
+      m_tools(state), m_input(*this, m_tools), m_overlay(new ViewportOverlay(this)),
+      m_work(new WorkBar(this))
 {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAcceptDrops(false); // the main window takes what is dropped
-    QApplication::instance()->installEventFilter(this);
-    m_sinceInput.start();
     m_sincePublished.start();
     m_sinceSwap.start();
     connectState();
@@ -244,7 +242,7 @@ void ViewportWidget::paintGL()
         m_renderer->releaseUnused();
     }
     setProblem(result ? QString() : model::translated(result.error()));
-    m_shownSeconds = m_state.transport().seconds();
+    m_input.setShownSeconds(m_state.transport().seconds());
     m_statistics.render = m_renderer->statistics();
     m_isShownFinal = !isMoving();
     m_isFrameOpen = true;
@@ -295,7 +293,7 @@ void ViewportWidget::beat(double elapsedSeconds)
 {
     const bool isAnimating = m_state.isAnimating();
     m_state.advance(elapsedSeconds);
-    m_tools.tick(restingInput(), elapsedSeconds);
+    m_tools.tick(m_input.resting(), elapsedSeconds);
     if (isAnimating) {
         update();
     }

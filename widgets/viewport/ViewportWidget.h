@@ -15,8 +15,7 @@
 #include "widgets/viewport/FrameStatistics.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
-
-class QSinglePointEvent;
+#include "widgets/viewport/ViewportInput.h"
 
 namespace crowd::model {
 class View;
@@ -32,8 +31,8 @@ class ViewportOverlay;
 class WorkBar;
 struct WorkStatus;
 
-/// The picture. Draws the scene when something changed or plays, turns events into tool input and
-/// hands them on; what they mean is the tools' affair. Owns the renderer, which survives the loss
+/// The picture. Draws the scene when something changed or plays; the hand over it is the tools'
+/// affair. Owns the renderer, which survives the loss
 /// of its context (docking). The state outlives it. Main thread only.
 class ViewportWidget : public QOpenGLWidget
 {
@@ -65,20 +64,6 @@ protected:
     void initializeGL() override;
     void paintGL() override;
     void resizeEvent(QResizeEvent* event) override;
-
-    bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void tabletEvent(QTabletEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
-    void enterEvent(QEnterEvent* event) override;
-    void leaveEvent(QEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -105,15 +90,12 @@ private:
     void refreshPlaces();
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
     void setProblem(const QString& problem);
-    void takeKeys();
-    void keepPointerInside(const ToolInput& input);
     [[nodiscard]] render::RenderInput renderInput();
-    [[nodiscard]] ToolInput inputOf(const QSinglePointEvent& event, double pressure);
-    [[nodiscard]] ToolInput restingInput() const;
 
     EditorState& m_state;
     std::unique_ptr<render::Renderer> m_renderer;
     ToolController m_tools;
+    ViewportInput m_input;
     ViewportOverlay* m_overlay;    ///< child widget
     WorkBar* m_work;               ///< child widget
     BrushPopup* m_popup = nullptr; ///< child widget, made when first asked for
@@ -124,9 +106,6 @@ private:
     QElapsedTimer m_sinceDraw;
     QElapsedTimer m_sinceSwap;
     QElapsedTimer m_sincePublished;
-    QElapsedTimer m_sinceInput;
-    ToolInput m_lastInput;
-    double m_shownSeconds = 0.0; ///< transport time of the picture on screen
     bool m_isFrameOpen = false;  ///< drawn, not swapped yet
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/ViewportWidget.h"
+#include "widgets/viewport/ViewportInput.h"
 
 #include <algorithm>
 
@@ -14,7 +14,6 @@
 
 #include "widgets/tools/ToolKeys.h"
 
-/// The translation of the window system's events into tool input, and nothing else.
 namespace crowd::widgets {
 
 namespace {
@@ -67,7 +66,14 @@ bool takesText(const QWidget& widget)
 
 } // namespace
 
-ToolInput ViewportWidget::inputOf(const QSinglePointEvent& event, double pressure)
+ViewportInput::ViewportInput(QWidget& picture, ToolController& tools)
+    : m_picture(picture), m_tools(tools)
+{
+    m_sinceInput.start();
+    QApplication::instance()->installEventFilter(this);
+}
+
+ToolInput ViewportInput::inputOf(const QSinglePointEvent& event, double pressure)
 {
     ToolInput input;
     const QPointF position = event.position();
@@ -83,7 +89,7 @@ ToolInput ViewportWidget::inputOf(const QSinglePointEvent& event, double pressur
     return input;
 }
 
-ToolInput ViewportWidget::restingInput() const
+ToolInput ViewportInput::resting() const
 {
     ToolInput input = m_lastInput;
     input.button = Qt::NoButton;
@@ -92,19 +98,60 @@ ToolInput ViewportWidget::restingInput() const
     return input;
 }
 
-void ViewportWidget::mousePressEvent(QMouseEvent* event)
+bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
 {
-    m_tools.press(inputOf(*event, 1.0));
+    if (watched == &m_picture) {
+        return takeEvent(*event);
+    }
+    const bool isKey =
+        event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    return isKey && takeFromList(*watched, *static_cast<QKeyEvent*>(event));
 }
 
-void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
+bool ViewportInput::takeEvent(QEvent& event)
 {
-    mousePressEvent(event); // quick dabs are dabs
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick: // quick dabs are dabs
+        m_tools.press(inputOf(static_cast<QMouseEvent&>(event), 1.0));
+        return true;
+    case QEvent::MouseMove:
+        move(static_cast<QMouseEvent&>(event));
+        return true;
+    case QEvent::MouseButtonRelease:
+        m_tools.release(inputOf(static_cast<QMouseEvent&>(event), 1.0));
+        return true;
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        takeTablet(static_cast<QTabletEvent&>(event));
+        return true;
+    case QEvent::Wheel:
+        turnWheel(static_cast<QWheelEvent&>(event));
+        return true;
+    case QEvent::ShortcutOverride:
+        return claimKey(static_cast<QKeyEvent&>(event));
+    case QEvent::KeyPress:
+        return pressKey(static_cast<QKeyEvent&>(event));
+    case QEvent::KeyRelease:
+        return m_tools.keyUp(keyOf(static_cast<QKeyEvent&>(event)));
+    case QEvent::Enter:
+        takeKeys();
+        return false;
+    case QEvent::Leave:
+        m_tools.leave();
+        return false;
+    case QEvent::FocusOut:
+        m_tools.loseKeys();
+        return false;
+    default:
+        return false;
+    }
 }
 
-void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
+void ViewportInput::move(const QSinglePointEvent& event)
 {
-    const ToolInput input = inputOf(*event, 1.0);
+    const ToolInput input = inputOf(event, 1.0);
     takeKeys();
     m_tools.move(input);
     if (m_tools.isHandsFree()) {
@@ -112,18 +159,13 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
     }
 }
 
-void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
+void ViewportInput::takeTablet(QTabletEvent& event)
 {
-    m_tools.release(inputOf(*event, 1.0));
-}
-
-void ViewportWidget::tabletEvent(QTabletEvent* event)
-{
-    event->accept(); // else the same movement comes again as a mouse event
-    const ToolInput input = inputOf(*event, event->pressure());
-    switch (event->type()) {
+    event.accept(); // else the same movement comes again as a mouse event
+    const ToolInput input = inputOf(event, event.pressure());
+    switch (event.type()) {
     case QEvent::TabletPress:
-        setFocus(Qt::MouseFocusReason);
+        m_picture.setFocus(Qt::MouseFocusReason);
         m_tools.press(input);
         break;
     case QEvent::TabletRelease:
@@ -135,103 +177,74 @@ void ViewportWidget::tabletEvent(QTabletEvent* event)
     }
 }
 
-void ViewportWidget::wheelEvent(QWheelEvent* event)
+void ViewportInput::turnWheel(QWheelEvent& event)
 {
     // Alt turns the wheel sideways on some systems.
-    const QPoint angle = event->angleDelta();
+    const QPoint angle = event.angleDelta();
     const int delta = angle.y() != 0 ? angle.y() : angle.x();
-    m_tools.wheel({inputOf(*event, 1.0), delta / kNotch});
-    event->accept();
+    m_tools.wheel({inputOf(event, 1.0), delta / kNotch});
+    event.accept();
 }
 
-void ViewportWidget::keepPointerInside(const ToolInput& input)
+void ViewportInput::keepPointerInside(const ToolInput& input)
 {
     const QRect inside =
-        rect().adjusted(kPointerMargin, kPointerMargin, -kPointerMargin, -kPointerMargin);
+        m_picture.rect().adjusted(kPointerMargin, kPointerMargin, -kPointerMargin, -kPointerMargin);
     if (inside.isEmpty() || inside.contains(input.position().toPoint())) {
         return;
     }
     ToolInput placed = input;
-    placed.pointer.grid = model::gridPoint({width() / 2.0, height() / 2.0});
-    QCursor::setPos(mapToGlobal(QPointF(width() / 2.0, height() / 2.0).toPoint()));
+    placed.pointer.grid = model::gridPoint({m_picture.width() / 2.0, m_picture.height() / 2.0});
+    QCursor::setPos(m_picture.mapToGlobal(
+        QPointF(m_picture.width() / 2.0, m_picture.height() / 2.0).toPoint()));
     m_lastInput = placed;
     m_tools.pointerPlaced(placed);
 }
 
-bool ViewportWidget::event(QEvent* event)
+/// What is claimed comes back as a key press instead of a shortcut.
+bool ViewportInput::claimKey(QKeyEvent& event)
 {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto& key = *static_cast<QKeyEvent*>(event);
-        if (m_tools.claimsKey(key.key(), key.modifiers())) {
-            event->accept(); // comes back as a key press instead of a shortcut
-            return true;
-        }
+    if (!m_tools.claimsKey(event.key(), event.modifiers())) {
+        return false;
     }
-    return QOpenGLWidget::event(event);
+    event.accept();
+    return true;
 }
 
-void ViewportWidget::keyPressEvent(QKeyEvent* event)
+/// During a drag all keys are the tool's, also those that mean nothing to it.
+bool ViewportInput::pressKey(const QKeyEvent& event)
 {
-    // During a drag all keys are the tool's, also those that mean nothing to it.
-    const bool isClaimed = m_tools.claimsKey(event->key(), event->modifiers());
-    if (!m_tools.keyDown(keyOf(*event)) && !isClaimed) {
-        QOpenGLWidget::keyPressEvent(event);
-    }
-}
-
-void ViewportWidget::keyReleaseEvent(QKeyEvent* event)
-{
-    if (!m_tools.keyUp(keyOf(*event))) {
-        QOpenGLWidget::keyReleaseEvent(event);
-    }
+    const bool isClaimed = m_tools.claimsKey(event.key(), event.modifiers());
+    return m_tools.keyDown(keyOf(event)) || isClaimed;
 }
 
 /// Keys that mean something to a list with the focus are the brush's while the pointer is over the
 /// picture, even if it has not moved since the list was left.
-bool ViewportWidget::eventFilter(QObject* watched, QEvent* event)
+bool ViewportInput::takeFromList(const QObject& watched, QKeyEvent& event)
 {
-    const bool isKey =
-        event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    if (!isKey || !isHandKey(*static_cast<QKeyEvent*>(event)) || hasFocus()) {
-        return QOpenGLWidget::eventFilter(watched, event);
+    if (!isHandKey(event) || m_picture.hasFocus()) {
+        return false;
     }
-    const auto* list = qobject_cast<QComboBox*>(watched);
+    const auto* list = qobject_cast<const QComboBox*>(&watched);
     const QPoint pointer = QCursor::pos();
     if (list == nullptr || !list->hasFocus() || QApplication::activePopupWidget() != nullptr ||
-        !rect().contains(mapFromGlobal(pointer)) || QApplication::widgetAt(pointer) != this) {
-        return QOpenGLWidget::eventFilter(watched, event);
+        !m_picture.rect().contains(m_picture.mapFromGlobal(pointer)) ||
+        QApplication::widgetAt(pointer) != &m_picture) {
+        return false;
     }
     takeKeys();
-    return hasFocus() && QApplication::sendEvent(this, event);
+    return m_picture.hasFocus() && QApplication::sendEvent(&m_picture, &event);
 }
 
 /// Over the picture keys are the brush's, also after a choice from a list, which would keep `+` and
 /// `-` to itself; only who types a text goes on typing.
-void ViewportWidget::takeKeys()
+void ViewportInput::takeKeys()
 {
     const QWidget* focused = QApplication::focusWidget();
-    if (focused != nullptr && focused != this && focused->window() == window() &&
+    if (focused != nullptr && focused != &m_picture && focused->window() == m_picture.window() &&
         !takesText(*focused)) {
-        setFocus(Qt::MouseFocusReason);
+        m_picture.setFocus(Qt::MouseFocusReason);
     }
-}
-
-void ViewportWidget::enterEvent(QEnterEvent* event)
-{
-    QOpenGLWidget::enterEvent(event);
-    takeKeys();
-}
-
-void ViewportWidget::leaveEvent(QEvent* event)
-{
-    QOpenGLWidget::leaveEvent(event);
-    m_tools.leave();
-}
-
-void ViewportWidget::focusOutEvent(QFocusEvent* event)
-{
-    QOpenGLWidget::focusOutEvent(event);
-    m_tools.loseKeys();
 }
 
 } // namespace crowd::widgets

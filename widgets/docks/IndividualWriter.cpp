@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <QtCore/QCoreApplication>
-#include <QtWidgets/QColorDialog>
-#include <QtWidgets/QComboBox>
+#include "widgets/docks/IndividualWriter.h"
 
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/population/PropertyValues.h"
-#include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/NumberList.h"
 
-/// What the individual panel writes: each function is one undo step.
 namespace crowd::widgets {
 
 namespace {
@@ -32,13 +28,13 @@ void rewrite(model::SceneEdit& edit, const SelectedPeople& selected,
 
 } // namespace
 
-bool IndividualDock::mayWrite() const
+bool IndividualWriter::mayWrite() const
 {
-    return !m_isFilling && !m_state.document().isEditOpen() && !m_state.selection().isEmpty();
+    return !m_state.document().isEditOpen() && !m_state.selection().isEmpty();
 }
 
-void IndividualDock::writeSame(model::ColumnId column, std::span<const std::byte> value,
-                               const QString& undoText)
+void IndividualWriter::writeSame(model::ColumnId column, std::span<const std::byte> value,
+                                 const QString& undoText)
 {
     if (!mayWrite()) {
         return;
@@ -49,9 +45,21 @@ void IndividualDock::writeSame(model::ColumnId column, std::span<const std::byte
     edit->commit(undoText);
 }
 
-void IndividualDock::setTemplate(int index)
+void IndividualWriter::changeGroups(const QString& undoText, const GroupChange& change)
 {
-    const auto id = static_cast<model::TemplateId>(m_template->itemData(index).toUInt());
+    if (!mayWrite()) {
+        return;
+    }
+    const SelectedPeople selected = people();
+    const auto edit = m_state.document().beginEdit();
+    for (const SelectedPeople::Group& group : selected.groups()) {
+        change(*edit, selected, group);
+    }
+    edit->commit(undoText);
+}
+
+void IndividualWriter::setTemplate(model::TemplateId id)
+{
     if (mayWrite()) {
         const auto ids = people().ids();
         const auto edit = m_state.document().beginEdit();
@@ -60,7 +68,7 @@ void IndividualDock::setTemplate(int index)
     }
 }
 
-void IndividualDock::setPosition(int axis, double value)
+void IndividualWriter::setPosition(int axis, double value)
 {
     if (!mayWrite()) {
         return;
@@ -77,38 +85,33 @@ void IndividualDock::setPosition(int axis, double value)
     edit->commit(tr("Move"));
 }
 
-void IndividualDock::setNumber(const model::PropertyInfo& property, double shown)
+void IndividualWriter::setNumber(const model::PropertyInfo& property, double shown)
 {
     writeSame(property.id,
               model::scalarBytes(property.column.type, shown / property.meta.shownScale),
               QCoreApplication::translate("Fields", property.traits.change));
 }
 
-void IndividualDock::setTags(const QString& text)
+void IndividualWriter::setTags(const QString& text)
 {
     const std::uint64_t tags = tagListOf(m_state.scene().tags, text);
     writeSame(model::ColumnId::Tags, std::as_bytes(std::span(&tags, 1)), tr("Change tags"));
 }
 
-void IndividualDock::setClip(const QString& name)
+void IndividualWriter::setClip(const QString& name)
 {
-    if (!mayWrite()) {
-        return;
-    }
-    const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
+    changeGroups(tr("Change clip"), [&](model::SceneEdit& edit, const SelectedPeople& selected,
+                                        const SelectedPeople::Group& group) {
         // Who lacks the clip keeps his own.
         if (const int index = group.clipIndex(name.toStdString()); index >= 0) {
             const auto clip = static_cast<std::uint16_t>(index);
-            edit->setColumn(model::columns::clip, selected.ids(group),
-                            std::span<const std::uint16_t>(&clip, 1));
+            edit.setColumn(model::columns::clip, selected.ids(group),
+                           std::span<const std::uint16_t>(&clip, 1));
         }
-    }
-    edit->commit(tr("Change clip"));
+    });
 }
 
-void IndividualDock::setSeat(double number)
+void IndividualWriter::setSeat(double number)
 {
     if (!mayWrite() || m_state.selection().size() != 1) {
         return;
@@ -135,10 +138,9 @@ void IndividualDock::setSeat(double number)
         m_state.showStatus(tr("Somebody else sits on seat %1.").arg(number, 0, 'f', 0));
         break;
     }
-    m_refresh.start(); // what was refused goes out of the field
 }
 
-void IndividualDock::standUp()
+void IndividualWriter::standUp()
 {
     if (mayWrite()) {
         const auto ids = people().ids();
@@ -148,102 +150,63 @@ void IndividualDock::standUp()
     }
 }
 
-void IndividualDock::chooseTint(const std::string& slot)
+void IndividualWriter::setTint(const std::string& slot, const model::Tint& tint)
 {
-    QColor before(Qt::white);
-    const SelectedPeople selected = people();
-    const model::Population& all = m_state.scene().population;
-    const auto tint = selected.commonOf<model::Tint>(
-        [&](const SelectedPeople::Group& group) { return group.slotIndex(slot); },
-        [&](std::size_t row, int index) { return all.column(model::columns::tint(index))[row]; });
-    if (tint && tint->strength > 0) {
-        before = QColor(tint->red, tint->green, tint->blue);
-    }
-    const QColor color =
-        QColorDialog::getColor(before, this, tr("Tint of %1").arg(QString::fromStdString(slot)),
-                               QColorDialog::DontUseNativeDialog);
-    if (color.isValid()) {
-        setTint(slot,
-                {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
-                 static_cast<std::uint8_t>(color.blue()), 255});
-    }
-}
-
-void IndividualDock::setTint(const std::string& slot, const model::Tint& tint)
-{
-    if (!mayWrite()) {
-        return;
-    }
-    const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
+    changeGroups(tr("Change tint"), [&](model::SceneEdit& edit, const SelectedPeople& selected,
+                                        const SelectedPeople::Group& group) {
         if (const int index = group.slotIndex(slot); index >= 0) {
-            edit->setColumn(model::columns::tint(index), selected.ids(group),
-                            std::span<const model::Tint>(&tint, 1));
+            edit.setColumn(model::columns::tint(index), selected.ids(group),
+                           std::span<const model::Tint>(&tint, 1));
         }
-    }
-    edit->commit(tr("Change tint"));
+    });
 }
 
-void IndividualDock::setTintMode(const std::string& slot, bool isReplacing)
+void IndividualWriter::setTintMode(const std::string& slot, bool isReplacing)
 {
-    if (!mayWrite()) {
-        return;
-    }
-    const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
+    changeGroups(tr("Change the mode of a tint"), [&](model::SceneEdit& edit,
+                                                      const SelectedPeople& selected,
+                                                      const SelectedPeople::Group& group) {
         const int index = group.slotIndex(slot);
         if (index < 0) {
-            continue;
+            return;
         }
         const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(index));
-        rewrite(*edit, selected, group, model::columns::tintReplaces, [&](std::uint16_t old) {
+        rewrite(edit, selected, group, model::columns::tintReplaces, [&](std::uint16_t old) {
             return static_cast<std::uint16_t>(isReplacing ? old | bit : old & ~bit);
         });
-    }
-    edit->commit(tr("Change the mode of a tint"));
+    });
 }
 
-void IndividualDock::setChoice(const std::string& slot, const QString& choice)
+void IndividualWriter::setChoice(const std::string& slot, const QString& choice)
 {
-    if (!mayWrite()) {
-        return;
-    }
-    const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
+    changeGroups(tr("Change outfit"), [&](model::SceneEdit& edit, const SelectedPeople& selected,
+                                          const SelectedPeople::Group& group) {
         const int index = group.slotIndex(slot);
         const int wanted = index >= 0 ? group.choiceIndex(index, choice.toStdString()) : -1;
         if (wanted < 0) {
-            continue;
+            return;
         }
-        rewrite(*edit, selected, group, model::columns::materialChoices,
+        rewrite(edit, selected, group, model::columns::materialChoices,
                 [&](model::MaterialChoices choices) {
                     choices[static_cast<std::size_t>(index)] = static_cast<std::uint8_t>(wanted);
                     return choices;
                 });
-    }
-    edit->commit(tr("Change outfit"));
+    });
 }
 
-void IndividualDock::setPart(const std::string& part, bool isShown)
+void IndividualWriter::setPart(const std::string& part, bool isShown)
 {
-    if (!mayWrite()) {
-        return;
-    }
-    const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
-        const int index = group.partIndex(part);
-        if (index < 0) {
-            continue;
-        }
-        const std::uint32_t bit = 1U << static_cast<unsigned>(index);
-        rewrite(*edit, selected, group, model::columns::parts,
-                [&](std::uint32_t old) { return isShown ? old | bit : old & ~bit; });
-    }
-    edit->commit(isShown ? tr("Show part") : tr("Hide part"));
+    changeGroups(isShown ? tr("Show part") : tr("Hide part"),
+                 [&](model::SceneEdit& edit, const SelectedPeople& selected,
+                     const SelectedPeople::Group& group) {
+                     const int index = group.partIndex(part);
+                     if (index < 0) {
+                         return;
+                     }
+                     const std::uint32_t bit = 1U << static_cast<unsigned>(index);
+                     rewrite(edit, selected, group, model::columns::parts,
+                             [&](std::uint32_t old) { return isShown ? old | bit : old & ~bit; });
+                 });
 }
 
 } // namespace crowd::widgets

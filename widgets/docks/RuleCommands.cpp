@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "widgets/docks/RuleCommands.h"
+
 #include <algorithm>
 
 #include <QtGui/QAction>
 #include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
+#include "model/document/SceneEdit.h"
 #include "widgets/docks/RuleNames.h"
-#include "widgets/docks/RulesDock.h"
 #include "widgets/theme/Icons.h"
 
-/// What can be done to rules, by button, menu and key.
 namespace crowd::widgets {
 
 using model::Rule;
@@ -28,36 +28,38 @@ QToolButton* ruleButton(QWidget* parent, const char* name)
 
 } // namespace
 
-/// The keys are those of the list.
-QAction* RulesDock::makeAction(const char* name, const char* icon, const QString& text,
-                               const QKeySequence& keys, void (RulesDock::*run)())
+RuleCommands::RuleCommands(EditorState& state, QWidget& list, QObject* parent)
+    : QObject(parent), m_state(state), m_list(list)
 {
-    auto* action = new QAction(iconNamed(icon), text, this);
+    m_duplicate =
+        makeAction("ruleDuplicate", tr("Duplicate"), tr("Ctrl+D"), &RuleCommands::duplicateRule);
+    m_duplicate->setIcon(iconNamed("copy"));
+    m_duplicate->setToolTip(tr("Duplicate the rule"));
+    m_remove =
+        makeAction("ruleDelete", tr("Delete"), QKeySequence::Delete, &RuleCommands::removeRule);
+    m_remove->setIcon(iconNamed("delete"));
+    m_remove->setToolTip(tr("Delete the rule"));
+    m_switch = makeAction("ruleSwitch", tr("Disable"), {}, &RuleCommands::switchRule);
+    m_moveUp = makeAction("ruleUp", tr("Move Up"), tr("Alt+Up"), &RuleCommands::moveUp);
+    m_moveDown = makeAction("ruleDown", tr("Move Down"), tr("Alt+Down"), &RuleCommands::moveDown);
+    m_try = makeAction("ruleTry", tr("Test on Selected"), tr("Ctrl+T"), &RuleCommands::tryRule);
+    m_try->setIcon(iconNamed("rule-test"));
+    m_try->setToolTip(tr("Test the rule on the selected characters, or on all, while it plays"));
+}
+
+QAction* RuleCommands::makeAction(const char* name, const QString& text, const QKeySequence& keys,
+                                  void (RuleCommands::*run)())
+{
+    auto* action = new QAction(text, this);
     action->setObjectName(QLatin1String(name));
     action->setShortcut(keys);
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, run);
-    m_list->addAction(action);
+    m_list.addAction(action);
     return action;
 }
 
-void RulesDock::makeActions()
-{
-    m_duplicate = makeAction("ruleDuplicate", "copy", tr("Duplicate"), tr("Ctrl+D"),
-                             &RulesDock::duplicateRule);
-    m_duplicate->setToolTip(tr("Duplicate the rule"));
-    m_remove = makeAction("ruleDelete", "delete", tr("Delete"), QKeySequence::Delete,
-                          &RulesDock::removeRule);
-    m_remove->setToolTip(tr("Delete the rule"));
-    m_switch = makeAction("ruleSwitch", "", tr("Disable"), {}, &RulesDock::switchRule);
-    m_moveUp = makeAction("ruleUp", "", tr("Move Up"), tr("Alt+Up"), &RulesDock::moveUp);
-    m_moveDown = makeAction("ruleDown", "", tr("Move Down"), tr("Alt+Down"), &RulesDock::moveDown);
-    m_try = makeAction("ruleTry", "rule-test", tr("Test on Selected"), tr("Ctrl+T"),
-                       &RulesDock::tryRule);
-    m_try->setToolTip(tr("Test the rule on the selected characters, or on all, while it plays"));
-}
-
-QWidget* RulesDock::makeButtons(QWidget* parent)
+QWidget* RuleCommands::makeButtons(QWidget* parent)
 {
     auto* box = new QWidget(parent);
     auto* row = new QHBoxLayout(box);
@@ -70,7 +72,7 @@ QWidget* RulesDock::makeButtons(QWidget* parent)
     add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     add->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(add);
-    connect(menu->addAction(tr("A New Rule")), &QAction::triggered, this, &RulesDock::addRule);
+    connect(menu->addAction(tr("A New Rule")), &QAction::triggered, this, &RuleCommands::addRule);
     menu->addSeparator();
     for (int i = 0; i < static_cast<int>(model::RuleSet::Count); ++i) {
         const auto set = static_cast<model::RuleSet>(i);
@@ -90,8 +92,7 @@ QWidget* RulesDock::makeButtons(QWidget* parent)
     return box;
 }
 
-/// As suits the chosen rule.
-void RulesDock::enableActions()
+void RuleCommands::enable()
 {
     const auto& rules = m_state.scene().rules;
     const Rule* rule = current();
@@ -103,23 +104,59 @@ void RulesDock::enableActions()
     m_switch->setText(rule == nullptr || rule->isEnabled ? tr("Disable") : tr("Enable"));
 }
 
-void RulesDock::showMenu(const QPoint& position)
+void RuleCommands::fill(QMenu& menu) const
 {
-    QListWidgetItem* item = m_list->itemAt(position);
-    if (item == nullptr || m_state.document().isEditOpen()) {
-        return;
-    }
-    m_list->setCurrentItem(item);
-    QMenu menu(this);
     menu.addActions({m_duplicate, m_remove, m_switch});
     menu.addSeparator();
     menu.addActions({m_moveUp, m_moveDown});
     menu.addSeparator();
     menu.addAction(m_try);
-    menu.exec(m_list->viewport()->mapToGlobal(position));
 }
 
-void RulesDock::addRule()
+const Rule* RuleCommands::current() const
+{
+    const auto& rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    return found == rules.end() ? nullptr : &*found;
+}
+
+void RuleCommands::setRules(std::vector<Rule> rules, const QString& undoText)
+{
+    if (m_state.document().isEditOpen()) {
+        return;
+    }
+    auto edit = m_state.document().beginEdit();
+    edit->setRules(std::move(rules));
+    edit->commit(undoText);
+}
+
+void RuleCommands::change(const Change& apply)
+{
+    std::vector<Rule> rules = m_state.scene().rules;
+    const auto found = std::ranges::find(rules, m_current, &Rule::id);
+    if (found == rules.end()) {
+        return;
+    }
+    apply(*found);
+    setRules(std::move(rules), tr("Change a rule"));
+}
+
+void RuleCommands::reorder(std::span<const model::RuleId> order)
+{
+    const auto& all = m_state.scene().rules;
+    std::vector<Rule> rules;
+    for (const model::RuleId id : order) {
+        const auto found = std::ranges::find(all, id, &Rule::id);
+        if (found != all.end()) {
+            rules.push_back(*found);
+        }
+    }
+    if (rules.size() == all.size()) {
+        setRules(std::move(rules), tr("Reorder the rules"));
+    }
+}
+
+void RuleCommands::addRule()
 {
     std::vector<Rule> made(1);
     made.front().name = tr("New rule").toStdString();
@@ -132,7 +169,7 @@ void RulesDock::addRule()
     setRules(std::move(rules), tr("Add a rule"));
 }
 
-void RulesDock::addSet(model::RuleSet set)
+void RuleCommands::addSet(model::RuleSet set)
 {
     std::vector<Rule> made = model::rulesOf(set, m_state.scene());
     model::giveIds(made, m_state.scene());
@@ -148,7 +185,7 @@ void RulesDock::addSet(model::RuleSet set)
     setRules(std::move(rules), tr("Add rules: %1").arg(ruleSetName(set)));
 }
 
-void RulesDock::duplicateRule()
+void RuleCommands::duplicateRule()
 {
     if (const Rule* rule = current()) {
         std::vector<Rule> made{*rule};
@@ -161,7 +198,7 @@ void RulesDock::duplicateRule()
     }
 }
 
-void RulesDock::removeRule()
+void RuleCommands::removeRule()
 {
     std::vector<Rule> rules = m_state.scene().rules;
     const auto found = std::ranges::find(rules, m_current, &Rule::id);
@@ -173,12 +210,12 @@ void RulesDock::removeRule()
     setRules(std::move(rules), tr("Delete a rule"));
 }
 
-void RulesDock::switchRule()
+void RuleCommands::switchRule()
 {
     change([](Rule& rule) { rule.isEnabled = !rule.isEnabled; });
 }
 
-void RulesDock::moveRule(std::ptrdiff_t by)
+void RuleCommands::moveRule(std::ptrdiff_t by)
 {
     std::vector<Rule> rules = m_state.scene().rules;
     const auto found = std::ranges::find(rules, m_current, &Rule::id);
@@ -190,18 +227,18 @@ void RulesDock::moveRule(std::ptrdiff_t by)
     setRules(std::move(rules), tr("Reorder the rules"));
 }
 
-void RulesDock::moveUp()
+void RuleCommands::moveUp()
 {
     moveRule(-1);
 }
 
-void RulesDock::moveDown()
+void RuleCommands::moveDown()
 {
     moveRule(1);
 }
 
 /// Lets what a rule waits for happen now.
-void RulesDock::tryRule()
+void RuleCommands::tryRule()
 {
     const Rule* rule = current();
     const auto* trigger = rule != nullptr ? rule->trigger.as<model::triggers::Event>() : nullptr;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "widgets/docks/FieldReferences.h"
+
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -12,7 +14,6 @@
 #include "model/scene/NearestPath.h"
 #include "model/scene/Scene.h"
 #include "widgets/docks/ClipMix.h"
-#include "widgets/docks/FieldForm.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/EditorState.h"
 
