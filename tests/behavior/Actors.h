@@ -78,6 +78,16 @@ inline Rule onEvent(const char* event, std::vector<Action> actions)
     return rule;
 }
 
+inline Action tellNear(const char* event, float metres, float secondsPerMetre = 0.0F)
+{
+    actions::SendEvent made;
+    made.event = event;
+    made.reach = model::EventReach::Near;
+    made.metres = metres;
+    made.secondsPerMetre = secondsPerMetre;
+    return made;
+}
+
 inline std::uint16_t clipOf(const Session& session, std::size_t row)
 {
     return session.frame()->population.column(model::columns::clip)[row];

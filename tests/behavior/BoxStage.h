@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "behavior/surface/SurfacePlan.h"
+#include "behavior/surface/WalkSurface.h"
 #include "model/scene/Scene.h"
 
 /// Stages of boxes, for tests of where people can walk. World frame, metres.
@@ -39,6 +41,15 @@ inline void addBox(model::StageMesh& mesh, const glm::vec3& low, const glm::vec3
     entry.id = 1;
     entry.asset = asset;
     return entry;
+}
+
+/// Null where the scene has none.
+[[nodiscard]] inline std::shared_ptr<const behavior::WalkSurface>
+surfaceOf(const model::Scene& scene)
+{
+    behavior::WalkSurface::Progress progress;
+    auto built = behavior::WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
+    return built ? built.value() : nullptr;
 }
 
 } // namespace crowd::testing

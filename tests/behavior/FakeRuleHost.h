@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "behavior/rules/RuleHost.h"
 
 namespace crowd::testing {

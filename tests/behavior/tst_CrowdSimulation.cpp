@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "behavior/workload/Workload.h"
 #include "behavior/workload/WorkloadRun.h"
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
@@ -42,8 +43,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-constexpr float kStep = behavior::kWorkloadStep;
 
 /// All there is to know of a crowd.
 std::vector<std::uint32_t> bitsOf(const CrowdSimulation& crowd)
@@ -146,8 +145,8 @@ void CrowdSimulationTest::doesNotDependOnThePast()
     for (int i = 0; i < 20; ++i) {
         steerAll(crowd, {1.0F, 0.2F});
         steerAll(fresh, {1.0F, 0.2F});
-        crowd.step(kStep);
-        fresh.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
+        fresh.step(behavior::kWorkloadStep);
     }
     QVERIFY(bitsOf(crowd) == bitsOf(fresh));
 }
@@ -203,7 +202,7 @@ void CrowdSimulationTest::standingPeopleAreNotMoved()
     crowd.setAgents(states);
     for (int i = 0; i < 600; ++i) {
         steerAll(crowd, {1.3F, 0.0F});
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
         QCOMPARE(crowd.bodies()[40].x, 0.0F);
         QCOMPARE(crowd.bodies()[40].z, 0.0F);
         QCOMPARE(behavior::countPairsCloserThan(crowd, 0.4F), std::size_t{0});
@@ -247,7 +246,7 @@ void CrowdSimulationTest::nobodyPassesAWall()
     crowd.setAgents(states);
     for (int i = 0; i < 600; ++i) {
         steerAll(crowd, {2.0F, 0.0F});
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
         for (const behavior::Body& body : crowd.bodies()) {
             QVERIFY(glm::dot(glm::vec2(body.x, body.z), across) < 0.0F);
         }
@@ -269,7 +268,7 @@ void CrowdSimulationTest::aWallOfPiecesPressesLikeOne()
         crowd.setAgents({&walker, 1});
         for (int i = 0; i < 200; ++i) {
             steerAll(crowd, {1.3F, -0.5F});
-            crowd.step(kStep);
+            crowd.step(behavior::kWorkloadStep);
         }
         return glm::vec2(crowd.bodies()[0].x, crowd.bodies()[0].z);
     };
@@ -287,7 +286,7 @@ void CrowdSimulationTest::otherLevelsDoNotMatter()
     for (int i = 0; i < 90; ++i) {
         crowd.bodies()[0].desiredX = 1.3F;
         crowd.bodies()[1].desiredX = -1.3F;
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
     }
     QCOMPARE(crowd.bodies()[0].z, 0.0F); // never gave way
     QCOMPARE(crowd.bodies()[1].z, 0.05F);
@@ -301,7 +300,7 @@ void CrowdSimulationTest::peopleOnOneSpotComeApartCalmly()
     std::vector<behavior::Body> before;
     for (int step = 0; step < 180; ++step) {
         before.assign(crowd.bodies().begin(), crowd.bodies().end());
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
         for (std::size_t agent = 0; agent < kPeople; ++agent) {
             const float moved =
                 glm::distance(glm::vec2(crowd.bodies()[agent].x, crowd.bodies()[agent].z),
@@ -338,7 +337,8 @@ void CrowdSimulationTest::survivesNonsense()
     CrowdSimulation crowd;
     crowd.setWalls(walls);
     crowd.setAgents(states);
-    for (const float seconds : {0.0F, nan, -1.0F, infinity, kStep, kStep}) {
+    for (const float seconds :
+         {0.0F, nan, -1.0F, infinity, behavior::kWorkloadStep, behavior::kWorkloadStep}) {
         steerAll(crowd, {nan, 1.0F});
         crowd.step(seconds);
     }

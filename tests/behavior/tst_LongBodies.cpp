@@ -12,7 +12,7 @@
 
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/session/Session.h"
-#include "behavior/surface/WalkSurface.h"
+#include "behavior/workload/Workload.h"
 #include "model/base/Parallel.h"
 #include "model/project/SceneAssets.h"
 #include "tests/behavior/Actors.h"
@@ -47,8 +47,6 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr float kStep = 1.0F / 30.0F;
-
 /// From a point to the middle line of a long body.
 float awayFrom(const glm::vec2& point, const Body& own, const LongBody& body)
 {
@@ -58,7 +56,7 @@ float awayFrom(const glm::vec2& point, const Body& own, const LongBody& body)
     return glm::length(from - along * way);
 }
 
-glm::vec2 placeOf(const Body& body)
+glm::vec2 flatPlaceOf(const Body& body)
 {
     return {body.x, body.z};
 }
@@ -99,9 +97,9 @@ void LongBodiesTest::wideBodiesKeepFurtherAway()
         for (int step = 0; step < 300; ++step) {
             crowd.bodies()[0].desiredZ = 1.3F;
             crowd.bodies()[1].desiredZ = -1.3F;
-            crowd.step(kStep);
-            least = std::min(least,
-                             glm::distance(placeOf(crowd.bodies()[0]), placeOf(crowd.bodies()[1])));
+            crowd.step(behavior::kWorkloadStep);
+            least = std::min(least, glm::distance(flatPlaceOf(crowd.bodies()[0]),
+                                                  flatPlaceOf(crowd.bodies()[1])));
         }
         return least;
     };
@@ -135,10 +133,10 @@ void LongBodiesTest::nobodyWalksThroughALongBody()
         }
         crowd.bodies()[0].desiredZ = 0.0F;
         crowd.bodies()[0].desiredX = speed;
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
         const LongBody& horse = crowd.longBodies().front();
         for (const Body& body : crowd.bodies().subspan(1)) {
-            least = std::min(least, awayFrom(placeOf(body), crowd.bodies()[0], horse));
+            least = std::min(least, awayFrom(flatPlaceOf(body), crowd.bodies()[0], horse));
         }
     }
     QVERIFY2(least > 0.7F * 0.65F, qPrintable(QString::number(least)));
@@ -165,11 +163,11 @@ void LongBodiesTest::longBodiesKeepOutOfEachOther()
             crowd.bodies()[i].desiredX = i % 2 == 0 ? 1.3F : -1.3F;
         }
         turnAsTheyGo(crowd);
-        crowd.step(kStep);
+        crowd.step(behavior::kWorkloadStep);
         for (const LongBody& horse : crowd.longBodies()) {
             for (std::size_t other = 0; other < 8 && step > 30; ++other) {
                 if (other != horse.agent) {
-                    least = std::min(least, awayFrom(placeOf(crowd.bodies()[other]),
+                    least = std::min(least, awayFrom(flatPlaceOf(crowd.bodies()[other]),
                                                      crowd.bodies()[horse.agent], horse));
                 }
             }
@@ -186,7 +184,7 @@ void LongBodiesTest::longBodiesKeepOutOfWalls()
     crowd.setWalls(std::vector<Wall>{{{-20.0F, 6.0F}, {20.0F, 6.0F}}});
     for (int step = 0; step < 400; ++step) {
         crowd.bodies()[0].desiredZ = 1.3F;
-        crowd.step(kStep); // it keeps facing the wall
+        crowd.step(behavior::kWorkloadStep); // it keeps facing the wall
         QVERIFY2(crowd.bodies()[0].z + 1.5F < 6.0F - 0.4F,
                  qPrintable(QString::number(crowd.bodies()[0].z)));
     }
@@ -213,7 +211,7 @@ void LongBodiesTest::sameBitsForAnyNumberOfThreads()
                 body.desiredX = body.x < 40.0F ? 1.3F : -1.3F;
             }
             turnAsTheyGo(crowd);
-            crowd.step(kStep);
+            crowd.step(behavior::kWorkloadStep);
         }
         std::vector<std::uint32_t> bits;
         for (const Body& body : crowd.bodies()) {
@@ -265,7 +263,7 @@ void LongBodiesTest::aHerdDoesNotOverlap()
             for (std::size_t other = 0; other < kHorses; ++other) {
                 if (other != horse.agent) {
                     least = std::min(
-                        least, awayFrom(placeOf(session.crowd().bodies()[other]), own, horse));
+                        least, awayFrom(flatPlaceOf(session.crowd().bodies()[other]), own, horse));
                 }
             }
         }
@@ -323,10 +321,9 @@ void LongBodiesTest::walkersGoAroundWhatIsParked()
     scene.population.add(rows);
     Session session(scene);
     if (!scene.stages.empty()) {
-        behavior::WalkSurface::Progress progress;
-        const auto built = behavior::WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
-        QVERIFY(built.isOk());
-        session.setSurface(built.value());
+        const auto surface = testing::surfaceOf(scene);
+        QVERIFY(surface);
+        session.setSurface(surface);
     }
     float least = 100.0F;
     for (int step = 0; step < 30 * 45; ++step) {
@@ -334,7 +331,8 @@ void LongBodiesTest::walkersGoAroundWhatIsParked()
         const std::span<const Body> bodies = std::as_const(session.crowd()).bodies();
         for (const LongBody& horse : session.crowd().longBodies()) {
             for (std::size_t i = 0; i < kPeople; ++i) {
-                least = std::min(least, awayFrom(placeOf(bodies[i]), bodies[horse.agent], horse));
+                least =
+                    std::min(least, awayFrom(flatPlaceOf(bodies[i]), bodies[horse.agent], horse));
             }
         }
     }

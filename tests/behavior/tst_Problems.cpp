@@ -38,13 +38,6 @@ model::Scene walledScene(bool isClosed, const glm::vec3& from, const glm::vec3& 
     return scene;
 }
 
-std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene)
-{
-    WalkSurface::Progress progress;
-    auto built = WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
-    return built ? built.value() : nullptr;
-}
-
 bool isSaid(const std::vector<Problem>& problems, const char* words, const Problem& about)
 {
     return std::ranges::any_of(problems, [&](const Problem& problem) {
@@ -67,14 +60,6 @@ Problem ofPlace(model::PlaceId place)
 Problem ofRule(model::RuleId rule)
 {
     return {{}, rule};
-}
-
-Action tell(const char* event)
-{
-    actions::SendEvent made;
-    made.event = event;
-    made.metres = 3.0F;
-    return made;
 }
 
 } // namespace
@@ -180,9 +165,9 @@ void TestProblems::aRuleWithADeletedPathIsSaid()
 void TestProblems::eventsThatGoRoundAreSaid()
 {
     model::Scene scene = rowOf(3);
-    Rule ping = onEvent("ping", {tell("pong")});
+    Rule ping = onEvent("ping", {tellNear("pong", 3.0F)});
     ping.id = 3;
-    Rule pong = onEvent("pong", {tell("ping")});
+    Rule pong = onEvent("pong", {tellNear("ping", 3.0F)});
     pong.id = 4;
     scene.rules = {ping, pong};
     Session session(scene);

@@ -43,14 +43,6 @@ bool isMarked(Session& session, std::uint32_t agent, std::uint8_t tag)
     return (session.rules().tags(agent) >> tag & 1U) != 0;
 }
 
-Action tellNear(const char* event)
-{
-    actions::SendEvent made;
-    made.event = event;
-    made.metres = 100.0F;
-    return made;
-}
-
 void tagOne(model::Scene& scene, model::IndividualId id)
 {
     const std::vector<model::IndividualId> ids{id};
@@ -63,7 +55,7 @@ Rule walkOff()
 {
     actions::GoToPlace go;
     go.place = 1;
-    Rule rule = onEvent("go", {tellNear("come"), go});
+    Rule rule = onEvent("go", {tellNear("come", 100.0F), go});
     return rule;
 }
 
@@ -314,7 +306,7 @@ void TestRuleAims::fleeingRunsFromTheAim()
     auto flee = about<actions::Flee>(static_cast<ActionAim>(aim));
     flee.place = 1;
     flee.metres = 5.0F;
-    Rule shout = onEvent("shout", {tellNear("run")});
+    Rule shout = onEvent("shout", {tellNear("run", 100.0F)});
     Rule away = onEvent("run", {flee});
     away.id = 2;
     scene.rules = {shout, away};

@@ -55,10 +55,9 @@ model::StageEntry wallBeside(float low, float high)
 
 void letPeopleStandOn(Session& session, const model::Scene& scene)
 {
-    behavior::WalkSurface::Progress progress;
-    auto built = behavior::WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
-    QVERIFY(built.isOk());
-    session.setSurface(built.value());
+    const auto surface = surfaceOf(scene);
+    QVERIFY(surface);
+    session.setSurface(surface);
 }
 
 } // namespace

@@ -23,16 +23,6 @@ Action clap()
     return made;
 }
 
-Action tell(const char* event, float metres, float secondsPerMetre)
-{
-    actions::SendEvent made;
-    made.event = event;
-    made.reach = model::EventReach::Near;
-    made.metres = metres;
-    made.secondsPerMetre = secondsPerMetre;
-    return made;
-}
-
 } // namespace
 
 class TestRules : public QObject
@@ -77,7 +67,7 @@ void TestRules::aClipIsPlayedToItsEndAndNoLonger()
 void TestRules::aWaveRunsAtItsSpeed()
 {
     model::Scene scene = rowOf(20);
-    Rule rule = onEvent("wave", {tell("wave", 2.5F, 0.25F), clap()});
+    Rule rule = onEvent("wave", {tellNear("wave", 2.5F, 0.25F), clap()});
     rule.cooldownSeconds = 60.0F;
     scene.rules = {rule};
     Session session(scene);
@@ -181,7 +171,7 @@ void TestRules::aRuleThatRepeatsWithoutTimeIsEnded()
 void TestRules::eventsInACircleNeverCloseWithinOneStep()
 {
     model::Scene scene = rowOf(2);
-    scene.rules = {onEvent("echo", {tell("echo", 5.0F, 0.0F)})};
+    scene.rules = {onEvent("echo", {tellNear("echo", 5.0F)})};
     Session session(scene);
     session.send("echo", 0.0F, {1});
     run(session, 30);

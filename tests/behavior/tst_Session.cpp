@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "behavior/motion/GaitTable.h"
 #include "behavior/session/Session.h"
 #include "model/base/Parallel.h"
 #include "tests/program/Test.h"

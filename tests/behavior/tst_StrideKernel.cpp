@@ -27,7 +27,7 @@ private Q_SLOTS:
 namespace {
 
 constexpr std::size_t kPeople = 500; // no multiple of the lanes
-constexpr float kStep = 1.0F / 30.0F;
+constexpr float kStrideStep = 1.0F / 30.0F;
 
 float anyBetween(float low, float high, std::uint64_t key, std::uint64_t agent)
 {
@@ -68,7 +68,7 @@ MotionState someMotion(const std::vector<Body>& bodies)
 
 StrideParameters parameters()
 {
-    return {kStep, 0.15F, 4.0F * kStep, 0.15F, 0.02F, 12.0F};
+    return {kStrideStep, 0.15F, 4.0F * kStrideStep, 0.15F, 0.02F, 12.0F};
 }
 
 } // namespace
@@ -136,7 +136,7 @@ void StrideKernelTest::turnsToWhereTheyGo()
         const float expected = turns ? heading : before.heading[i];
         constexpr float kRound = 2.0F * std::numbers::pi_v<float>;
         QVERIFY(std::fabs(std::remainder(motion.heading[i] - expected, kRound)) < 1e-5F);
-        const float ahead = (0.03F * std::sin(expected) + 0.01F * std::cos(expected)) / kStep;
+        const float ahead = (0.03F * std::sin(expected) + 0.01F * std::cos(expected)) / kStrideStep;
         QVERIFY(std::fabs(motion.stride[i] - std::max(ahead, 0.0F)) < 1e-4F);
     }
 }

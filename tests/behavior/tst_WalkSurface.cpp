@@ -15,6 +15,7 @@ using behavior::Session;
 using behavior::WalkSurface;
 using testing::addBox;
 using testing::stageOf;
+using testing::surfaceOf;
 
 namespace {
 
@@ -63,13 +64,6 @@ model::Scene walkerFrom(const glm::vec3& from, const glm::vec3& to)
 model::Place area(model::PlaceId id, float x, float z, float radius, model::PlaceRole role)
 {
     return {id, "area", {x, 0.0F, z}, radius, {}, role};
-}
-
-std::shared_ptr<const WalkSurface> surfaceOf(const model::Scene& scene)
-{
-    WalkSurface::Progress progress;
-    auto built = WalkSurface::build(behavior::SurfacePlan::of(scene), progress);
-    return built ? built.value() : nullptr;
 }
 
 glm::vec3 shownAt(const Session& session)

@@ -12,6 +12,7 @@
 #include "model/project/ProjectFile.h"
 #include "tests/app/PlainScene.h"
 #include "tests/command/Program.h"
+#include "tests/program/FileContent.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
@@ -131,12 +132,6 @@ model::Scene walkers()
     scene.population.setValues<model::PathId>(model::columns::path, ids,
                                               std::vector<model::PathId>(ids.size(), 1));
     return scene;
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 #include <QtWidgets/QApplication>
 
 #include "app/window/MainWindow.h"
-#include "model/project/ProjectWriter.h"
+#include "tests/model/ProjectText.h"
 
 namespace crowd::testing {
 
@@ -54,11 +54,7 @@ public:
     [[nodiscard]] widgets::EditorState& state() { return window.state(); }
     [[nodiscard]] widgets::ViewportWidget& view() { return window.viewport(); }
     [[nodiscard]] std::size_t people() { return window.document().scene().population.size(); }
-    [[nodiscard]] std::string bytes()
-    {
-        const auto text = model::projectToText(window.document().scene());
-        return text ? text.value() : text.error().message;
-    }
+    [[nodiscard]] std::string bytes() { return projectText(window.document().scene()); }
     /// Of the scene at rest, everything baked (which takes long under the sanitizers), without any
     /// brush in it; null if it did not come to rest.
     [[nodiscard]] QImage picture()

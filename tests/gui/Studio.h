@@ -8,6 +8,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QVBoxLayout>
 
+#include "tests/model/ProjectText.h"
 #include "tests/widgets/SmallTheatre.h"
 #include "widgets/viewport/ViewportWidget.h"
 
@@ -51,6 +52,7 @@ public:
         settle();
         return view->grabFramebuffer();
     }
+    [[nodiscard]] std::string bytes() const { return projectText(document.scene()); }
     [[nodiscard]] std::size_t people() const { return document.scene().population.size(); }
     void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
               Qt::KeyboardModifiers modifiers = {})

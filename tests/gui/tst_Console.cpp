@@ -10,16 +10,12 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "tests/gui/Patience.h"
 #include "tests/program/WindowTest.h"
 
 using namespace crowd;
 using crowd::app::ScriptOutcome;
-
-namespace {
-
-constexpr int kPatienceMs = 20'000;
-
-} // namespace
+using crowd::testing::kScriptPatienceMs;
 
 /// Python in the real window. One window for all: Python starts once in a process.
 class ConsoleTest : public QObject
@@ -64,7 +60,7 @@ private:
     {
         QSignalSpy finished(&m_window->interpreter(), &app::Interpreter::finished);
         type(text);
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kPatienceMs);
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kScriptPatienceMs);
     }
 
     QTemporaryDir m_folder;
@@ -110,7 +106,8 @@ void ConsoleTest::typedLinesChangeTheSceneAndCanBeUndone()
     QVERIFY(run(QStringLiteral("ids = scene.create(template=man, position=[[0,0,0],[1,0,0]])")));
     QCOMPARE(people(), std::size_t{2});
     QVERIFY(run(QStringLiteral("len(scene)")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().endsWith(QStringLiteral(">>> len(scene)\n2\n")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().endsWith(QStringLiteral(">>> len(scene)\n2\n")),
+                             kScriptPatienceMs);
     m_window->actions().action("undo")->trigger();
     QCOMPARE(people(), std::size_t{0});
     m_window->actions().action("redo")->trigger();
@@ -120,12 +117,13 @@ void ConsoleTest::typedLinesChangeTheSceneAndCanBeUndone()
 void ConsoleTest::errorsAreShownWithoutOurOwnFrames()
 {
     QVERIFY(run(QStringLiteral("scene.change([99], heading=1.0)")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("no individual 99")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("no individual 99")),
+                             kScriptPatienceMs);
     QVERIFY(output().contains(QStringLiteral("<console>")));
     QVERIFY2(!output().contains(QStringLiteral("console.py")), qPrintable(output()));
     m_window->console().clearOutput();
     QVERIFY(run(QStringLiteral("1 +")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("SyntaxError")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("SyntaxError")), kScriptPatienceMs);
 }
 
 void ConsoleTest::blocksGoOnUntilTheyAreComplete()
@@ -137,7 +135,8 @@ void ConsoleTest::blocksGoOnUntilTheyAreComplete()
         QTest::keyClick(&input(), Qt::Key_Backspace);
     }
     QVERIFY(run(QString()));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("turn 0\nturn 1\n")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("turn 0\nturn 1\n")),
+                             kScriptPatienceMs);
     QCOMPARE(input().toPlainText(), QString());
 }
 
@@ -160,12 +159,12 @@ void ConsoleTest::namesAreCompleted()
     QTest::keyClicks(&input(), QStringLiteral("scene.add_te"));
     QTest::keyClick(&input(), Qt::Key_Tab);
     QTRY_COMPARE_WITH_TIMEOUT(input().toPlainText(), QStringLiteral("scene.add_template"),
-                              kPatienceMs);
+                              kScriptPatienceMs);
     input().clear();
     QTest::keyClicks(&input(), QStringLiteral("scene."));
     QTest::keyClick(&input(), Qt::Key_Tab);
     auto* list = input().findChild<QCompleter*>()->popup();
-    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), kScriptPatienceMs);
     QVERIFY(list->model()->rowCount() > 10);
     QTest::keyClick(list, Qt::Key_Escape);
     QVERIFY(!list->isVisible());
@@ -178,11 +177,11 @@ void ConsoleTest::endlessLoopsCanBeStopped()
     QTest::qWait(300);
     QVERIFY(m_window->interpreter().isRunning());
     m_window->actions().action("script-cancel")->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
     QCOMPARE(finished[0][0].value<ScriptOutcome>(), ScriptOutcome::Failed);
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("Cancelled")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("Cancelled")), kScriptPatienceMs);
     QVERIFY(run(QStringLiteral("6 * 7")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("42")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("42")), kScriptPatienceMs);
 }
 
 void ConsoleTest::sleepCanBeStopped()
@@ -192,7 +191,7 @@ void ConsoleTest::sleepCanBeStopped()
     QTest::qWait(300);
     auto* cancel = m_window->findChild<QToolButton*>(QStringLiteral("consoleCancel"));
     QTest::mouseClick(cancel, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
 }
 
 void ConsoleTest::handsAreHeldBackWhileAScriptRuns()
@@ -210,16 +209,16 @@ void ConsoleTest::handsAreHeldBackWhileAScriptRuns()
     QVERIFY2(said.contains(QStringLiteral("script")), qPrintable(said));
     const int drawn = m_window->viewport().drawnFrames();
     m_window->viewport().update();
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().drawnFrames() > drawn, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().drawnFrames() > drawn, kScriptPatienceMs);
     m_window->interpreter().cancel();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
     disconnect(listening);
 }
 
 void ConsoleTest::floodsAreCutShort()
 {
     QVERIFY(run(QStringLiteral("exec('for i in range(300): print(\"x\" * 100000)')")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("left out")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("left out")), kScriptPatienceMs);
     QVERIFY(output().size() < 5'000'000);
 }
 
@@ -227,7 +226,7 @@ void ConsoleTest::aGigabyteAtOnceIsCutShort()
 {
     QVERIFY(run(QStringLiteral("print('y' * 10**9)")));
     QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("999900000 characters are left out")),
-                             kPatienceMs);
+                             kScriptPatienceMs);
     QVERIFY(output().size() < 1'000'000);
 }
 
@@ -242,10 +241,10 @@ void ConsoleTest::handlesOutliveTheirScene()
     QVERIFY(!m_window->document().isEditOpen());
     QVERIFY(run(QStringLiteral("t.name")));
     QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("no longer in the scene")),
-                             kPatienceMs);
+                             kScriptPatienceMs);
     QVERIFY(run(QStringLiteral("block.__exit__(None, None, None)")));
     QVERIFY(run(QStringLiteral("print('people:', len(scene))")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("people: 0")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("people: 0")), kScriptPatienceMs);
     m_window->document().replaceScene(before, {});
 }
 
@@ -254,7 +253,7 @@ void ConsoleTest::theSceneNameCannotBeLost()
     QVERIFY(run(QStringLiteral("del scene")));
     QVERIFY(run(QStringLiteral("scene = None")));
     QVERIFY(run(QStringLiteral("print('there are', len(scene))")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("there are 2")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("there are 2")), kScriptPatienceMs);
 }
 
 void ConsoleTest::filesRunWithTheScene()
@@ -267,8 +266,9 @@ void ConsoleTest::filesRunWithTheScene()
     file.close();
     QSignalSpy finished(&m_window->interpreter(), &app::Interpreter::finished);
     m_window->console().runFile(path);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("__main__ 2 True")), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("__main__ 2 True")),
+                             kScriptPatienceMs);
     QVERIFY(output().contains(QStringLiteral("line 3")));
     QVERIFY(output().contains(QStringLiteral("ValueError: at the end")));
 }
@@ -296,14 +296,15 @@ void ConsoleTest::eventsReachThoseWhoPlay()
         run(QStringLiteral("scene.set_environment({'rules': [{'id': 1, 'when': {'kind': 'event', "
                            "'event': 'show'}, 'do': [{'kind': 'tag', 'tag': 5}]}]})")));
     QVERIFY(run(QStringLiteral("scene.send('show')")));
-    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("press play first")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("press play first")),
+                             kScriptPatienceMs);
     widgets::SessionControl& session = m_window->state().session();
     m_window->state().transport().setPlaying(true);
-    QTRY_VERIFY_WITH_TIMEOUT(session.isRunning(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session.isRunning(), kScriptPatienceMs);
     QVERIFY(run(QStringLiteral("scene.send('show', scene.ids[:1])")));
-    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{1}, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{1}, kScriptPatienceMs);
     QVERIFY(run(QStringLiteral("scene.send('show')")));
-    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{3}, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(session.firedCount(1), std::uint64_t{3}, kScriptPatienceMs);
     session.stop();
 }
 
@@ -315,7 +316,7 @@ void ConsoleTest::closingStopsTheScript()
     QVERIFY(m_window->interpreter().isRunning());
     QVERIFY(!m_window->close()); // at once, without waiting
     QVERIFY(m_window->interpreter().isRunning());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kScriptPatienceMs);
     QVERIFY(!m_window->interpreter().isRunning());
 }
 

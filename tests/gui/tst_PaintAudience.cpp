@@ -5,7 +5,6 @@
 #include <QtTest/QTest>
 
 #include "model/project/ProjectFile.h"
-#include "model/project/ProjectWriter.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
 
@@ -14,12 +13,6 @@ using namespace crowd::widgets;
 using crowd::testing::Studio;
 
 namespace {
-
-std::string bytesOf(const Studio& studio)
-{
-    const auto text = model::projectToText(studio.document.scene());
-    return text ? text.value() : text.error().message;
-}
 
 /// Sweeps over the rows with the mouse until so many people sit.
 void paintSeats(Studio& studio, std::size_t wanted)
@@ -59,7 +52,7 @@ void TestPaintAudience::paintRecolourUndoRedoSaveReopen()
     Studio studio;
     QVERIFY(studio.isReady());
     QCOMPARE(studio.view->problem(), QString());
-    const std::string emptyBytes = bytesOf(studio);
+    const std::string emptyBytes = studio.bytes();
     const QImage emptyPicture = studio.picture();
 
     paintSeats(studio, 200);
@@ -71,7 +64,7 @@ void TestPaintAudience::paintRecolourUndoRedoSaveReopen()
     QVERIFY(seated != emptyPicture);
 
     recolourRectangle(studio);
-    const std::string paintedBytes = bytesOf(studio);
+    const std::string paintedBytes = studio.bytes();
     studio.state.setTool(ToolId::BrushCreate);
     const QImage paintedPicture = studio.picture();
     QVERIFY(paintedPicture != seated);
@@ -82,13 +75,13 @@ void TestPaintAudience::paintRecolourUndoRedoSaveReopen()
     while (undo.canUndo()) {
         undo.undo();
     }
-    QCOMPARE(bytesOf(studio), emptyBytes);
+    QCOMPARE(studio.bytes(), emptyBytes);
     QVERIFY(studio.picture() == emptyPicture);
     while (undo.canRedo()) {
         undo.redo();
     }
     QCOMPARE(undo.count(), steps);
-    QCOMPARE(bytesOf(studio), paintedBytes);
+    QCOMPARE(studio.bytes(), paintedBytes);
     QVERIFY(studio.picture() == paintedPicture);
 
     const QTemporaryDir folder;
@@ -103,7 +96,7 @@ void TestPaintAudience::paintRecolourUndoRedoSaveReopen()
     scene.stages.front().asset = made.stages.front().asset;
     Studio reopened(scene);
     QVERIFY(reopened.isReady());
-    QCOMPARE(bytesOf(reopened), paintedBytes);
+    QCOMPARE(reopened.bytes(), paintedBytes);
     QVERIFY(reopened.picture() == paintedPicture);
 }
 

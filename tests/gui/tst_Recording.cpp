@@ -12,6 +12,7 @@
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
 #include "tests/gui/Editor.h"
+#include "tests/program/FileContent.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/IndividualDock.h"
@@ -19,18 +20,13 @@
 
 using namespace crowd;
 using namespace crowd::widgets;
+using crowd::testing::contentOf;
 using crowd::testing::copyOfTheatre;
 using crowd::testing::Editor;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
-
-QByteArray contentsOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+constexpr int kReplayPatienceMs = 120'000;
 
 /// Runs a script in an interpreter of its own, without a display; what it printed as errors.
 QString runAlone(const QString& program, const QStringList& arguments)
@@ -41,7 +37,7 @@ QString runAlone(const QString& program, const QStringList& arguments)
     environment.remove(QStringLiteral("DISPLAY"));
     process.setProcessEnvironment(environment);
     process.start(program, arguments);
-    if (!process.waitForFinished(kPatienceMs)) {
+    if (!process.waitForFinished(kReplayPatienceMs)) {
         return QStringLiteral("it does not end");
     }
     const QString said = QString::fromUtf8(process.readAllStandardError());
@@ -250,14 +246,14 @@ void TestRecording::aSessionIsReplayedToTheSameBytesAndPicture()
         editor.window.console().hide(); // as it is in another window
         painted = editor.picture();
     }
-    const QByteArray wanted = contentsOf(path);
+    const QByteArray wanted = contentOf(path);
     QVERIFY(!wanted.isEmpty());
     const QString plain = m_folder.filePath(QStringLiteral("plain.crowd"));
     QCOMPARE(replay(script, plain), QString());
-    QVERIFY2(contentsOf(plain) == wanted, "plain python3 gives another scene");
+    QVERIFY2(contentOf(plain) == wanted, "plain python3 gives another scene");
     const QString own = m_folder.filePath(QStringLiteral("own.crowd"));
     QCOMPARE(replayInProgram(script, own), QString());
-    QVERIFY2(contentsOf(own) == wanted, "crowdbrush script gives another scene");
+    QVERIFY2(contentOf(own) == wanted, "crowdbrush script gives another scene");
     keepWhereWanted(script, own);
     Editor replayed;
     QVERIFY(replayed.open(plain));
@@ -391,7 +387,7 @@ void TestRecording::everyKindOfEditHasItsLines()
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("edits.crowd"));
     QCOMPARE(replay(script, plain), QString());
-    QVERIFY(contentsOf(plain) == contentsOf(path));
+    QVERIFY(contentOf(plain) == contentOf(path));
     keepWhereWanted(script, plain);
 }
 
@@ -415,7 +411,7 @@ void TestRecording::undoingWhatCameBeforeStartsAnew()
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("anew.crowd"));
     QCOMPARE(replay(script, plain), QString());
-    QVERIFY(contentsOf(plain) == contentsOf(path));
+    QVERIFY(contentOf(plain) == contentOf(path));
 }
 
 void TestRecording::redoingBringsItBack()
@@ -451,7 +447,7 @@ void TestRecording::redoingBringsItBack()
     QVERIFY(editor.window.files().save());
     const QString plain = m_folder.filePath(QStringLiteral("back.crowd"));
     QCOMPARE(replay(script, plain), QString());
-    QVERIFY(contentsOf(plain) == contentsOf(path));
+    QVERIFY(contentOf(plain) == contentOf(path));
 }
 
 void TestRecording::anotherSceneEndsIt()

@@ -6,9 +6,11 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 
+#include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/docks/RuleNames.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -254,4 +256,3 @@ void TestScenarios::clappingSpreadsFromWhereItWasSprayed()
 
 CROWD_WINDOW_TEST(TestScenarios)
 #include "tst_Scenarios.moc"
-#include "widgets/docks/RuleNames.h"

@@ -10,6 +10,7 @@
 
 #include "app/console/ConsoleDock.h"
 #include "tests/gui/Editor.h"
+#include "tests/gui/Patience.h"
 #include "tests/program/WindowTest.h"
 #include "widgets/docks/BrushPaletteDock.h"
 #include "widgets/docks/BrushSettingsDock.h"
@@ -20,10 +21,9 @@ using namespace crowd;
 using namespace crowd::widgets;
 using crowd::testing::copyOfTheatre;
 using crowd::testing::Editor;
+using crowd::testing::kScriptPatienceMs;
 
 namespace {
-
-constexpr int kPatienceMs = 20'000;
 
 constexpr const char* kBrushes = R"(
 import time
@@ -104,7 +104,7 @@ private:
     {
         QSignalSpy finished(&m_editor->window.interpreter(), &app::Interpreter::finished);
         m_editor->window.interpreter().run(source);
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kPatienceMs);
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kScriptPatienceMs);
     }
     void choose(const char* brush)
     {
@@ -123,7 +123,7 @@ private:
     [[nodiscard]] bool isDone()
     {
         return QTest::qWaitFor([this] { return !m_editor->window.interpreter().isRunning(); },
-                               kPatienceMs);
+                               kScriptPatienceMs);
     }
     [[nodiscard]] std::string bytes() { return m_editor->bytes(); }
     [[nodiscard]] int steps() { return m_editor->window.document().undoStack().count(); }
@@ -144,7 +144,7 @@ void TestScriptBrush::initTestCase()
             [this](const QString& text) { m_said = text; });
     QVERIFY(run(QString::fromUtf8(kBrushes)));
     QTRY_COMPARE_WITH_TIMEOUT(m_editor->state().scriptBrushes().size(), std::size_t{4},
-                              kPatienceMs);
+                              kScriptPatienceMs);
 }
 
 void TestScriptBrush::init()
@@ -241,7 +241,7 @@ void TestScriptBrush::escapeTakesASlowOneBack()
     choose("Slow");
     paint();
     auto* bar = m_editor->window.findChild<WorkBar*>();
-    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->status().done >= 0.0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->status().done >= 0.0, kScriptPatienceMs);
     QVERIFY(bar->status().text.contains(QStringLiteral("Slow")));
     QVERIFY(m_editor->window.document().isEditOpen());
     QElapsedTimer clock;
@@ -262,7 +262,7 @@ void TestScriptBrush::theBarOverThePictureTakesItBack()
     paint();
     auto* bar = m_editor->window.findChild<WorkBar*>();
     auto* button = bar->findChild<QToolButton*>();
-    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && button->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && button->isVisible(), kScriptPatienceMs);
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(isDone());
     QVERIFY(bytes() == m_before);
@@ -291,7 +291,7 @@ void TestScriptBrush::escapeWhileTheButtonIsHeld()
     m_editor->state().setBrush(wide);
     const QSize size = m_editor->view().size();
     m_editor->press({size.width() / 2, size.height() / 2});
-    QTRY_VERIFY_WITH_TIMEOUT(bytes() != m_before, kPatienceMs); // seen at once
+    QTRY_VERIFY_WITH_TIMEOUT(bytes() != m_before, kScriptPatienceMs); // seen at once
     QTest::keyClick(&m_editor->view(), Qt::Key_Escape);
     m_editor->release({size.width() / 2, size.height() / 2});
     QVERIFY(isDone());

@@ -3,7 +3,6 @@
 
 #include <QtTest/QTest>
 
-#include "model/project/ProjectWriter.h"
 #include "model/rules/RuleSets.h"
 #include "tests/gui/Studio.h"
 #include "tests/program/WindowTest.h"
@@ -23,12 +22,6 @@ model::Scene ground()
     scene.stages.clear();
     scene.cameras = {{"above", model::Camera::lookingAt({0.0F, 22.0F, 12.0F}, {0.0F, 0.0F, 0.0F})}};
     return scene;
-}
-
-std::string bytesOf(const Studio& studio)
-{
-    const auto text = model::projectToText(studio.document.scene());
-    return text ? text.value() : text.error().message;
 }
 
 void click(Studio& studio, QPoint at)
@@ -107,7 +100,7 @@ void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
 {
     Studio studio(ground());
     QVERIFY(studio.isReady());
-    const std::string empty = bytesOf(studio);
+    const std::string empty = studio.bytes();
     key(studio, Qt::Key_P);
     QCOMPARE(studio.state.tool(), ToolId::BrushPath);
     const float radius = studio.state.brush(model::BrushKind::Path).place()->radiusMetres;
@@ -128,17 +121,17 @@ void TestWalkingCrowd::aPathIsPaintedPlaceByPlace()
     QCOMPARE(scene.paths[0].places, (std::vector<model::PlaceId>{1, 2, 3}));
     QCOMPARE(scene.paths[0].kind, model::PathKind::Simple); // it ends where it was ended
     QCOMPARE(scene.paths[1].places, (std::vector<model::PlaceId>{4}));
-    const std::string full = bytesOf(studio);
+    const std::string full = studio.bytes();
     const QImage painted = studio.picture();
     while (studio.document.undoStack().canUndo()) {
         studio.document.undoStack().undo();
     }
-    QCOMPARE(bytesOf(studio), empty);
+    QCOMPARE(studio.bytes(), empty);
     QVERIFY(studio.picture() != painted);
     while (studio.document.undoStack().canRedo()) {
         studio.document.undoStack().redo();
     }
-    QCOMPARE(bytesOf(studio), full);
+    QCOMPARE(studio.bytes(), full);
 }
 
 void TestWalkingCrowd::placesAreMovedResizedAndDeleted()
@@ -216,12 +209,12 @@ void TestWalkingCrowd::paintWalkPlayStopAndKeep()
     paintWalk(studio);
     const auto followed = studio.document.scene().population.column(model::columns::path);
     QVERIFY(std::all_of(followed.begin(), followed.end(), [](auto path) { return path == 1; }));
-    const std::string before = bytesOf(studio);
+    const std::string before = studio.bytes();
     QVERIFY(!studio.state.session().isRunning());
     studio.state.transport().setPlaying(true);
     QTRY_VERIFY(studio.state.session().isRunning());
     QTRY_VERIFY_WITH_TIMEOUT(farthest(studio) > 1.5F, 20000);
-    QCOMPARE(bytesOf(studio), before); // the scene stays as it is
+    QCOMPARE(studio.bytes(), before); // the scene stays as it is
     studio.state.transport().setPlaying(false);
     const double paused = studio.state.transport().seconds();
     const glm::vec3 there = studio.state.frame()->population.column(model::columns::position)[0];
@@ -229,14 +222,14 @@ void TestWalkingCrowd::paintWalkPlayStopAndKeep()
     QVERIFY(studio.state.transport().seconds() > paused);
     QTRY_VERIFY(studio.state.frame()->population.column(model::columns::position)[0] != there);
     QVERIFY(studio.state.session().keepPose());
-    QVERIFY(bytesOf(studio) != before);
+    QVERIFY(studio.bytes() != before);
     QVERIFY(farthest(studio) < 0.2F);
     studio.state.session().stop();
     QVERIFY(!studio.state.session().isRunning());
     QCOMPARE(studio.state.transport().seconds(), 0.0);
     QCOMPARE(farthest(studio), 0.0F);
     studio.document.undoStack().undo();
-    QCOMPARE(bytesOf(studio), before);
+    QCOMPARE(studio.bytes(), before);
 }
 
 void TestWalkingCrowd::brushesReachPeopleWhoWalk()
@@ -354,14 +347,14 @@ void TestWalkingCrowd::aWalkingStyleIsPaintedOn()
     brush.as<crowd::model::StyleSettings>().speed = {2.0F, 2.0F};
     studio.state.setBrush(brush);
     key(studio, Qt::Key_Plus);
-    const std::string before = bytesOf(studio);
+    const std::string before = studio.bytes();
     studio.drag({5, 5}, {314, 234});
     const auto speeds = studio.document.scene().population.column(model::columns::walkSpeed);
     for (const float speed : speeds) {
         QVERIFY2(std::abs(speed - 2.1F) < 1e-3F, QByteArray::number(static_cast<double>(speed)));
     }
     studio.document.undoStack().undo();
-    QCOMPARE(bytesOf(studio), before);
+    QCOMPARE(studio.bytes(), before);
 }
 
 void TestWalkingCrowd::paintedGroundChangesTheWay()

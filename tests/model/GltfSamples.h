@@ -4,22 +4,18 @@
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
 #include "tests/model/GltfBuilder.h"
+#include "tests/model/Near.h"
 
 /// Small glTF files that several tests begin with, and what they show.
 namespace gltf_samples {
 
+using crowd::testing::near;
 using Json = GltfBuilder::Json;
-
-inline bool near(const glm::vec3& a, const glm::vec3& b)
-{
-    return glm::length(a - b) < 1e-5F;
-}
 
 inline Json& primitive(GltfBuilder& builder)
 {

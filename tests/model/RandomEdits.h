@@ -8,9 +8,9 @@
 #include "model/base/Random.h"
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
-#include "model/project/ProjectWriter.h"
+#include "tests/model/ProjectText.h"
 
-/// Random edits of a document, the same for the same key, for tests of undo.
+/// Edits of a document for tests of undo; the random ones are the same for the same key.
 namespace crowd::testing {
 
 using namespace crowd::model;
@@ -33,6 +33,14 @@ inline bool isSame(const Snapshot& a, const Snapshot& b)
 {
     return a.population == b.population && a.nextId == b.nextId && a.templates == b.templates &&
            a.cameras == b.cameras;
+}
+
+inline std::vector<IndividualId> addPeople(SceneDocument& document, std::size_t count)
+{
+    const auto edit = document.beginEdit();
+    auto ids = edit->addIndividuals(IndividualRows::withDefaults(std::vector<IndividualId>(count)));
+    edit->commit(QStringLiteral("Add"));
+    return ids;
 }
 
 /// A random subset of the ids, ascending.
@@ -110,8 +118,7 @@ inline std::string sceneText(Scene scene)
         scene.population.setValues(columns::templateId, ids,
                                    std::span<const TemplateId>(&entry.id, 1));
     }
-    const Result<std::string> text = projectToText(scene);
-    return text ? text.value() : text.error().message;
+    return projectText(scene);
 }
 
 /// One undo step of one to three random changes; false when they came to nothing.

@@ -10,19 +10,11 @@
 #include "model/project/LocateAssets.h"
 #include "model/project/SceneAssets.h"
 #include "tests/model/GltfBuilder.h"
+#include "tests/program/FileContent.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
-
-namespace {
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
-}
-
-} // namespace
+using crowd::testing::contentOf;
 
 /// Copies of assets beside the scene, and finding assets that have moved.
 class tst_CollectAssets : public QObject

@@ -6,10 +6,11 @@
 #include "model/document/SceneEdit.h"
 #include "model/project/EnvironmentText.h"
 #include "model/project/ProjectReader.h"
-#include "model/project/ProjectWriter.h"
+#include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
+using crowd::testing::projectText;
 
 namespace {
 
@@ -84,13 +85,7 @@ void furnish(SceneDocument& document)
     edit->commit(QStringLiteral("Furnish"));
 }
 
-std::string textOf(const Scene& scene)
-{
-    const auto text = projectToText(scene);
-    return text ? text.value() : "refused: " + text.error().message;
-}
-
-std::string sceneText(const std::string& members)
+std::string fileWith(const std::string& members)
 {
     return R"({"format": "crowdbrush-scene", "version": 1, )" + members +
            R"("individuals": {"columns": ["id","template","position"], "rows": []}})";
@@ -124,7 +119,7 @@ void TestEnvironment::savingKeepsEverything()
 {
     SceneDocument document;
     furnish(document);
-    const std::string text = textOf(document.scene());
+    const std::string text = projectText(document.scene());
     const auto read = projectFromText(text);
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QCOMPARE(read.value().places, document.scene().places);
@@ -135,15 +130,15 @@ void TestEnvironment::savingKeepsEverything()
     QCOMPARE(read.value().cues, document.scene().cues);
     QCOMPARE(read.value().surface, document.scene().surface);
     QCOMPARE(read.value().stepsPerSecond, 120U);
-    QCOMPARE(textOf(read.value()), text);
+    QCOMPARE(projectText(read.value()), text);
 }
 
 void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
 {
     SceneDocument document;
-    const std::string empty = textOf(document.scene());
+    const std::string empty = projectText(document.scene());
     furnish(document);
-    const std::string full = textOf(document.scene());
+    const std::string full = projectText(document.scene());
     {
         auto edit = document.beginEdit();
         edit->removePlace(2);
@@ -155,15 +150,15 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
         edit->setStepsPerSecond(60);
         edit->commit(QStringLiteral("Clear"));
     }
-    const std::string less = textOf(document.scene());
+    const std::string less = projectText(document.scene());
     QVERIFY(less != full);
     document.undoStack().undo();
-    QCOMPARE(textOf(document.scene()), full);
+    QCOMPARE(projectText(document.scene()), full);
     document.undoStack().undo();
-    QCOMPARE(textOf(document.scene()), empty);
+    QCOMPARE(projectText(document.scene()), empty);
     document.undoStack().redo();
     document.undoStack().redo();
-    QCOMPARE(textOf(document.scene()), less);
+    QCOMPARE(projectText(document.scene()), less);
 }
 
 /// Who hears that rules have changed, as undo and redo tell it, finds the steps of now.
@@ -186,17 +181,17 @@ void TestEnvironment::stepsAreKnownWhenTheyAreAnnounced()
 
 void TestEnvironment::filesFromBeforeHaveNone()
 {
-    const auto read = projectFromText(sceneText(""));
+    const auto read = projectFromText(fileWith(""));
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QVERIFY(read.value().places.empty() && read.value().paths.empty());
     QVERIFY(read.value().rules.empty() && !read.value().hasBehaviour());
     QVERIFY(read.value().numbers.empty() && read.value().cues.empty());
     QVERIFY(read.value().surface == SurfaceSettings());
     for (const char* member : {"paths", "numbers", "cues", "surface"}) {
-        QVERIFY(textOf(read.value()).find(member) == std::string::npos);
+        QVERIFY(projectText(read.value()).find(member) == std::string::npos);
     }
     // A rule from before rules said whom they yield to.
-    const auto old = projectFromText(sceneText(R"("rules": [{"id": 1}],)"));
+    const auto old = projectFromText(fileWith(R"("rules": [{"id": 1}],)"));
     QVERIFY(old.isOk());
     QCOMPARE(old.value().rules[0].yields, RuleYield::FurtherUp);
 }
@@ -257,7 +252,7 @@ void TestEnvironment::tooManyAreRefused()
     }
     for (const char* member : {"cues", "numbers"}) {
         const auto read =
-            projectFromText(sceneText("\"" + std::string(member) + "\": [" + cues + "],"));
+            projectFromText(fileWith("\"" + std::string(member) + "\": [" + cues + "],"));
         QVERIFY(!read.isOk());
         QVERIFY(read.error().message.find("more than 256") != std::string::npos);
     }
@@ -361,7 +356,7 @@ void TestEnvironment::refusesWhatIsWrong()
 {
     QFETCH(QString, members);
     QFETCH(QString, said);
-    const auto read = projectFromText(sceneText(members.toStdString()));
+    const auto read = projectFromText(fileWith(members.toStdString()));
     QVERIFY(!read.isOk());
     const QString message = QString::fromStdString(read.error().message);
     QVERIFY2(message.contains(said), qPrintable(message));
@@ -396,11 +391,11 @@ void TestEnvironment::unknownMembersAreWrittenBack()
     Scene scene;
     const auto read = readEnvironmentText(kStrange, scene, false);
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
-    const std::string text = textOf(scene);
+    const std::string text = projectText(scene);
     QCOMPARE(QString::fromStdString(text).count(QLatin1String("\"zeal\"")), 12);
     const auto again = projectFromText(text);
     QVERIFY2(again.isOk(), again ? "" : again.error().message.c_str());
-    QCOMPARE(textOf(again.value()), text);
+    QCOMPARE(projectText(again.value()), text);
     QVERIFY(again.value().rules == scene.rules);
     QVERIFY(again.value().cues == scene.cues);
 }
@@ -444,12 +439,12 @@ void TestEnvironment::scriptsMayNotMisspell()
     QFETCH(QString, said);
     Scene scene;
     scene.templates.push_back(manWith({"wave", "a"}));
-    const std::string before = textOf(scene);
+    const std::string before = projectText(scene);
     const auto read = readEnvironmentText(text.toStdString(), scene);
     QVERIFY(!read.isOk());
     QVERIFY2(QString::fromStdString(read.error().message).contains(said),
              read.error().message.c_str());
-    QCOMPARE(textOf(scene), before);
+    QCOMPARE(projectText(scene), before);
 }
 
 void TestEnvironment::scriptsMayPutBackWhatTheSceneHas()
@@ -457,10 +452,10 @@ void TestEnvironment::scriptsMayPutBackWhatTheSceneHas()
     Scene scene;
     scene.templates.push_back(manWith({"stand"}));
     QVERIFY(readEnvironmentText(kStrange, scene, false).isOk());
-    const std::string text = textOf(scene);
+    const std::string text = projectText(scene);
     const auto put = readEnvironmentText(environmentText(scene), scene);
     QVERIFY2(put.isOk(), put ? "" : put.error().message.c_str());
-    QCOMPARE(textOf(scene), text);
+    QCOMPARE(projectText(scene), text);
 }
 
 namespace {
@@ -470,7 +465,7 @@ double secondsToSet(PlaceId count)
 {
     SceneDocument document;
     furnish(document);
-    const std::string before = textOf(document.scene());
+    const std::string before = projectText(document.scene());
     std::vector<Place> places;
     Path path;
     path.id = 7;
@@ -488,7 +483,7 @@ double secondsToSet(PlaceId count)
     Scene read = document.scene();
     const bool isRead = readEnvironmentText(environmentText(document.scene()), read).isOk();
     document.undoStack().undo();
-    const bool isBack = textOf(document.scene()) == before;
+    const bool isBack = projectText(document.scene()) == before;
     document.undoStack().redo();
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     const bool isSet = isRead && isBack && read.places == places &&

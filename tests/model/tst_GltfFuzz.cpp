@@ -15,9 +15,11 @@
 #include "model/gltf/ImportProposal.h"
 #include "tests/model/GltfMutator.h"
 #include "tests/model/GltfSamples.h"
+#include "tests/program/FileContent.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
+using crowd::testing::contentOf;
 
 /// Damaged files, some thousands of them, the same at every run: none may crash, hang or take the
 /// memory. For a longer hunt: CROWD_FUZZ_ROUNDS mutants of each file under CROWD_FUZZ_FOLDER, from
@@ -47,15 +49,9 @@ namespace {
 
 constexpr qint64 kMostMilliseconds = 5000;
 
-std::string nameOf(const QString& path)
+std::string fileNameOf(const QString& path)
 {
     return QFileInfo(path).fileName().toStdString();
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -128,7 +124,7 @@ void tst_GltfFuzz::tryMutant(const QString& path)
         (void)bakeClip(*asset.value(), asset.value()->defaultClip, 1);
     } else {
         const std::string& message = asset.error().message;
-        QVERIFY2(message.starts_with(nameOf(path) + ": "), message.c_str());
+        QVERIFY2(message.starts_with(fileNameOf(path) + ": "), message.c_str());
         QVERIFY2(message.size() < 2000, message.c_str());
     }
     const Result<StagePtr> stage = importStage(path.toStdString());

@@ -57,7 +57,7 @@ QByteArray binaryOf(const GltfBuilder& builder)
             static_cast<qsizetype>(builder.bytes.size())};
 }
 
-QByteArray textOf(const Json& json)
+QByteArray gltfText(const Json& json)
 {
     return QByteArray::fromStdString(json.dump());
 }
@@ -147,7 +147,7 @@ void tst_GltfSpecFiles::readsBase64OfEveryKind()
         body = bytes.toPercentEncoding();
     }
     json["buffers"][0]["uri"] = head.toStdString() + body.toStdString();
-    const Result<TemplatePtr> asset = read(textOf(json), QStringLiteral("data.gltf"));
+    const Result<TemplatePtr> asset = read(gltfText(json), QStringLiteral("data.gltf"));
     QVERIFY2(asset.isOk(), asset ? "" : asset.error().message.c_str());
     QCOMPARE(asset.value()->levels.front().positions[1], glm::vec3(1, 0, 0));
 }
@@ -187,7 +187,7 @@ void tst_GltfSpecFiles::readsFilesInOtherFolders()
     QVERIFY(folder.mkpath(QFileInfo(place).path()) && folder.mkpath(QStringLiteral("models")));
     writeFile(folder.filePath(place + QStringLiteral(".bin")), binaryOf(builder));
     writeFile(folder.filePath(place + QStringLiteral(".png")), encoded(picture(), "png"));
-    const Result<TemplatePtr> asset = read(textOf(json), QStringLiteral("models/man.gltf"));
+    const Result<TemplatePtr> asset = read(gltfText(json), QStringLiteral("models/man.gltf"));
     QVERIFY2(asset.isOk(), asset ? "" : asset.error().message.c_str());
     QCOMPARE(imageOf(asset.value()), 0);
     QVERIFY(asset.value()->warnings.empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/ImportProposal.h"
+#include "tests/model/Near.h"
 #include "tests/program/Test.h"
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <QtTest/QTest>
 
 using namespace crowd::model;
+using crowd::testing::near;
 
 namespace {
 
@@ -29,11 +31,6 @@ Template box(const glm::vec3& low, const glm::vec3& high, const glm::vec3& left 
 glm::vec3 apply(const ImportSettings& settings, const glm::vec3& point)
 {
     return settings.rotation * (point * settings.scale) + glm::vec3(0, settings.groundOffset, 0);
-}
-
-bool near(const glm::vec3& a, const glm::vec3& b)
-{
-    return glm::length(a - b) < 1e-4F;
 }
 
 } // namespace

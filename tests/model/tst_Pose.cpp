@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
+#include "tests/model/Near.h"
 #include "tests/program/Test.h"
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <QtTest/QTest>
 
 using namespace crowd::model;
+using crowd::testing::near;
 
 namespace {
 
@@ -32,11 +34,6 @@ glm::vec3 tip(const Template& asset, float seconds)
     Pose pose;
     evaluatePose(asset, 0, seconds, pose);
     return glm::vec3(pose.nodeWorld[1][3]);
-}
-
-bool near(const glm::vec3& a, const glm::vec3& b)
-{
-    return glm::length(a - b) < 1e-5F;
 }
 
 Channel turn(Interpolation interpolation, std::vector<float> values)

@@ -43,7 +43,7 @@ std::size_t lineOf(const Actions& actions, char name)
     return static_cast<std::size_t>(found - actions.begin());
 }
 
-QString textOf(const Actions& actions)
+QString outlineOf(const Actions& actions)
 {
     QString text;
     for (const Action& action : actions) {
@@ -72,7 +72,7 @@ private Q_SLOTS:
 void TestRuleSequence::linesKnowWhatBelongsToThem()
 {
     const Actions actions = linesOf("a b{ c < d | e > } f");
-    QCOMPARE(textOf(actions), QStringLiteral("ab.c.?..d.?..ef"));
+    QCOMPARE(outlineOf(actions), QStringLiteral("ab.c.?..d.?..ef"));
     QCOMPARE(endOf(actions, 1), std::size_t{7});
     QCOMPARE(endOf(actions, 3), std::size_t{5});
     QCOMPARE(parentOf(actions, 4), std::size_t{3});
@@ -91,7 +91,7 @@ void TestRuleSequence::linesMove_data()
     QTest::addColumn<QString>("after");
     const auto row = [](const char* name, const char* before, const char* line, bool isUp,
                         const char* after) {
-        QTest::newRow(name) << before << line << isUp << textOf(linesOf(after));
+        QTest::newRow(name) << before << line << isUp << outlineOf(linesOf(after));
     };
     row("up past another", "a b c", "b", true, "b a c");
     row("down past another", "a b c", "b", false, "a c b");
@@ -118,17 +118,17 @@ void TestRuleSequence::linesMove()
     QFETCH(QString, after);
     Actions actions = linesOf(before.toUtf8().constData());
     (isUp ? moveUp : moveDown)(actions, lineOf(actions, line.at(0).toLatin1()));
-    QCOMPARE(textOf(actions), after);
+    QCOMPARE(outlineOf(actions), after);
 }
 
 void TestRuleSequence::whatIsRemovedTakesItsLinesAlong()
 {
     Actions actions = linesOf("a b{ c d{ e } } f");
     removeLine(actions, 1);
-    QCOMPARE(textOf(actions), textOf(linesOf("a f")));
+    QCOMPARE(outlineOf(actions), outlineOf(linesOf("a f")));
     actions = linesOf("< a | b >");
     removeLine(actions, 0);
-    QCOMPARE(textOf(actions), textOf(linesOf("< b >")));
+    QCOMPARE(outlineOf(actions), outlineOf(linesOf("< b >")));
 }
 
 void TestRuleSequence::linesAreAddedInsideAndBeside()
@@ -137,7 +137,7 @@ void TestRuleSequence::linesAreAddedInsideAndBeside()
     Action added;
     added.unknownMembers = "x";
     addInside(actions, 0, added);
-    QCOMPARE(textOf(actions), textOf(linesOf("a{ b x } c")));
+    QCOMPARE(outlineOf(actions), outlineOf(linesOf("a{ b x } c")));
     actions = linesOf("< a | b > c");
     addAlternative(actions, 0);
     QCOMPARE(actions.size(), std::size_t{6});
@@ -153,24 +153,24 @@ void TestRuleSequence::depthsSettle()
     actions[2].depth = 200;
     actions[3].depth = 2;
     settleDepths(actions);
-    QCOMPARE(textOf(actions), QStringLiteral("ab.c.d"));
+    QCOMPARE(outlineOf(actions), QStringLiteral("ab.c.d"));
 }
 
 /// Whatever is done to them, all lines are there and none is deeper than it can be.
 void TestRuleSequence::movesNeverLoseALine()
 {
     Actions actions = linesOf("a b{ c < d | e f | g > h } i{ j } < k | l{ m } >");
-    QString names = textOf(actions).remove(QLatin1Char('.'));
+    QString names = outlineOf(actions).remove(QLatin1Char('.'));
     std::sort(names.begin(), names.end());
     for (std::uint64_t turn = 0; turn < 5000; ++turn) {
         const std::size_t line = hashKeys(7, turn, 1) % actions.size();
         ((hashKeys(7, turn, 2) & 1U) != 0 ? moveUp : moveDown)(actions, line);
-        QString now = textOf(actions).remove(QLatin1Char('.'));
+        QString now = outlineOf(actions).remove(QLatin1Char('.'));
         std::sort(now.begin(), now.end());
         QCOMPARE(now, names);
         Actions settled = actions;
         settleDepths(settled);
-        QCOMPARE(textOf(settled), textOf(actions));
+        QCOMPARE(outlineOf(settled), outlineOf(actions));
     }
 }
 

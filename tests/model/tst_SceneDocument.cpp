@@ -16,14 +16,6 @@ using namespace crowd::testing;
 
 namespace {
 
-std::vector<IndividualId> addPeople(SceneDocument& document, std::size_t count)
-{
-    const auto edit = document.beginEdit();
-    auto ids = edit->addIndividuals(IndividualRows::withDefaults(std::vector<IndividualId>(count)));
-    edit->commit(QStringLiteral("Add"));
-    return ids;
-}
-
 void setHeading(SceneEdit& edit, std::span<const IndividualId> ids, float value)
 {
     edit.setColumn(columns::heading, ids, std::span<const float>(&value, 1));

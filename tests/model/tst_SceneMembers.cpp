@@ -9,10 +9,11 @@
 #include "model/document/SceneEdit.h"
 #include "model/project/MemberJson.h"
 #include "model/project/ProjectReader.h"
-#include "model/project/ProjectWriter.h"
+#include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
+using crowd::testing::projectText;
 
 namespace {
 
@@ -77,12 +78,6 @@ void alter(members::Surface, SceneEdit& edit)
     edit.set<members::Surface>(surface);
 }
 
-std::string textOf(const Scene& scene)
-{
-    const auto text = projectToText(scene);
-    return text ? text.value() : text.error().message;
-}
-
 /// What a member of a scene may be made of, described by fields alone.
 struct Lamp
 {
@@ -119,11 +114,11 @@ private Q_SLOTS:
     {
         forEachMember([]<class M>(const M& member) {
             SceneDocument document;
-            const std::string before = textOf(document.scene());
+            const std::string before = projectText(document.scene());
             const auto edit = document.beginEdit();
             alter(member, *edit);
             QVERIFY(edit->commit(QStringLiteral("Alter")));
-            const std::string after = textOf(document.scene());
+            const std::string after = projectText(document.scene());
             QVERIFY2(after != before, M::key);
 
             const auto read = projectFromText(after);
@@ -131,9 +126,9 @@ private Q_SLOTS:
             QVERIFY2(isSame(M::of(read.value()), M::of(document.scene())), M::key);
 
             document.undoStack().undo();
-            QVERIFY2(textOf(document.scene()) == before, M::key);
+            QVERIFY2(projectText(document.scene()) == before, M::key);
             document.undoStack().redo();
-            QVERIFY2(textOf(document.scene()) == after, M::key);
+            QVERIFY2(projectText(document.scene()) == after, M::key);
         });
     }
 

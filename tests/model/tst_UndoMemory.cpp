@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/UndoMemory.h"
 
-#include <csignal>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <QtCore/QDir>
@@ -12,6 +10,7 @@
 #include <QtTest/QTest>
 
 #include "model/document/SceneCommand.h"
+#include "tests/model/FullDisk.h"
 #include "tests/model/RandomEdits.h"
 #include "tests/program/Test.h"
 
@@ -25,16 +24,9 @@ UndoLimits tinyLimits(const QString& folder)
     return {4096, folder, 0};
 }
 
-std::string bytesOf(const SceneDocument& document)
+std::string stateOf(const SceneDocument& document)
 {
     return sceneText(document.scene());
-}
-
-void addPeople(SceneDocument& document, std::size_t count)
-{
-    const auto edit = document.beginEdit();
-    (void)edit->addIndividuals(IndividualRows::withDefaults(std::vector<IndividualId>(count)));
-    edit->commit(QStringLiteral("Add"));
 }
 
 void turnEverybody(SceneDocument& document, float headingRadians)
@@ -73,23 +65,6 @@ void spoil(const QString& folder, std::uint64_t size)
     ::close(file);
 }
 
-/// No file may grow beyond this while it lives: what a full disk does to a write.
-class FullDisk
-{
-public:
-    explicit FullDisk(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit limit{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
-
-private:
-    rlimit m_before{};
-};
-
 } // namespace
 
 class tst_UndoMemory : public QObject
@@ -124,23 +99,23 @@ void tst_UndoMemory::undoesTenThousandRandomEditsWhileSpilling()
 {
     SceneDocument document;
     document.setUndoLimits(tinyLimits(m_folder->path()));
-    const std::string first = bytesOf(document);
+    const std::string first = stateOf(document);
     std::map<int, std::string> states;
     for (std::uint64_t key = 0; key < 10000; ++key) {
         if (randomEdit(document, key) && key % 500 == 0) {
-            states[document.undoStack().index()] = bytesOf(document);
+            states[document.undoStack().index()] = stateOf(document);
         }
     }
     QVERIFY(document.undoMemory().bytesOnDisk() > 100000);
-    const std::string last = bytesOf(document);
+    const std::string last = stateOf(document);
     while (document.undoStack().canUndo()) {
         document.undoStack().undo();
         const auto state = states.find(document.undoStack().index());
-        QVERIFY(state == states.end() || bytesOf(document) == state->second);
+        QVERIFY(state == states.end() || stateOf(document) == state->second);
     }
-    QCOMPARE(bytesOf(document), first);
+    QCOMPARE(stateOf(document), first);
     document.undoStack().setIndex(document.undoStack().count());
-    QCOMPARE(bytesOf(document), last);
+    QCOMPARE(stateOf(document), last);
 }
 
 void tst_UndoMemory::keepsTheBudget()
@@ -220,18 +195,18 @@ void tst_UndoMemory::keepsInMemoryWhatCannotBeWritten()
     QStringList complaints;
     connect(&document, &SceneDocument::undoMemoryExceeded, this,
             [&complaints](const QString& why) { complaints << why; });
-    const std::string first = bytesOf(document);
+    const std::string first = stateOf(document);
     for (int i = 0; i < 10; ++i) {
         addPeople(document, 500);
         turnEverybody(document, static_cast<float>(i + 1));
     }
-    const std::string last = bytesOf(document);
+    const std::string last = stateOf(document);
     QCOMPARE(complaints.size(), 1);
     QVERIFY(document.undoMemory().bytes() > 100000);
     document.undoStack().setIndex(0);
-    QCOMPARE(bytesOf(document), first);
+    QCOMPARE(stateOf(document), first);
     document.undoStack().setIndex(20);
-    QCOMPARE(bytesOf(document), last);
+    QCOMPARE(stateOf(document), last);
 }
 
 void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
@@ -272,12 +247,12 @@ void tst_UndoMemory::refusesUndoThatCannotBeReadBack()
     turnEverybody(document, 1.0F);
     document.markSaved(QStringLiteral("/tmp/a.crowd"));
     document.undoStack().undo(); // still in memory
-    const std::string before = bytesOf(document);
+    const std::string before = stateOf(document);
     const std::uint64_t size = document.undoMemory().bytesOnDisk();
     spoil(m_folder->path(), size);
     document.undoStack().undo();
     QVERIFY2(refusal.contains(QStringLiteral("temporary file")), qPrintable(refusal));
-    QCOMPARE(bytesOf(document), before);
+    QCOMPARE(stateOf(document), before);
     QCOMPARE(document.undoStack().index(), 1);
     QVERIFY(document.isModified());
     QVERIFY(document.undoStack().canUndo() && document.undoStack().canRedo());
@@ -296,7 +271,7 @@ void tst_UndoMemory::refusesRedoThatCannotBeReadBack()
     document.setUndoLimits(tinyLimits(m_folder->path()));
     addPeople(document, 1000);
     turnEverybody(document, 1.0F);
-    const std::string last = bytesOf(document);
+    const std::string last = stateOf(document);
     document.undoStack().setIndex(0);
     const std::uint64_t size = document.undoMemory().bytesOnDisk();
     spoil(m_folder->path(), size);
@@ -308,17 +283,17 @@ void tst_UndoMemory::refusesRedoThatCannotBeReadBack()
     QCOMPARE(document.scene().population.column(columns::heading)[0], 0.0F);
     spoil(m_folder->path(), size);
     document.undoStack().setIndex(2);
-    QCOMPARE(bytesOf(document), last);
+    QCOMPARE(stateOf(document), last);
 }
 
 void tst_UndoMemory::stopsWhereALongMoveFails()
 {
     SceneDocument document;
     document.setUndoLimits({120000, m_folder->path(), 0});
-    std::vector<std::string> states{bytesOf(document)};
+    std::vector<std::string> states{stateOf(document)};
     for (int i = 0; i < 40; ++i) {
-        i == 0 ? addPeople(document, 1000) : turnEverybody(document, static_cast<float>(i));
-        states.push_back(bytesOf(document));
+        i == 0 ? (void)addPeople(document, 1000) : turnEverybody(document, static_cast<float>(i));
+        states.push_back(stateOf(document));
     }
     QVERIFY(document.undoMemory().bytesOnDisk() > 0);
     const std::uint64_t size = document.undoMemory().bytesOnDisk();
@@ -326,12 +301,12 @@ void tst_UndoMemory::stopsWhereALongMoveFails()
     document.undoStack().setIndex(0);
     const int reached = document.undoStack().index();
     QVERIFY(reached > 0 && reached < 40);
-    QCOMPARE(bytesOf(document), states[static_cast<std::size_t>(reached)]);
+    QCOMPARE(stateOf(document), states[static_cast<std::size_t>(reached)]);
     document.undoStack().setIndex(40);
-    QCOMPARE(bytesOf(document), states.back());
+    QCOMPARE(stateOf(document), states.back());
     spoil(m_folder->path(), size);
     document.undoStack().setIndex(0);
-    QCOMPARE(bytesOf(document), states.front());
+    QCOMPARE(stateOf(document), states.front());
 }
 
 CROWD_TEST(tst_UndoMemory)

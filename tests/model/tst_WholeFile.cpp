@@ -3,7 +3,6 @@
 
 #include <csignal>
 
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -17,17 +16,15 @@
 #include <QtTest/QTest>
 
 #include "model/project/ProcessName.h"
+#include "tests/model/FullDisk.h"
+#include "tests/program/FileContent.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
+using crowd::testing::contentOf;
+using crowd::testing::FullDisk;
 
 namespace {
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
-}
 
 /// A process that waits to be ended by its number.
 pid_t startIdle()
@@ -41,31 +38,12 @@ pid_t startIdle()
     return process;
 }
 
-QString nameOf(pid_t process)
+QString processNameOf(pid_t process)
 {
     const QByteArray stat = contentOf(QStringLiteral("/proc/%1/stat").arg(process));
     return QStringLiteral("%1-%2").arg(process).arg(
         QString::fromLatin1(stat.mid(stat.lastIndexOf(')') + 2).split(' ').value(19)));
 }
-
-/// Files may grow to so many bytes while it lives.
-class FullDisk
-{
-public:
-    explicit FullDisk(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit full{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &full);
-    }
-    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-    rlimit m_before{};
-};
 
 } // namespace
 
@@ -270,7 +248,7 @@ void tst_WholeFile::whoeverWasKilledIsDeadAtOnce()
     QVERIFY(isProcessAlive(ownProcessName()));
     QVERIFY(!isProcessAlive(QStringLiteral("%1-1").arg(::getpid()))); // an earlier one
     const pid_t process = startIdle();
-    const QString name = nameOf(process);
+    const QString name = processNameOf(process);
     QVERIFY(isProcessAlive(name));
     QCOMPARE(::kill(process, SIGKILL), 0);
     // Nobody asks after it, so that its entry stays.

@@ -25,7 +25,7 @@ constexpr Colour kBlue{0, 0, 255};
 constexpr Colour kWhite{255, 255, 255};
 constexpr Colour kBlack{0, 0, 0};
 constexpr Colour kWall{0, 255, 0};
-constexpr int kMiddle = FileDrawing::kPixels / 2;
+constexpr int kCentre = FileDrawing::kPixels / 2;
 constexpr float kMetres = 2.5F; ///< height of a picture of one square
 
 /// A square of one colour, linear.
@@ -168,11 +168,11 @@ void TestDrawnMaterials::glassShowsWhoIsBehind()
     const std::vector<GltfBuilder> files{plain({1, 1, 1, 0.5F}, "BLEND"), plain({1, 0, 0, 1})};
     const Colour pink{255, halfOver(255, 0), halfOver(255, 0)};
     // Whoever is drawn first: the glass before the red one, as first and as second template.
-    QVERIFY(isColour(drawAll(files, {{1, 1}, {2, -1}}), kMiddle, kMiddle, pink));
-    QVERIFY(isColour(drawAll({files[1], files[0]}, {{1, -1}, {2, 1}}), kMiddle, kMiddle, pink));
+    QVERIFY(isColour(drawAll(files, {{1, 1}, {2, -1}}), kCentre, kCentre, pink));
+    QVERIFY(isColour(drawAll({files[1], files[0]}, {{1, -1}, {2, 1}}), kCentre, kCentre, pink));
     // Behind the red one it is not seen, and alone it shows the wall.
-    QVERIFY(isColour(drawAll(files, {{1, -1}, {2, 1}}), kMiddle, kMiddle, kRed));
-    QVERIFY(isColour(draw(files[0]), kMiddle, kMiddle, {halfOver(255, 0), 255, halfOver(255, 0)}));
+    QVERIFY(isColour(drawAll(files, {{1, -1}, {2, 1}}), kCentre, kCentre, kRed));
+    QVERIFY(isColour(draw(files[0]), kCentre, kCentre, {halfOver(255, 0), 255, halfOver(255, 0)}));
 }
 
 void TestDrawnMaterials::glassIsDrawnFarthestFirst()
@@ -181,8 +181,8 @@ void TestDrawnMaterials::glassIsDrawnFarthestFirst()
     const GltfBuilder blue = plain({0, 0, 1, 0.5F}, "BLEND");
     const DrawnFile redFirst = drawAll({red, blue}, {{1, 1}, {2, -1}});
     const DrawnFile blueFirst = drawAll({red, blue}, {{1, -1}, {2, 1}});
-    const std::uint8_t* a = redFirst.at(kMiddle, kMiddle);
-    const std::uint8_t* b = blueFirst.at(kMiddle, kMiddle);
+    const std::uint8_t* a = redFirst.at(kCentre, kCentre);
+    const std::uint8_t* b = blueFirst.at(kCentre, kCentre);
     QVERIFY(a[0] > a[2] + 30);
     QVERIFY(b[2] > b[0] + 30);
     // The same whatever the order of templates and individuals is.
@@ -196,12 +196,12 @@ void TestDrawnMaterials::clearPartsOfBlendedPicturesAreNotSeen()
     builder.root["images"][0]["uri"] = dataUri(halves(QColor(255, 0, 0), QColor(255, 255, 255, 0)));
     builder.root["materials"][0]["alphaMode"] = "BLEND";
     const DrawnFile drawn = drawAll({builder, plain({0, 0, 1, 1})}, {{1, 1}, {2, -1}});
-    QVERIFY(isColour(drawn, 40, kMiddle, kRed));
-    QVERIFY(isColour(drawn, 88, kMiddle, kBlue));
+    QVERIFY(isColour(drawn, 40, kCentre, kRed));
+    QVERIFY(isColour(drawn, 88, kCentre, kBlue));
     // What is solid of it hides glass behind it, which is drawn later.
     const DrawnFile hidden = drawAll({builder, plain({0, 0, 1, 0.5F}, "BLEND")}, {{1, 1}, {2, -1}});
-    QVERIFY(isColour(hidden, 40, kMiddle, kRed));
-    QVERIFY(isColour(hidden, 88, kMiddle, {0, halfOver(255, 0), halfOver(255, 0)}));
+    QVERIFY(isColour(hidden, 40, kCentre, kRed));
+    QVERIFY(isColour(hidden, 88, kCentre, {0, halfOver(255, 0), halfOver(255, 0)}));
 }
 
 void TestDrawnMaterials::ghostsAreSeenThroughToo()
@@ -209,10 +209,10 @@ void TestDrawnMaterials::ghostsAreSeenThroughToo()
     render::Ghost ghost;
     ghost.asset = m_folder.load(plain({1, 1, 1, 0.5F}, "BLEND"));
     ghost.alpha = 1.0F;
-    QVERIFY(isColour(m_drawing->drawGhost(ghost, kMetres), kMiddle, kMiddle,
+    QVERIFY(isColour(m_drawing->drawGhost(ghost, kMetres), kCentre, kCentre,
                      {halfOver(255, 0), 255, halfOver(255, 0)}));
     ghost.alpha = 0.001F;
-    QVERIFY(isColour(m_drawing->drawGhost(ghost, kMetres), kMiddle, kMiddle, kWall));
+    QVERIFY(isColour(m_drawing->drawGhost(ghost, kMetres), kCentre, kCentre, kWall));
 }
 
 void TestDrawnMaterials::choicesOfOneSlotBlendOnTheirOwn()
@@ -223,12 +223,12 @@ void TestDrawnMaterials::choicesOfOneSlotBlendOnTheirOwn()
                               {"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 1, 0.5}}}}});
     primitiveOf(builder)["extensions"]["KHR_materials_variants"] = {
         {"mappings", {{{"material", 1}, {"variants", {0}}}}}};
-    QVERIFY(isColour(draw(builder), kMiddle, kMiddle, kRed)); // opaque whatever its alpha says
+    QVERIFY(isColour(draw(builder), kCentre, kCentre, kRed)); // opaque whatever its alpha says
     model::Population people = peopleAt({{1, 0.0F}});
     setAll(people, model::columns::materialChoices, model::MaterialChoices{1});
     const DrawnFile glass =
         m_drawing->drawPeople(people, {entryFor(m_folder.load(builder))}, kMetres, {0, 0, 1});
-    QVERIFY(isColour(glass, kMiddle, kMiddle, {0, halfOver(255, 0), halfOver(255, 0)}));
+    QVERIFY(isColour(glass, kCentre, kCentre, {0, halfOver(255, 0), halfOver(255, 0)}));
 }
 
 /// Two squares side by side by the same coordinates, which go beyond the pictures' edges.
@@ -251,15 +251,15 @@ void TestDrawnMaterials::everyPictureHasItsSampler()
         right["material"] = 1;
         builder.root["meshes"][0]["primitives"].push_back(right);
         const DrawnFile drawn = draw(builder);
-        const int clampedSide = isClampedFirst ? kMiddle - 51 : kMiddle;
-        const int repeatedSide = isClampedFirst ? kMiddle : kMiddle - 51;
+        const int clampedSide = isClampedFirst ? kCentre - 51 : kCentre;
+        const int repeatedSide = isClampedFirst ? kCentre : kCentre - 51;
         // At an eighth, three, five and seven of each side, 51 pixels wide.
         for (const auto& [x, isWhite] : {std::pair(6, true), {19, false}, {44, false}}) {
-            QVERIFY(isColour(drawn, clampedSide + x, kMiddle, isWhite ? kWhite : kBlack));
-            QVERIFY(isColour(drawn, repeatedSide + x, kMiddle, isWhite ? kWhite : kBlack));
+            QVERIFY(isColour(drawn, clampedSide + x, kCentre, isWhite ? kWhite : kBlack));
+            QVERIFY(isColour(drawn, repeatedSide + x, kCentre, isWhite ? kWhite : kBlack));
         }
-        QVERIFY(isColour(drawn, clampedSide + 32, kMiddle, kBlack));
-        QVERIFY(isColour(drawn, repeatedSide + 32, kMiddle, kWhite));
+        QVERIFY(isColour(drawn, clampedSide + 32, kCentre, kBlack));
+        QVERIFY(isColour(drawn, repeatedSide + 32, kCentre, kWhite));
     }
 }
 
@@ -283,7 +283,7 @@ void TestDrawnMaterials::manyMaterialsKeepTheirColours()
         }
         builder.root["meshes"][0]["primitives"].push_back(part);
     }
-    QVERIFY(isColour(draw(builder), kMiddle, kMiddle, kRed));
+    QVERIFY(isColour(draw(builder), kCentre, kCentre, kRed));
 }
 
 /// More than a card has layers for in one array.
@@ -302,8 +302,8 @@ void TestDrawnMaterials::manyPicturesAreDrawn()
     part["material"] = addPicture(builder, halves(Qt::red, Qt::blue));
     builder.root["meshes"][0]["primitives"].push_back(part);
     const DrawnFile drawn = draw(builder);
-    QVERIFY(isColour(drawn, 40, kMiddle, kRed));
-    QVERIFY(isColour(drawn, 88, kMiddle, kBlue));
+    QVERIFY(isColour(drawn, 40, kCentre, kRed));
+    QVERIFY(isColour(drawn, 88, kCentre, kBlue));
 }
 
 CROWD_TEST(TestDrawnMaterials)

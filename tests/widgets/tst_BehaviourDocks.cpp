@@ -21,6 +21,8 @@
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/NumberList.h"
+#include "widgets/docks/RuleNames.h"
+#include "widgets/docks/RuleProblems.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/state/Cues.h"
@@ -44,7 +46,7 @@ void furnish(model::SceneDocument& document)
 }
 
 template<class Dock>
-void choose(Desk<Dock>& desk, const char* button, const QString& entry)
+void addBy(Desk<Dock>& desk, const char* button, const QString& entry)
 {
     auto* add = desk.dock->template findChild<QToolButton*>(QLatin1String(button));
     for (QAction* action : add->menu()->actions()) {
@@ -140,7 +142,7 @@ void TestBehaviourDocks::readyMadeRulesBecomeSentences()
     QVERIFY(desk.isReady());
     auto* list = desk.dock->findChild<QListWidget*>();
     QCOMPARE(list->count(), 0);
-    choose(desk, "addRule", ruleSetName(model::RuleSet::Pedestrians));
+    addBy(desk, "addRule", ruleSetName(model::RuleSet::Pedestrians));
     QTRY_COMPARE(list->count(), static_cast<int>(desk.document.scene().rules.size()));
     QVERIFY(list->count() >= 3);
     QVERIFY2(list->item(0)->text().contains(QStringLiteral("run")),
@@ -185,7 +187,7 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
 {
     Desk<RulesDock> desk;
     QVERIFY(desk.isReady());
-    choose(desk, "addRule", RulesDock::tr("A New Rule"));
+    addBy(desk, "addRule", RulesDock::tr("A New Rule"));
     auto* problem = desk.dock->findChild<QLabel*>(QStringLiteral("ruleProblem"));
     QTRY_VERIFY(problem->isVisible());
     QVERIFY2(problem->text().contains(QStringLiteral("type the event")),
@@ -568,5 +570,3 @@ void TestBehaviourDocks::everythingFitsASmallPanel()
 
 CROWD_WINDOW_TEST(TestBehaviourDocks)
 #include "tst_BehaviourDocks.moc"
-#include "widgets/docks/RuleNames.h"
-#include "widgets/docks/RuleProblems.h"

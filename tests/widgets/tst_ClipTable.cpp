@@ -46,7 +46,7 @@ QComboBox* roleBox(const ClipTable& table, int row)
     return qobject_cast<QComboBox*>(table.cellWidget(row, 3));
 }
 
-void choose(const ClipTable& table, int row, ClipRole role)
+void chooseRole(const ClipTable& table, int row, ClipRole role)
 {
     QComboBox* box = roleBox(table, row);
     box->setCurrentIndex(box->findData(static_cast<int>(role)));
@@ -67,14 +67,14 @@ void tst_ClipTable::offersTheProposedRoles()
 void tst_ClipTable::keepsWhatWasChosen()
 {
     ClipTable table(knight(), nullptr);
-    choose(table, 2, ClipRole::Run);
+    chooseRole(table, 2, ClipRole::Run);
     const std::vector<std::optional<ClipRole>> expected{std::nullopt, std::nullopt, ClipRole::Run};
     QCOMPARE(table.editedRoles(), expected);
     // Imported anew with other settings, another clip is proposed; the choice stays.
     table.follow(knight(ClipRole::Fly));
     QCOMPARE(roleBox(table, 1)->currentText(), QStringLiteral("Fly"));
     QCOMPARE(table.editedRoles(), expected);
-    choose(table, 2, ClipRole::Other);
+    chooseRole(table, 2, ClipRole::Other);
     QVERIFY(table.editedRoles().empty());
 }
 

@@ -15,9 +15,9 @@ using crowd::testing::type;
 
 namespace {
 
-using Desk = crowd::testing::Desk<ColourDock>;
+using ColourDesk = crowd::testing::Desk<ColourDock>;
 
-SwatchGrid* grid(const Desk& desk, const char* name)
+SwatchGrid* grid(const ColourDesk& desk, const char* name)
 {
     return desk.dock->findChild<SwatchGrid*>(QLatin1String(name));
 }
@@ -27,12 +27,12 @@ void clickCell(SwatchGrid* cells, int index, Qt::MouseButton button = Qt::LeftBu
     QTest::mouseClick(cells, button, {}, cells->cellRect(index).center());
 }
 
-const std::vector<model::PaintColor>& brushColors(const Desk& desk)
+const std::vector<model::PaintColor>& brushColors(const ColourDesk& desk)
 {
     return desk.state.brush(model::BrushKind::Colour).as<crowd::model::ColourSettings>().colors;
 }
 
-void setOperator(Desk& desk, model::BrushOperator op)
+void setOperator(ColourDesk& desk, model::BrushOperator op)
 {
     model::BrushSettings brush = desk.state.brush(model::BrushKind::Colour);
     brush.op = op;
@@ -67,7 +67,7 @@ void ColourDockTest::initTestCase()
 
 void ColourDockTest::colourEditsTheEndThatIsChosen()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::BrushColour);
     desk.dock->setColor(QColor(10, 20, 30));
@@ -85,7 +85,7 @@ void ColourDockTest::colourEditsTheEndThatIsChosen()
 
 void ColourDockTest::greyKeepsTheHueOfTheSquare()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     desk.dock->setColor(QColor::fromHsv(200, 255, 200));
     desk.dock->setColor(QColor(90, 90, 90));
@@ -98,7 +98,7 @@ void ColourDockTest::swatchesAreRemembered()
 {
     std::size_t count = 0;
     {
-        Desk desk;
+        ColourDesk desk;
         QVERIFY(desk.isReady());
         SwatchGrid* swatches = grid(desk, "swatches");
         count = swatches->colors().size();
@@ -109,7 +109,7 @@ void ColourDockTest::swatchesAreRemembered()
         QVERIFY2(swatches->colors().size() == count + 1, "a colour is kept once");
     }
     {
-        Desk again;
+        ColourDesk again;
         QVERIFY(again.isReady());
         SwatchGrid* swatches = grid(again, "swatches");
         QCOMPARE(swatches->colors().size(), count + 1);
@@ -119,13 +119,13 @@ void ColourDockTest::swatchesAreRemembered()
         clickCell(swatches, static_cast<int>(count), Qt::RightButton);
         QCOMPARE(swatches->colors().size(), count);
     }
-    Desk last;
+    ColourDesk last;
     QCOMPARE(grid(last, "swatches")->colors().size(), count);
 }
 
 void ColourDockTest::coloursAreAddedAndRemoved()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::BrushColour);
     setOperator(desk, model::BrushOperator::Random);
@@ -146,7 +146,7 @@ void ColourDockTest::coloursAreAddedAndRemoved()
 
 void ColourDockTest::theMarkedColourPaints()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::BrushColour);
     setOperator(desk, model::BrushOperator::Uniform);
@@ -167,7 +167,7 @@ void ColourDockTest::theMarkedColourPaints()
 
 void ColourDockTest::newPeopleHaveColoursOfTheirOwn()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     const auto painted = brushColors(desk);
     desk.state.setTool(ToolId::BrushCreate);
@@ -190,7 +190,7 @@ void ColourDockTest::newPeopleHaveColoursOfTheirOwn()
 void ColourDockTest::strokesAreRememberedAsColours()
 {
     {
-        Desk desk;
+        ColourDesk desk;
         QVERIFY(desk.isReady());
         desk.state.setTool(ToolId::BrushColour);
         SwatchGrid* recent = grid(desk, "recentColours");
@@ -213,13 +213,13 @@ void ColourDockTest::strokesAreRememberedAsColours()
         QCOMPARE(recent->colors().front(), QColor(119, 0, 0));
         QVERIFY2(recent->colors().size() < 10, "one row of them");
     }
-    Desk again;
+    ColourDesk again;
     QCOMPARE(grid(again, "recentColours")->colors().front(), QColor(119, 0, 0));
 }
 
 void ColourDockTest::theDropperTakesColours()
 {
-    Desk desk;
+    ColourDesk desk;
     QVERIFY(desk.isReady());
     desk.state.setTool(ToolId::Select);
     auto* dropper = desk.dock->findChild<QToolButton*>();

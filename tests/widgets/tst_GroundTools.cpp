@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
 #include "tests/behavior/BoxStage.h"

@@ -21,10 +21,10 @@ using crowd::testing::type;
 
 namespace {
 
-using Desk = crowd::testing::Desk<IndividualDock>;
+using IndividualDesk = crowd::testing::Desk<IndividualDock>;
 
 template<class Child>
-Child* named(const Desk& desk, const QString& accessibleName)
+Child* named(const IndividualDesk& desk, const QString& accessibleName)
 {
     for (Child* child : desk.all<Child>()) {
         if (child->accessibleName() == accessibleName) {
@@ -35,7 +35,7 @@ Child* named(const Desk& desk, const QString& accessibleName)
 }
 
 /// As a hand does it: the entry, and what the box says of it.
-void choose(QComboBox& box, const QString& text)
+void chooseEntry(QComboBox& box, const QString& text)
 {
     const int index = box.findText(text);
     QVERIFY2(index >= 0, qPrintable(text));
@@ -45,7 +45,7 @@ void choose(QComboBox& box, const QString& text)
 }
 
 /// A second template: the clips in another order and one less, one slot, no parts.
-model::TemplateId addPlainTemplate(Desk& desk)
+model::TemplateId addPlainTemplate(IndividualDesk& desk)
 {
     auto asset = testing::makeBoxMan();
     asset->name = "plain";
@@ -60,7 +60,7 @@ model::TemplateId addPlainTemplate(Desk& desk)
     return id;
 }
 
-void become(Desk& desk, std::span<const model::IndividualId> ids, model::TemplateId id)
+void become(IndividualDesk& desk, std::span<const model::IndividualId> ids, model::TemplateId id)
 {
     const auto edit = desk.document.beginEdit();
     edit->setColumn(model::columns::templateId, ids, std::span<const model::TemplateId>(&id, 1));
@@ -68,7 +68,7 @@ void become(Desk& desk, std::span<const model::IndividualId> ids, model::Templat
 }
 
 template<class T>
-std::vector<T> valuesOf(const Desk& desk, model::ColumnKey<T> key)
+std::vector<T> valuesOf(const IndividualDesk& desk, model::ColumnKey<T> key)
 {
     const auto column = desk.document.scene().population.column(key);
     return {column.begin(), column.end()};
@@ -100,14 +100,14 @@ private Q_SLOTS:
 
 void IndividualDockTest::nobodyHasNoFields()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     QVERIFY(desk.all<NumberField>().isEmpty());
 }
 
 void IndividualDockTest::mixedNumbersAreWrittenToAll()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 3);
     {
@@ -137,7 +137,7 @@ void IndividualDockTest::mixedNumbersAreWrittenToAll()
 
 void IndividualDockTest::everyPlainNumberHasARow()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     desk.state.selection().set(ids);
@@ -165,7 +165,7 @@ void IndividualDockTest::everyPlainNumberHasARow()
 
 void IndividualDockTest::clipsAreComparedByName()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     desk.state.selection().set(ids);
@@ -186,7 +186,7 @@ void IndividualDockTest::clipsAreComparedByName()
 
 void IndividualDockTest::nonsenseIsIgnored()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     desk.state.selection().set(testing::addPeople(desk.document, 1));
     QTRY_VERIFY(!desk.all<NumberField>().isEmpty());
@@ -200,7 +200,7 @@ void IndividualDockTest::nonsenseIsIgnored()
 
 void IndividualDockTest::aClipGoesToThoseWhoHaveIt()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 3);
     become(desk, std::span(ids).last(1), addPlainTemplate(desk));
@@ -208,10 +208,10 @@ void IndividualDockTest::aClipGoesToThoseWhoHaveIt()
     auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
     QVERIFY(clip != nullptr);
     QTRY_COMPARE(clip->count(), 3);
-    choose(*clip, QStringLiteral("rise"));
+    chooseEntry(*clip, QStringLiteral("rise"));
     // The same clip has another number in the other template.
     QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{1, 1, 0}));
-    choose(*clip, QStringLiteral("sit"));
+    chooseEntry(*clip, QStringLiteral("sit"));
     QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{2, 2, 0}));
     desk.document.undoStack().undo();
     QCOMPARE(valuesOf(desk, model::columns::clip), (std::vector<std::uint16_t>{1, 1, 0}));
@@ -219,7 +219,7 @@ void IndividualDockTest::aClipGoesToThoseWhoHaveIt()
 
 void IndividualDockTest::aTemplateIsExchangedForAll()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 3);
     const model::TemplateId plain = addPlainTemplate(desk);
@@ -228,7 +228,7 @@ void IndividualDockTest::aTemplateIsExchangedForAll()
     QVERIFY(box != nullptr);
     QTRY_COMPARE(box->count(), 2);
     QTRY_COMPARE(box->currentText(), QStringLiteral("box man"));
-    choose(*box, QStringLiteral("plain"));
+    chooseEntry(*box, QStringLiteral("plain"));
     QCOMPARE(valuesOf(desk, model::columns::templateId), std::vector<model::TemplateId>(3, plain));
     QTRY_COMPARE(named<QToolButton>(desk, QStringLiteral("top")), nullptr);
     desk.document.undoStack().undo();
@@ -238,7 +238,7 @@ void IndividualDockTest::aTemplateIsExchangedForAll()
 
 void IndividualDockTest::tagsAreWrittenAsNumbers()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     desk.state.selection().set(testing::addPeople(desk.document, 2));
     auto* tags = fieldBeside<QLineEdit>(*desk.dock, QStringLiteral("Tags"));
@@ -252,7 +252,7 @@ void IndividualDockTest::tagsAreWrittenAsNumbers()
 
 void IndividualDockTest::groupIsWrittenToAll()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     desk.state.selection().set(testing::addPeople(desk.document, 2));
     auto* group = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Group"));
@@ -264,7 +264,7 @@ void IndividualDockTest::groupIsWrittenToAll()
 
 void IndividualDockTest::aFreeSeatIsTakenByItsNumber()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     desk.state.selection().set(std::vector{ids[0]});
@@ -292,7 +292,7 @@ void IndividualDockTest::aFreeSeatIsTakenByItsNumber()
 
 void IndividualDockTest::standingUpFreesTheSeats()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -317,7 +317,7 @@ void IndividualDockTest::standingUpFreesTheSeats()
 
 void IndividualDockTest::anOutfitIsChosenForAll()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 3);
     become(desk, std::span(ids).last(1), addPlainTemplate(desk)); // has no top
@@ -330,7 +330,7 @@ void IndividualDockTest::anOutfitIsChosenForAll()
         return outfit != nullptr;
     };
     QTRY_VERIFY(offersBlue());
-    choose(*outfit, QStringLiteral("blue"));
+    chooseEntry(*outfit, QStringLiteral("blue"));
     const auto choices = valuesOf(desk, model::columns::materialChoices);
     QCOMPARE(choices[0][1], std::uint8_t{1});
     QCOMPARE(choices[1][1], std::uint8_t{1});
@@ -339,7 +339,7 @@ void IndividualDockTest::anOutfitIsChosenForAll()
 
 void IndividualDockTest::aRightClickTakesTheTintOff()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     {
@@ -360,7 +360,7 @@ void IndividualDockTest::aRightClickTakesTheTintOff()
 
 void IndividualDockTest::aTintMultipliesOrReplaces()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 3);
     {
@@ -376,7 +376,7 @@ void IndividualDockTest::aTintMultipliesOrReplaces()
     };
     QTRY_VERIFY(mode() != nullptr);
     QCOMPARE(mode()->currentText(), QStringLiteral("Multiply"));
-    choose(*mode(), QStringLiteral("Replace"));
+    chooseEntry(*mode(), QStringLiteral("Replace"));
     QCOMPARE(valuesOf(desk, model::columns::tintReplaces),
              (std::vector<std::uint16_t>{0b110, 0b010, 0}));
     desk.state.selection().set(ids);
@@ -388,7 +388,7 @@ void IndividualDockTest::aTintMultipliesOrReplaces()
 
 void IndividualDockTest::partsAreHiddenAndShown()
 {
-    Desk desk;
+    IndividualDesk desk;
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     {

@@ -4,8 +4,8 @@
 #include "behavior/rules/RuleEngine.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectReader.h"
-#include "model/project/ProjectWriter.h"
 #include "tests/behavior/Actors.h"
+#include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 #include "widgets/state/SessionControl.h"
 
@@ -50,12 +50,6 @@ model::Scene changeable()
     more.value = 2.5F;
     scene.rules = {onEvent("change", {tint, height, speed, sit, tag, more})};
     return scene;
-}
-
-std::string bytesOf(const model::SceneDocument& document)
-{
-    const auto text = model::projectToText(document.scene());
-    return text ? text.value() : "refused: " + text.error().message;
 }
 
 struct Stage
@@ -162,7 +156,7 @@ void TestKeepPose::keptNumbersAreInTheFile()
     Stage stage(changeable());
     QVERIFY(stage.change({2}));
     QVERIFY(stage.control.keepPose());
-    const auto read = model::projectFromText(bytesOf(stage.document));
+    const auto read = model::projectFromText(projectText(stage.document.scene()));
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QCOMPARE(read.value().numbers, stage.document.scene().numbers);
 }
@@ -170,17 +164,17 @@ void TestKeepPose::keptNumbersAreInTheFile()
 void TestKeepPose::undoneItIsAsBefore()
 {
     Stage stage(changeable());
-    const std::string before = bytesOf(stage.document);
+    const std::string before = projectText(stage.document.scene());
     QVERIFY(stage.change({1, 2, 3}));
-    QCOMPARE(bytesOf(stage.document), before); // a session never writes to the scene
+    QCOMPARE(projectText(stage.document.scene()), before); // a session never writes to the scene
     QVERIFY(stage.control.keepPose());
-    const std::string kept = bytesOf(stage.document);
+    const std::string kept = projectText(stage.document.scene());
     QVERIFY(kept != before);
     QCOMPARE(stage.document.undoStack().count(), 1);
     stage.document.undoStack().undo();
-    QCOMPARE(bytesOf(stage.document), before);
+    QCOMPARE(projectText(stage.document.scene()), before);
     stage.document.undoStack().redo();
-    QCOMPARE(bytesOf(stage.document), kept);
+    QCOMPARE(projectText(stage.document.scene()), kept);
 }
 
 void TestKeepPose::stepsAreAsLongAsTheSceneSays_data()

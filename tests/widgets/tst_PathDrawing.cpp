@@ -8,6 +8,7 @@
 #include "model/pick/StageRays.h"
 #include "tests/program/Test.h"
 #include "widgets/viewport/PathDrawing.h"
+#include "widgets/viewport/PathLabels.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -349,4 +350,3 @@ void TestPathDrawing::labelsSayWhatPanelsAndRulesSay()
 
 CROWD_TEST(TestPathDrawing)
 #include "tst_PathDrawing.moc"
-#include "widgets/viewport/PathLabels.h"

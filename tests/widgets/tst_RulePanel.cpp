@@ -9,6 +9,7 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/CueForm.h"
+#include "widgets/docks/RuleProblems.h"
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/RulesDock.h"
 
@@ -299,4 +300,3 @@ void TestRulePanel::theFieldKeepsTheKeyboard()
 
 CROWD_WINDOW_TEST(TestRulePanel)
 #include "tst_RulePanel.moc"
-#include "widgets/docks/RuleProblems.h"
