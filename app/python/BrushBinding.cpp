@@ -29,11 +29,12 @@ void bindEnums(py::module_& module)
 
 /// Classes of the settings that scripts may set.
 template<class Settings>
-void bindSettings(py::module_& module)
+void bindSettings(py::module_& module, const BrushType& brush)
 {
-    const BrushInfo& info = Settings::kInfo;
+    const BrushInfo& info = brush.info;
     if (*info.scriptClass != '\0') {
-        bindStruct<PythonSettings<Settings>, Settings>(module, info.scriptClass, info.doc);
+        bindStruct<PythonSettings<Settings>, Settings>(module, info.scriptClass, info.doc,
+                                                       brush.fields);
     }
 }
 
@@ -44,11 +45,13 @@ void bindSection(BrushClass& type)
     const BrushInfo& info = Settings::kInfo;
     using Part = PythonSettings<Settings>;
     if (*info.scriptName != '\0') {
-        type.def_property(
-            info.scriptName,
-            py::cpp_function([](PythonBrush& brush) -> Part& { return brush.part<Settings>(); },
-                             py::return_value_policy::reference_internal),
-            [](PythonBrush& brush, const Part& part) { brush.part<Settings>() = part; });
+        bindPart(type, {info.scriptName, "", typeid(Part),
+                        [](const py::handle& self) -> void* {
+                            return &self.cast<PythonBrush&>().part<Settings>();
+                        },
+                        [](void* to, const void* from) {
+                            *static_cast<Part*>(to) = *static_cast<const Part*>(from);
+                        }});
     }
 }
 
@@ -87,10 +90,8 @@ BrushClass bindBrush(py::module_& module)
             "__eq__", [](const PythonBrush& a, const PythonBrush& b) { return a == b; },
             py::is_operator())
         .def_readwrite("kind", &PythonBrush::kind);
-    for (const FieldInfo& field : fieldsOf<BrushSettings>()) {
-        bindField(type, field,
-                  [](const py::handle& self) -> void* { return &self.cast<PythonBrush&>().area; });
-    }
+    bindFields(type, fieldsOf<BrushSettings>(),
+               [](const py::handle& self) -> void* { return &self.cast<PythonBrush&>().area; });
     return type;
 }
 
@@ -100,11 +101,12 @@ void bindBrushes(py::module_& module)
 {
     module.attr("NEAREST_PATH") = kNearestPath;
     bindEnums(module);
-    bindStruct<HeadingSettings, HeadingSettings>(module, "HeadingSettings",
-                                                 "Which way people face. Radians.");
-    bindStruct<SeatGridSettings, SeatGridSettings>(module, "SeatGridSettings",
-                                                   "Which seats people come onto.");
-#define CROWD_BIND_SETTINGS(name, settings) bindSettings<settings>(module);
+    bindStruct<HeadingSettings, HeadingSettings>(
+        module, "HeadingSettings", "Which way people face. Radians.", fieldsOf<HeadingSettings>());
+    bindStruct<SeatGridSettings, SeatGridSettings>(
+        module, "SeatGridSettings", "Which seats people come onto.", fieldsOf<SeatGridSettings>());
+#define CROWD_BIND_SETTINGS(name, settings)                                                        \
+    bindSettings<settings>(module, brushType(BrushKind::name));
     CROWD_BRUSHES(CROWD_BIND_SETTINGS)
 #undef CROWD_BIND_SETTINGS
     BrushClass type = bindBrush(module);

@@ -15,12 +15,17 @@ namespace {
 
 using Range = std::pair<float, float>;
 
-void define(py::object& type, const FieldInfo& field, const py::object& get, const py::object& set)
+void define(py::object& type, const char* name, const char* doc, const py::object& get,
+            const py::object& set)
 {
     const py::handle property(reinterpret_cast<PyObject*>(&PyProperty_Type));
-    type.attr(field.meta.key) = property(
-        get, set, py::none(),
-        *field.meta.doc != '\0' ? py::object(py::str(field.meta.doc)) : py::object(py::none()));
+    type.attr(name) = property(get, set, py::none(),
+                               *doc != '\0' ? py::object(py::str(doc)) : py::object(py::none()));
+}
+
+void define(py::object& type, const FieldInfo& field, const py::object& get, const py::object& set)
+{
+    define(type, field.meta.key, field.meta.doc, get, set);
 }
 
 /// T: the type that scripts see; `toPython` and `fromPython` lead from and to the field's own.
@@ -179,7 +184,61 @@ void tintAttribute(py::object& type, const FieldInfo& field, const StructOf& str
         });
 }
 
+/// Takes over each field from another struct of the same kind.
+void assignFields(std::span<const FieldInfo> fields, void* to, const void* from)
+{
+    for (const FieldInfo& field : fields) {
+        if (field.isGroup()) {
+            assignFields(field.children, field.childOf(to), field.childOf(const_cast<void*>(from)));
+        } else if (field.meta.isStored) {
+            field.set(to, field.get(from));
+        }
+    }
+}
+
+void groupAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    const FieldInfo* kept = &field;
+    bindPart(type,
+             {field.meta.key, field.meta.doc, field.structType,
+              [kept, structOf](const py::handle& self) { return kept->childOf(structOf(self)); },
+              [kept](void* to, const void* from) { assignFields(kept->children, to, from); }});
+}
+
 } // namespace
+
+void bindPart(py::object& type, const PartInfo& part)
+{
+    using Caster = py::detail::type_caster_generic;
+    const py::detail::type_info* info = py::detail::get_type_info(part.type);
+    const py::handle inner(reinterpret_cast<PyObject*>(info->type));
+    const auto textOf = [](const py::handle& each) {
+        return py::str(each.attr("__module__")).cast<std::string>() + "." +
+               py::str(each.attr("__qualname__")).cast<std::string>();
+    };
+    const auto get = [info, partOf = part.partOf](const py::object& self) {
+        return py::reinterpret_steal<py::object>(
+            Caster::cast(partOf(self), py::return_value_policy::reference_internal, self, info,
+                         nullptr, nullptr));
+    };
+    const std::string owner = py::str(type.attr("__name__")).cast<std::string>();
+    const std::string wanted =
+        owner + "." + part.name + " takes a " + py::str(inner.attr("__name__")).cast<std::string>();
+    const auto set = [info, wanted, partOf = part.partOf,
+                      assign = part.assign](const py::object& self, const py::object& value) {
+        Caster given(info);
+        if (value.is_none() || !given.load(value, false)) {
+            throw py::type_error(wanted + ", not " + shortly(value) + ".");
+        }
+        assign(partOf(self), given.value);
+    };
+    // Whoever reads it sees what it refers to, though one function serves all types.
+    const std::string signature = "(self: " + textOf(type) + ") -> " + textOf(inner);
+    py::options options;
+    options.disable_function_signatures();
+    define(type, part.name, part.doc, py::cpp_function(get, py::is_method(type), signature.c_str()),
+           py::cpp_function(set, py::is_method(type)));
+}
 
 py::dict clipsAsDict(const std::vector<ClipWeight>& weights)
 {
@@ -212,9 +271,20 @@ std::vector<ClipWeight> clipsFromDict(const py::dict& clips)
     return weights;
 }
 
+void bindFields(py::object& type, std::span<const FieldInfo> fields, const StructOf& structOf)
+{
+    for (const FieldInfo& field : fields) {
+        if (field.meta.isStored) {
+            bindField(type, field, structOf);
+        }
+    }
+}
+
 void bindField(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
-    if (field.is<bool>()) {
+    if (field.isGroup()) {
+        groupAttribute(type, field, structOf);
+    } else if (field.is<bool>()) {
         plainAttribute<bool>(type, field, structOf);
     } else if (field.is<float>()) {
         plainAttribute<float>(type, field, structOf);

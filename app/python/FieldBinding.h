@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <typeindex>
 
 #include "app/python/Binding.h"
 #include "model/describe/Field.h"
@@ -15,9 +16,25 @@ namespace crowd::app {
 /// From the Python object to the described struct in it; raises where it is another object.
 using StructOf = std::function<void*(const py::handle&)>;
 
-/// Makes an attribute of a class from a field that is no struct. The editor's own enumerations need
-/// bindChoices() before; members of others are texts, their choices' keys.
+/// Makes an attribute of a class from a field; one that is a struct is a reference into the object.
+/// The editor's own enumerations need bindChoices() before, structs their class; members of other
+/// enumerations are texts, their choices' keys.
 void bindField(py::object& type, const model::FieldInfo& field, const StructOf& structOf);
+/// Of all fields that are members: what is computed is for forms alone.
+void bindFields(py::object& type, std::span<const model::FieldInfo> fields,
+                const StructOf& structOf);
+
+/// An attribute that is a reference to something of a bound type inside the object. `assign` copies
+/// from the second to the first.
+struct __attribute__((visibility("hidden"))) PartInfo // as pybind11's own
+{
+    const char* name;
+    const char* doc;
+    std::type_index type;
+    StructOf partOf;
+    std::function<void(void*, const void*)> assign;
+};
+void bindPart(py::object& type, const PartInfo& part);
 
 /// An enumeration of Python for the choices of a field.
 template<class Enum>
@@ -38,33 +55,15 @@ py::enum_<Enum> bindChoices(py::module_& module, const char* name, const char* d
 /// Raises where it is no number from 0 on.
 [[nodiscard]] float weightFrom(const py::handle& given);
 
-/// The class of a described struct with all its attributes; structs inside are references into it.
+/// The class of a described struct with all its attributes.
 template<class Owner, class Struct>
-py::class_<Owner> bindStruct(py::module_& module, const char* name, const char* doc)
+py::class_<Owner> bindStruct(py::module_& module, const char* name, const char* doc,
+                             std::span<const model::FieldInfo> fields)
 {
     py::class_<Owner> type(module, name, doc);
-    const StructOf structOf = [](const py::handle& self) -> void* {
+    bindFields(type, fields, [](const py::handle& self) -> void* {
         return static_cast<Struct*>(&self.cast<Owner&>());
-    };
-    const auto bindOne = [&](const auto& described, const model::FieldInfo& field) {
-        if constexpr (requires { described.member; }) { // else it is computed: for forms alone
-            using Member =
-                std::remove_cvref_t<decltype(std::declval<Struct&>().*(described.member))>;
-            if constexpr (model::Described<Member>) {
-                const auto member = described.member;
-                type.def_property(
-                    field.meta.key,
-                    py::cpp_function([member](Owner& self) -> Member& { return self.*member; },
-                                     py::return_value_policy::reference_internal),
-                    [member](Owner& self, const Member& value) { self.*member = value; });
-            } else {
-                bindField(type, field, structOf);
-            }
-        }
-    };
-    const auto infos = model::fieldsOf<Struct>();
-    std::size_t i = 0;
-    std::apply([&](const auto&... each) { (bindOne(each, infos[i++]), ...); }, Struct::fields());
+    });
     return type;
 }
 

@@ -181,8 +181,8 @@ private Q_SLOTS:
     {
         m_python = std::make_unique<app::EmbeddedPython>(false);
         auto module = app::py::module_::import("crowdbrush");
-        app::bindStruct<Pole, Pole>(module, "Pole", "");
-        app::bindStruct<Lantern, Lantern>(module, "Lantern", "");
+        app::bindStruct<Pole, Pole>(module, "Pole", "", fieldsOf<Pole>());
+        app::bindStruct<Lantern, Lantern>(module, "Lantern", "", fieldsOf<Lantern>());
     }
     void cleanupTestCase() { m_python.reset(); }
 
