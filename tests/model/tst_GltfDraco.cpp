@@ -6,7 +6,6 @@
 #include <map>
 #include <thread>
 
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -219,11 +218,10 @@ void tst_GltfDraco::survivesDamage()
         const Bytes whole = compressed(static_cast<int>(round % 2), round % 3 == 0 ? 0 : 12);
         const QByteArray broken = GltfMutator(round).damageBytes(QByteArray(
             reinterpret_cast<const char*>(whole.data()), static_cast<qsizetype>(whole.size())));
-        QElapsedTimer timer;
-        timer.start();
         const Result<TemplatePtr> asset = load(file(Bytes(broken.begin(), broken.end())));
-        QVERIFY2(timer.elapsed() < 10'000, qPrintable(QString::number(round)));
         refused += asset ? 0 : 1;
+        QVERIFY2(asset || asset.error().message.find("too long") == std::string::npos,
+                 qPrintable(QString::number(round)));
         QVERIFY(!asset || std::isfinite(asset.value()->height));
     }
     QVERIFY2(refused > 100, qPrintable(QString::number(refused)));
@@ -271,7 +269,8 @@ void tst_GltfDraco::endsProgramsThatMisbehave_data()
     QTest::addColumn<QString>("message");
     QTest::newRow("crashes") << QByteArray("kill -SEGV $$") << QStringLiteral("damaged");
     QTest::newRow("fails") << QByteArray("exit 3") << QStringLiteral("damaged");
-    QTest::newRow("hangs") << QByteArray("exec sleep 60") << QStringLiteral("too long");
+    // For longer than a test may take.
+    QTest::newRow("hangs") << QByteArray("exec sleep 1000") << QStringLiteral("too long");
     QTest::newRow("says too much") << QByteArray("exec yes") << QStringLiteral("more than it says");
 }
 
@@ -279,13 +278,10 @@ void tst_GltfDraco::endsProgramsThatMisbehave()
 {
     QFETCH(const QByteArray, script);
     QFETCH(const QString, message);
-    QElapsedTimer timer;
-    timer.start();
     const auto done = gltf::runApart("/bin/sh", Bytes(script.begin(), script.end()), {1000, 1500});
     QVERIFY(!done.isOk());
     QVERIFY2(QString::fromStdString(done.error().message).contains(message),
              done.error().message.c_str());
-    QVERIFY(timer.elapsed() < 10'000);
     QVERIFY(!gltf::runApart("/no/such/program", {}, {1000, 1500}).isOk());
 }
 
