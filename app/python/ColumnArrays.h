@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/python/Binding.h"
+#include "app/python/ScriptPeople.h"
 
 /// Between the population's columns and NumPy arrays.
 namespace crowd::app {

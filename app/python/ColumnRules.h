@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "app/python/ScriptScene.h"
+#include "app/python/ScriptPeople.h"
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "app/python/Binding.h"
+#include "app/python/ScriptAssets.h"
+#include "app/python/ScriptEnvironment.h"
 
 namespace crowd::app {
 
@@ -126,11 +128,11 @@ void ImportArguments::applyTo(TemplateEntry& entry) const
     }
 }
 
-TemplateHandle addTemplate(const ScenePtr& scene, const FilePath& path, const std::string& name,
-                           TemplateId id, const Maybe<float>& scale,
-                           const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
-                           const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds,
-                           const Maybe<Roles>& clipRoles)
+TemplateHandle addTemplateGiven(const ScenePtr& scene, const FilePath& path,
+                                const std::string& name, TemplateId id, const Maybe<float>& scale,
+                                const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
+                                const Maybe<bool>& removeRootMotion,
+                                const Maybe<Speeds>& clipSpeeds, const Maybe<Roles>& clipRoles)
 {
     TemplateEntry entry;
     entry.id = id;
@@ -138,23 +140,23 @@ TemplateHandle addTemplate(const ScenePtr& scene, const FilePath& path, const st
     entry.name = name;
     ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds, clipRoles}.applyTo(
         entry);
-    const TemplateId added = valueOrRaise(scene->addTemplate(entry));
+    const TemplateId added = valueOrRaise(addTemplate(*scene, entry));
     scene->noteBirth(added);
     return {scene, added};
 }
 
-void changeTemplate(const ScenePtr& scene, const py::object& which, const Maybe<FilePath>& path,
-                    const Maybe<std::string>& name, const Maybe<float>& scale,
-                    const Maybe<Rotation>& rotation, const Maybe<float>& groundOffset,
-                    const Maybe<bool>& removeRootMotion, const Maybe<Speeds>& clipSpeeds,
-                    const Maybe<Roles>& clipRoles)
+void changeTemplateGiven(const ScenePtr& scene, const py::object& which,
+                         const Maybe<FilePath>& path, const Maybe<std::string>& name,
+                         const Maybe<float>& scale, const Maybe<Rotation>& rotation,
+                         const Maybe<float>& groundOffset, const Maybe<bool>& removeRootMotion,
+                         const Maybe<Speeds>& clipSpeeds, const Maybe<Roles>& clipRoles)
 {
     TemplateEntry entry = TemplateHandle{scene, templateIdOf(scene, which)}.entry();
     entry.path = path ? path->string() : entry.path;
     entry.name = name.value_or(entry.name);
     ImportArguments{scale, rotation, groundOffset, removeRootMotion, clipSpeeds, clipRoles}.applyTo(
         entry);
-    valueOrRaise(scene->changeTemplate(entry));
+    valueOrRaise(changeTemplate(*scene, entry));
 }
 
 StageHandle stageOf(const ScenePtr& scene, std::uint8_t id)
@@ -199,8 +201,8 @@ std::uint8_t stageId(const ScenePtr& scene, const py::object& given)
     return static_cast<std::uint8_t>(id);
 }
 
-StageHandle addStage(const ScenePtr& scene, const FilePath& path, const std::string& name,
-                     const Point3& position, float heading, float scale, std::uint8_t id)
+StageHandle addStageGiven(const ScenePtr& scene, const FilePath& path, const std::string& name,
+                          const Point3& position, float heading, float scale, std::uint8_t id)
 {
     StageEntry entry;
     entry.id = id;
@@ -209,12 +211,12 @@ StageHandle addStage(const ScenePtr& scene, const FilePath& path, const std::str
     entry.position = placeFrom(position);
     entry.headingRadians = within(heading, "heading", -kMostAway, kMostAway);
     entry.scale = scaleFrom(scale);
-    return stageOf(scene, valueOrRaise(scene->addStage(entry)));
+    return stageOf(scene, valueOrRaise(addStage(*scene, entry)));
 }
 
-void changeStage(const ScenePtr& scene, const py::object& which, const Maybe<FilePath>& path,
-                 const Maybe<std::string>& name, const Maybe<Point3>& position,
-                 const Maybe<float>& heading, const Maybe<float>& scale)
+void changeStageGiven(const ScenePtr& scene, const py::object& which, const Maybe<FilePath>& path,
+                      const Maybe<std::string>& name, const Maybe<Point3>& position,
+                      const Maybe<float>& heading, const Maybe<float>& scale)
 {
     StageEntry entry = stageOf(scene, stageId(scene, which)).entry;
     entry.path = path ? path->string() : entry.path;
@@ -228,7 +230,7 @@ void changeStage(const ScenePtr& scene, const py::object& which, const Maybe<Fil
     if (scale) {
         entry.scale = scaleFrom(*scale);
     }
-    valueOrRaise(scene->changeStage(entry));
+    valueOrRaise(changeStage(*scene, entry));
 }
 
 py::dict cameras(const ScenePtr& scene)
@@ -248,7 +250,8 @@ void needCameraName(const std::string& name)
     }
 }
 
-void setCameras(const ScenePtr& scene, const std::vector<std::pair<std::string, Camera>>& named)
+void setCamerasGiven(const ScenePtr& scene,
+                     const std::vector<std::pair<std::string, Camera>>& named)
 {
     std::vector<NamedCamera> all;
     std::set<std::string> names;
@@ -260,7 +263,7 @@ void setCameras(const ScenePtr& scene, const std::vector<std::pair<std::string, 
         }
         all.push_back({name, camera});
     }
-    valueOrRaise(scene->setCameras(std::move(all)));
+    valueOrRaise(setCameras(*scene, std::move(all)));
 }
 
 Point3 toPoint(const glm::vec3& vector)
@@ -361,16 +364,17 @@ void bindTemplateCalls(SceneClass& scene)
                 throw ScriptError("The scene has no template named \"" + name + "\".");
             },
             py::arg("name"), "The first one of that name.")
-        .def("add_template", &addTemplate, py::arg("path"), py::arg("name") = "", py::kw_only(),
-             py::arg("id") = 0, py::arg("scale") = py::none(), py::arg("rotation") = py::none(),
-             py::arg("ground_offset") = py::none(), py::arg("remove_root_motion") = py::none(),
-             py::arg("clip_speeds") = py::none(), py::arg("clip_roles") = py::none(),
+        .def("add_template", &addTemplateGiven, py::arg("path"), py::arg("name") = "",
+             py::kw_only(), py::arg("id") = 0, py::arg("scale") = py::none(),
+             py::arg("rotation") = py::none(), py::arg("ground_offset") = py::none(),
+             py::arg("remove_root_motion") = py::none(), py::arg("clip_speeds") = py::none(),
+             py::arg("clip_roles") = py::none(),
              "A .glb or .gltf file, or a built-in one such as builtin:templates/man.glb. The rest "
              "is what the import dialog asks for: a scale, a rotation (w, x, y, z), metres added "
              "to Y, and clip by clip ground speeds in m/s (None: the file's) and roles, which say "
              "what people stand, walk and sit with: \"idle\", \"walk\", \"run\", \"fly\", "
              "\"sit\" or \"other\" (None: the proposed one).")
-        .def("change_template", &changeTemplate, py::arg("template"), py::kw_only(),
+        .def("change_template", &changeTemplateGiven, py::arg("template"), py::kw_only(),
              py::arg("path") = py::none(), py::arg("name") = py::none(),
              py::arg("scale") = py::none(), py::arg("rotation") = py::none(),
              py::arg("ground_offset") = py::none(), py::arg("remove_root_motion") = py::none(),
@@ -379,7 +383,7 @@ void bindTemplateCalls(SceneClass& scene)
         .def(
             "remove_template",
             [](const ScenePtr& s, const py::object& which) {
-                valueOrRaise(s->removeTemplate(templateIdOf(s, which)));
+                valueOrRaise(removeTemplate(*s, templateIdOf(s, which)));
             },
             py::arg("template"), "By handle or id; refused as long as somebody is of it.");
 }
@@ -388,19 +392,19 @@ void bindStageCalls(SceneClass& scene)
 {
     scene
         .def_property_readonly("stages", &stages, "Geometry that people stand on, as it is placed.")
-        .def("add_stage", &addStage, py::arg("path"), py::arg("name") = "",
+        .def("add_stage", &addStageGiven, py::arg("path"), py::arg("name") = "",
              py::arg("position") = Point3{0, 0, 0}, py::arg("heading") = 0.0F,
              py::arg("scale") = 1.0F, py::kw_only(), py::arg("id") = 0,
              "A .glb or .gltf file, or a built-in one such as builtin:stages/theatre.glb. Metres, "
              "radians.")
-        .def("change_stage", &changeStage, py::arg("stage"), py::kw_only(),
+        .def("change_stage", &changeStageGiven, py::arg("stage"), py::kw_only(),
              py::arg("path") = py::none(), py::arg("name") = py::none(),
              py::arg("position") = py::none(), py::arg("heading") = py::none(),
              py::arg("scale") = py::none(), "By stage or id; what is not given stays.")
         .def(
             "remove_stage",
             [](const ScenePtr& s, const py::object& which) {
-                valueOrRaise(s->removeStage(stageId(s, which)));
+                valueOrRaise(removeStage(*s, stageId(s, which)));
             },
             py::arg("stage"), "By stage or id.");
 }
@@ -412,21 +416,23 @@ void bindCameraCalls(SceneClass& scene)
             "set_camera",
             [](const ScenePtr& s, const std::string& name, const Camera& camera) {
                 needCameraName(name);
-                valueOrRaise(s->setCamera(name, camera));
+                valueOrRaise(setCamera(*s, name, camera));
             },
             py::arg("name"), py::arg("camera"), "Moves the one of that name, or adds it.")
         .def(
             "remove_camera",
-            [](const ScenePtr& s, const std::string& name) { valueOrRaise(s->removeCamera(name)); },
+            [](const ScenePtr& s, const std::string& name) {
+                valueOrRaise(removeCamera(*s, name));
+            },
             py::arg("name"), "Raises Error where there is none of that name.")
-        .def("set_cameras", &setCameras, py::arg("cameras"),
+        .def("set_cameras", &setCamerasGiven, py::arg("cameras"),
              "All of them, as pairs of name and Camera, in this order.")
         .def_property_readonly(
             "lighting", [](const ScenePtr& s) { return s->scene()->lighting; },
             "As it is now; changed with set_lighting.")
         .def(
             "set_lighting",
-            [](const ScenePtr& s, const Lighting& light) { valueOrRaise(s->setLighting(light)); },
+            [](const ScenePtr& s, const Lighting& light) { valueOrRaise(setLighting(*s, light)); },
             py::arg("lighting"), "Sun, sky and ground as given.");
 }
 

@@ -5,6 +5,7 @@
 
 #include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "app/python/ScriptEnvironment.h"
 #include "model/project/EnvironmentSchema.h"
 #include "model/project/EnvironmentText.h"
 
@@ -95,9 +96,9 @@ std::string environmentJson(const py::object& given)
     }
 }
 
-void setEnvironment(const ScenePtr& scene, const py::object& given, bool isStrict)
+void setEnvironmentGiven(const ScenePtr& scene, const py::object& given, bool isStrict)
 {
-    valueOrRaise(scene->setEnvironment(environmentJson(given), isStrict));
+    valueOrRaise(setEnvironment(*scene, environmentJson(given), isStrict));
 }
 
 } // namespace
@@ -111,7 +112,7 @@ void bindEnvironment(SceneClass& scene)
             "numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and "
             "so on give the lists as typed classes.")
         .def(
-            "set_environment", &setEnvironment, py::arg("environment"), py::kw_only(),
+            "set_environment", &setEnvironmentGiven, py::arg("environment"), py::kw_only(),
             py::arg("strict") = true,
             "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
             "text; what is not in it stays. What stands in them are dicts, or Rule, Place and so "

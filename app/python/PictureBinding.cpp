@@ -9,6 +9,7 @@
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
 #include "app/python/OutsidePython.h"
+#include "app/python/ScriptEnvironment.h"
 #include "behavior/session/SceneMotion.h"
 #include "model/project/LocateAssets.h"
 
@@ -31,7 +32,7 @@ glm::vec3 toVector(const Point3& point, const char* name)
 std::optional<Camera> cameraOf(const ScriptScene& scene, const CameraKey& key)
 {
     if (const auto* name = std::get_if<std::string>(&key)) {
-        return valueOrRaise(scene.camera(*name));
+        return valueOrRaise(cameraNamed(scene, *name));
     }
     if (const auto* camera = std::get_if<Camera>(&key)) {
         return *camera;
@@ -186,8 +187,8 @@ void bindCamera(py::module_& module)
 void waitForPictures(const ScriptScene& scene)
 {
     constexpr std::chrono::milliseconds kPause{5};
-    while (scene.drawingThread() != std::thread::id()) {
-        if (scene.drawingThread() == std::this_thread::get_id()) {
+    while (scene.pictures().drawingThread() != std::thread::id()) {
+        if (scene.pictures().drawingThread() == std::this_thread::get_id()) {
             throw ScriptError("A picture of this scene is being drawn: draw the next one when it "
                               "is done.");
         }
@@ -213,7 +214,7 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.look = lookNamed(look);
     request.patience = &mindingSignals;
     waitForPictures(scene);
-    const std::vector<std::uint8_t> pixels = valueOrRaise(scene.picture(request));
+    const std::vector<std::uint8_t> pixels = valueOrRaise(scene.pictures().picture(scene, request));
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
     return py::module_::import("crowdbrush").attr("Picture")(array);
 }

@@ -6,6 +6,7 @@
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
 #include "app/python/OutsidePython.h"
+#include "app/python/ScriptPeople.h"
 #include "model/project/LocateAssets.h"
 
 namespace crowd::app {
@@ -21,17 +22,17 @@ py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
         valueOrRaise(checkRoom(*scene->scene(), *count));
     }
     const GivenColumns given = columnsFrom(scene, columns, count, {});
-    const auto ids = valueOrRaise(scene->create(given.count, given.values));
+    const auto ids = valueOrRaise(createPeople(*scene, given.count, given.values));
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
 
 void remove(const ScenePtr& scene, const py::object& idsOrMask)
 {
     std::vector<std::size_t> order;
-    valueOrRaise(scene->remove(idsFrom(*scene, idsOrMask, order)));
+    valueOrRaise(removePeople(*scene, idsFrom(*scene, idsOrMask, order)));
 }
 
-int putOnGround(const ScenePtr& scene, const py::object& idsOrMask)
+int putOnGroundGiven(const ScenePtr& scene, const py::object& idsOrMask)
 {
     const auto now = scene->scene();
     std::vector<std::size_t> order;
@@ -39,7 +40,7 @@ int putOnGround(const ScenePtr& scene, const py::object& idsOrMask)
     const std::vector<IndividualId> ids =
         idsOrMask.is_none() ? std::vector<IndividualId>(everybody.begin(), everybody.end())
                             : idsFrom(*scene, idsOrMask, order);
-    return valueOrRaise(outsidePython([&] { return scene->putOnGround(ids); }));
+    return valueOrRaise(outsidePython([&] { return putOnGround(*scene, ids); }));
 }
 
 void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)
@@ -58,7 +59,7 @@ void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs
     }
     GivenColumns given = columnsFrom(scene, columns, ids.size(), templates);
     reorder(given.values, order);
-    valueOrRaise(scene->change(ids, given.values));
+    valueOrRaise(changePeople(*scene, ids, given.values));
 }
 
 void send(const ScenePtr& scene, const std::string& event, const py::object& ids, float number)
@@ -218,7 +219,7 @@ void bindPopulation(SceneClass& scene)
              "change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one "
              "each, in the order of ids. Raises Error, and changes nothing, for dead ids, wrong "
              "shapes and values that are not finite.")
-        .def("put_on_ground", &putOnGround, py::arg("ids") = py::none(),
+        .def("put_on_ground", &putOnGroundGiven, py::arg("ids") = py::none(),
              "Those of them, or of all, who stand where nobody can walk (on roofs, in basins, in "
              "the air) come to the nearest ground: one undo step. How many. Takes seconds where "
              "the stages are large. Raises Error for dead ids.")

@@ -5,6 +5,7 @@
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
 #include "app/python/OutsidePython.h"
+#include "app/python/ScriptPeople.h"
 #include "app/python/ScriptSession.h"
 
 namespace crowd::app {
@@ -67,7 +68,7 @@ int keepPose(ScriptSession& session)
     const ScriptSession::Pose now = outsidePython([&] { return session.pose(); });
     ScriptScene::Snapshot after;
     const int people =
-        valueOrRaise(session.scene()->keepPose(now.shown->population, *now.pose, after));
+        valueOrRaise(keepPose(*session.scene(), now.shown->population, *now.pose, after));
     outsidePython([&] { session.adoptKept(after); });
     return people;
 }

@@ -5,6 +5,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/PythonBrush.h"
+#include "app/python/ScriptPainting.h"
 
 namespace crowd::app {
 
@@ -100,7 +101,7 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
     request.camera = cameraOf(*scene, camera);
     request.viewSize = {size.first, size.second};
     request.seed = seed;
-    return valueOrRaise(scene->stroke(request, [&](ScriptStrokeLink& dabs) {
+    return valueOrRaise(paintStroke(*scene, request, [&](ScriptStrokeLink& dabs) {
         const py::module_ module = py::module_::import("crowdbrush");
         paintDabs(scene, dabs, module.attr("_brush_with")(brush, py::dict()));
     }));

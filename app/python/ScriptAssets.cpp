@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "app/python/ScriptAssets.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -7,7 +9,6 @@
 
 #include <QtCore/QFileInfo>
 
-#include "app/python/ScriptSceneParts.h"
 #include "model/brush/ClipChoice.h"
 #include "model/project/AssetPaths.h"
 #include "model/project/SceneAssets.h"
@@ -109,13 +110,7 @@ void followClips(SceneEdit& edit, const TemplateEntry& was, const TemplateEntry&
 
 } // namespace
 
-std::uint64_t ScriptScene::birthOf(TemplateId id) const
-{
-    const auto found = m_births.find(id);
-    return found == m_births.end() ? 0 : found->second;
-}
-
-Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
+Result<TemplateId> addTemplate(ScriptScene& script, TemplateEntry entry)
 {
     entry.path = absolute(entry.path);
     auto asset = loadTemplateAsset(entry);
@@ -134,23 +129,24 @@ Result<TemplateId> ScriptScene::addTemplate(TemplateEntry entry)
         }
         attachAsset(entry, asset.value());
     }
-    return onDocument([&]() -> Result<TemplateId> {
-        if (entry.id != 0 && m_host.document->scene().findTemplate(entry.id) != nullptr) {
+    return script.onDocument([&]() -> Result<TemplateId> {
+        if (entry.id != 0 && script.document().scene().findTemplate(entry.id) != nullptr) {
             return Error{"The scene already has a template " + std::to_string(entry.id) + "."};
         }
         TemplateId id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addTemplate(entry); };
-        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add template")), work); !done) {
+        if (auto done = script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Add template")), work);
+            !done) {
             return done.error();
         }
         return id;
     });
 }
 
-Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
+Result<void> changeTemplate(ScriptScene& script, TemplateEntry entry)
 {
     entry.path = absolute(entry.path);
-    const auto now = scene();
+    const auto now = script.scene();
     const TemplateEntry* was = now->findTemplate(entry.id);
     if (was == nullptr) {
         return noTemplate(entry.id);
@@ -177,24 +173,25 @@ Result<void> ScriptScene::changeTemplate(TemplateEntry entry)
         }
         attachAsset(entry, asset.value());
     }
-    return onDocument([&]() -> Result<void> {
-        if (m_host.document->scene().findTemplate(entry.id) == nullptr) {
+    return script.onDocument([&]() -> Result<void> {
+        if (script.document().scene().findTemplate(entry.id) == nullptr) {
             return noTemplate(entry.id); // it went while the file was read
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change template")), [&](SceneEdit& open) {
-            const TemplateEntry before = *open.scene().findTemplate(entry.id);
-            open.changeTemplate(entry);
-            if (before.clipNames != entry.clipNames) {
-                followClips(open, before, entry);
-            }
-        });
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Change template")),
+                           [&](SceneEdit& open) {
+                               const TemplateEntry before = *open.scene().findTemplate(entry.id);
+                               open.changeTemplate(entry);
+                               if (before.clipNames != entry.clipNames) {
+                                   followClips(open, before, entry);
+                               }
+                           });
     });
 }
 
-Result<void> ScriptScene::removeTemplate(TemplateId id)
+Result<void> removeTemplate(ScriptScene& script, TemplateId id)
 {
-    return onDocument([&]() -> Result<void> {
-        const Scene& now = m_host.document->scene();
+    return script.onDocument([&]() -> Result<void> {
+        const Scene& now = script.document().scene();
         if (now.findTemplate(id) == nullptr) {
             return noTemplate(id);
         }
@@ -203,12 +200,12 @@ Result<void> ScriptScene::removeTemplate(TemplateId id)
             return Error{std::to_string(users) + " characters are of template " +
                          std::to_string(id) + ": remove them first."};
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove template")),
-                    [&](SceneEdit& open) { open.removeTemplate(id); });
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove template")),
+                           [&](SceneEdit& open) { open.removeTemplate(id); });
     });
 }
 
-Result<std::uint8_t> ScriptScene::addStage(StageEntry entry)
+Result<std::uint8_t> addStage(ScriptScene& script, StageEntry entry)
 {
     entry.path = absolute(entry.path);
     auto asset = loadStageAsset(entry);
@@ -219,23 +216,24 @@ Result<std::uint8_t> ScriptScene::addStage(StageEntry entry)
     if (entry.name.empty()) {
         entry.name = entry.asset->name;
     }
-    return onDocument([&]() -> Result<std::uint8_t> {
-        if (entry.id != 0 && m_host.document->scene().findStage(entry.id) != nullptr) {
+    return script.onDocument([&]() -> Result<std::uint8_t> {
+        if (entry.id != 0 && script.document().scene().findStage(entry.id) != nullptr) {
             return Error{"The scene already has a stage " + std::to_string(entry.id) + "."};
         }
         std::uint8_t id = 0;
         const auto work = [&](SceneEdit& open) { id = open.addStage(entry); };
-        if (auto done = edit(stepText(QT_TRANSLATE_NOOP("Script", "Add stage")), work); !done) {
+        if (auto done = script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Add stage")), work);
+            !done) {
             return done.error();
         }
         return id;
     });
 }
 
-Result<void> ScriptScene::changeStage(StageEntry entry)
+Result<void> changeStage(ScriptScene& script, StageEntry entry)
 {
     entry.path = absolute(entry.path);
-    const auto now = scene();
+    const auto now = script.scene();
     const StageEntry* was = now->findStage(entry.id);
     if (was == nullptr) {
         return noStage(entry.id);
@@ -248,23 +246,23 @@ Result<void> ScriptScene::changeStage(StageEntry entry)
         entry.asset = asset.value();
         entry.problem = {};
     }
-    return onDocument([&]() -> Result<void> {
-        if (m_host.document->scene().findStage(entry.id) == nullptr) {
+    return script.onDocument([&]() -> Result<void> {
+        if (script.document().scene().findStage(entry.id) == nullptr) {
             return noStage(entry.id);
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Change stage")),
-                    [&](SceneEdit& open) { open.changeStage(entry); });
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Change stage")),
+                           [&](SceneEdit& open) { open.changeStage(entry); });
     });
 }
 
-Result<void> ScriptScene::removeStage(std::uint8_t id)
+Result<void> removeStage(ScriptScene& script, std::uint8_t id)
 {
-    return onDocument([&]() -> Result<void> {
-        if (m_host.document->scene().findStage(id) == nullptr) {
+    return script.onDocument([&]() -> Result<void> {
+        if (script.document().scene().findStage(id) == nullptr) {
             return noStage(id);
         }
-        return edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove stage")),
-                    [&](SceneEdit& open) { open.removeStage(id); });
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove stage")),
+                           [&](SceneEdit& open) { open.removeStage(id); });
     });
 }
 

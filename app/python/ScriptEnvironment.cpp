@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/ScriptEnvironment.h"
+
+#include <algorithm>
+
+#include "model/project/EnvironmentText.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+void putEnvironment(SceneEdit& edit, const Scene& wanted)
+{
+    edit.setPlacesAndPaths(wanted.places, wanted.paths);
+    forEachMember([&]<class M>(const M&) {
+        if constexpr (M::isEnvironment && M::kind == MemberKind::Value) {
+            if (M::of(wanted) != M::of(edit.scene())) {
+                edit.set<M>(M::of(wanted));
+            }
+        }
+    });
+}
+
+} // namespace
+
+Result<Camera> cameraNamed(const ScriptScene& script, const std::string& name)
+{
+    const auto now = script.scene();
+    const auto found = std::ranges::find(now->cameras, name, &NamedCamera::name);
+    if (found != now->cameras.end()) {
+        return found->camera;
+    }
+    std::string names;
+    for (const NamedCamera& each : now->cameras) {
+        names += (names.empty() ? "" : ", ") + each.name;
+    }
+    return Error{"There is no camera named \"" + name + "\". " +
+                 (names.empty() ? "The scene has none." : "The scene has: " + names + ".")};
+}
+
+Result<void> setCamera(ScriptScene& script, const std::string& name, const Camera& camera)
+{
+    return script.onDocument([&] {
+        std::vector<NamedCamera> cameras = script.document().scene().cameras;
+        const auto found = std::ranges::find(cameras, name, &NamedCamera::name);
+        if (found == cameras.end()) {
+            cameras.push_back({name, camera});
+        } else {
+            found->camera = camera;
+        }
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set camera")),
+                           [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> removeCamera(ScriptScene& script, const std::string& name)
+{
+    if (const auto known = cameraNamed(script, name); !known) {
+        return known.error();
+    }
+    return script.onDocument([&] {
+        std::vector<NamedCamera> cameras = script.document().scene().cameras;
+        std::erase_if(cameras, [&name](const NamedCamera& each) { return each.name == name; });
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Remove camera")),
+                           [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> setCameras(ScriptScene& script, std::vector<NamedCamera> cameras)
+{
+    return script.onDocument([&] {
+        for (NamedCamera& each : cameras) {
+            const auto& known = script.document().scene().cameras;
+            const auto same = std::ranges::find(known, each.name, &NamedCamera::name);
+            if (same != known.end()) {
+                each.unknownMembers = same->unknownMembers;
+            }
+        }
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set cameras")),
+                           [&](SceneEdit& open) { open.setCameras(cameras); });
+    });
+}
+
+Result<void> setLighting(ScriptScene& script, Lighting lighting)
+{
+    return script.onDocument([&] {
+        lighting.unknownMembers = script.document().scene().lighting.unknownMembers;
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set lighting")),
+                           [&](SceneEdit& open) { open.setLighting(lighting); });
+    });
+}
+
+Result<void> setEnvironment(ScriptScene& script, const std::string& text, bool isStrict)
+{
+    return script.onDocument([&]() -> Result<void> {
+        Scene wanted = script.document().scene();
+        if (auto read = readEnvironmentText(text, wanted, isStrict); !read) {
+            return read;
+        }
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Set environment")),
+                           [&](SceneEdit& open) { putEnvironment(open, wanted); });
+    });
+}
+
+} // namespace crowd::app

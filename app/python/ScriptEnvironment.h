@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/python/ScriptScene.h"
+
+/// Cameras, light, places, paths, tags and rules as scripts change them. Each is a part of the open
+/// edit, or a step of its own; what is refused is refused before anything changes.
+namespace crowd::app {
+
+[[nodiscard]] model::Result<model::Camera> cameraNamed(const ScriptScene& script,
+                                                       const std::string& name);
+[[nodiscard]] model::Result<void> setCamera(ScriptScene& script, const std::string& name,
+                                            const model::Camera& camera);
+[[nodiscard]] model::Result<void> removeCamera(ScriptScene& script, const std::string& name);
+/// All of them, in this order.
+[[nodiscard]] model::Result<void> setCameras(ScriptScene& script,
+                                             std::vector<model::NamedCamera> cameras);
+[[nodiscard]] model::Result<void> setLighting(ScriptScene& script, model::Lighting lighting);
+/// Places, paths, tags and rules as JSON: see readEnvironmentText.
+[[nodiscard]] model::Result<void> setEnvironment(ScriptScene& script, const std::string& text,
+                                                 bool isStrict);
+
+} // namespace crowd::app

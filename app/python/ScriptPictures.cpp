@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "app/python/ScriptPictures.h"
+
+#include <atomic>
+
+#include <unistd.h>
+
+#include "app/python/ScriptScene.h"
+#include "behavior/session/SceneMotion.h"
+
+namespace crowd::app {
+
+using namespace model;
+
+namespace {
+
+/// Graphics drivers have threads of their own, which a fork leaves behind.
+bool wasForkedAfterDrawing()
+{
+    static std::atomic<pid_t> drawer{0};
+    pid_t nobody = 0;
+    drawer.compare_exchange_strong(nobody, getpid());
+    return drawer != getpid();
+}
+
+} // namespace
+
+/// What moves in pictures of a later time.
+struct ScriptPictures::Motion
+{
+    Motion(const ScriptScene::Snapshot& now, const std::atomic<bool>& isCancelled)
+        : scene(now.scene), revision(now.revision), motion(*scene, &isCancelled)
+    {
+    }
+
+    std::shared_ptr<const Scene> scene;
+    std::uint64_t revision;
+    behavior::SceneMotion motion;
+};
+
+ScriptPictures::ScriptPictures() : m_keyframes(kScriptKeyframeBytes) {}
+
+ScriptPictures::~ScriptPictures() = default;
+
+Result<Camera> cameraOrFirst(const Scene& scene, const std::optional<Camera>& camera)
+{
+    if (camera) {
+        return *camera;
+    }
+    if (scene.cameras.empty()) {
+        return Error{"The scene has no camera: give one, as in "
+                     "camera=crowdbrush.Camera((0, 5, 10), (0, 0, 0))."};
+    }
+    return scene.cameras.front().camera;
+}
+
+/// As crowdbrush render has it: simulated up to that time where there is behaviour.
+CrowdFramePtr ScriptPictures::frameAt(ScriptScene& script, double seconds, const Patience& patience)
+{
+    if (m_motion && m_motion->revision != script.revision()) {
+        m_motion.reset();
+    }
+    if (!(seconds > 0.0) || !script.scene()->hasBehaviour()) {
+        return script.onDocument([&] { return script.document().frame(seconds); });
+    }
+    const ScriptScene::Snapshot now = m_motion ? ScriptScene::Snapshot() : script.snapshot();
+    std::atomic<bool> isCancelled{false};
+    CrowdFramePtr frame;
+    try {
+        patience(isCancelled, [&] {
+            if (!m_motion) {
+                m_motion = std::make_unique<Motion>(now, isCancelled);
+            }
+            frame = m_motion->motion.at(seconds, &isCancelled);
+        });
+    } catch (...) {
+        m_motion.reset(); // it stopped anywhere
+        throw;
+    }
+    return frame;
+}
+
+Result<std::vector<std::uint8_t>> ScriptPictures::picture(ScriptScene& script,
+                                                          const ScriptPicture& picture)
+{
+    if (wasForkedAfterDrawing()) {
+        return Error{"Pictures cannot be drawn in a process that was forked from one that draws: "
+                     "the graphics driver's threads are not there. Start another process instead, "
+                     "with subprocess or multiprocessing's \"spawn\"."};
+    }
+    if (m_drawing != std::thread::id()) {
+        return Error{"Another picture of this scene is being drawn."};
+    }
+    m_drawing = std::this_thread::get_id();
+    try {
+        auto pixels = draw(script, picture);
+        m_drawing = {};
+        return pixels;
+    } catch (...) {
+        m_drawing = {};
+        throw;
+    }
+}
+
+Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
+                                                       const ScriptPicture& picture)
+{
+    const auto now = script.scene();
+    const auto camera = cameraOrFirst(*now, picture.camera);
+    if (!camera) {
+        return camera.error();
+    }
+    PictureRequest request;
+    request.frame =
+        picture.frame ? picture.frame : frameAt(script, picture.seconds, picture.patience);
+    if (!m_maker) {
+        auto maker = PictureMaker::create(m_keyframes);
+        if (!maker) {
+            return maker.error();
+        }
+        m_maker = std::move(maker).value();
+    }
+    const auto shown = script.scene(); // others may have edited it meanwhile
+    const std::vector<WorldSeat> seats = shown->worldSeats();
+    request.stages = shown->stages;
+    request.seats = seats;
+    request.seatsVersion = ++m_count;
+    request.lighting = shown->lighting;
+    request.camera = camera.value();
+    request.size = picture.size;
+    request.look = picture.look;
+    const auto drawn = m_maker->draw(request);
+    std::vector<std::uint8_t> pixels = drawn ? m_maker->pixels() : std::vector<std::uint8_t>();
+    m_maker->release(); // the next one may be wanted on another thread
+    if (!drawn) {
+        return drawn.error();
+    }
+    return pixels;
+}
+
+} // namespace crowd::app

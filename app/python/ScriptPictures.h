@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/pictures/PictureMaker.h"
+#include "model/bake/KeyframeStore.h"
+#include "model/scene/Scene.h"
+
+namespace crowd::app {
+
+class ScriptScene;
+
+/// For baked animations, of strokes and of pictures each.
+inline constexpr std::size_t kScriptKeyframeBytes = std::size_t{2} << 30U;
+
+/// Does work that takes long, on whatever thread, and returns when it is done. May cancel it, and
+/// then throws.
+using Patience =
+    std::function<void(std::atomic<bool>& isCancelled, const std::function<void()>& work)>;
+
+/// A picture as a script asks for it.
+struct ScriptPicture
+{
+    glm::ivec2 size{1280, 720};
+    std::optional<model::Camera> camera; ///< the scene's first one without
+    double seconds = 0.0;                ///< of the transport
+    model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
+    render::Look look = render::Look::Lit;
+    Patience patience = [](std::atomic<bool>&, const std::function<void()>& work) { work(); };
+};
+
+/// The camera, or the scene's first one.
+[[nodiscard]] model::Result<model::Camera>
+cameraOrFirst(const model::Scene& scene, const std::optional<model::Camera>& camera);
+
+/// Draws pictures of a scene for scripts, and keeps between two of them what both need. One at a
+/// time, on any thread.
+class ScriptPictures
+{
+public:
+    ScriptPictures();
+    ~ScriptPictures();
+    ScriptPictures(const ScriptPictures&) = delete;
+    ScriptPictures& operator=(const ScriptPictures&) = delete;
+
+    /// RGBA8, sRGB, rows from the top.
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>> picture(ScriptScene& script,
+                                                                   const ScriptPicture& picture);
+    /// The thread that a picture is being drawn on; none else. Another one waits until it is done.
+    [[nodiscard]] std::thread::id drawingThread() const { return m_drawing; }
+
+private:
+    struct Motion;
+
+    [[nodiscard]] model::CrowdFramePtr frameAt(ScriptScene& script, double seconds,
+                                               const Patience& patience);
+    [[nodiscard]] model::Result<std::vector<std::uint8_t>> draw(ScriptScene& script,
+                                                                const ScriptPicture& picture);
+
+    model::KeyframeStore m_keyframes;      ///< pictures wait for all of it, whatever else goes on
+    std::unique_ptr<PictureMaker> m_maker; ///< made when first asked for
+    std::unique_ptr<Motion> m_motion;      ///< where the scene has behaviour
+    std::thread::id m_drawing;
+    std::uint64_t m_count = 0;
+};
+
+} // namespace crowd::app
