@@ -35,8 +35,8 @@ QAction* ActionRegistry::add(const ActionSpec& spec, std::function<void(bool)> r
     action->setObjectName(QLatin1String(spec.id));
     action->setCheckable(spec.isCheckable);
     action->setIcon(iconNamed(spec.icon));
-    setTexts(spec, *action);
     loadShortcut(spec, *action);
+    setTexts(spec, *action); // which name the keys
     connect(action, &QAction::triggered, this, std::move(run));
     if (state.inputs) {
         refresh(state, *action);
