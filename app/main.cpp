@@ -16,6 +16,7 @@
 #include "app/commands/RenderCli.h"
 #include "app/commands/RenderCommand.h"
 #include "app/commands/ScriptCommand.h"
+#include "app/window/Language.h"
 
 namespace {
 
@@ -27,6 +28,7 @@ constexpr int kBadUsage = 2;
 struct CommandLine
 {
     std::vector<std::string> files;
+    std::string language; ///< empty: the remembered one
     InfoOptions info;
     RenderOptions render;
     BenchIoOptions benchIo;
@@ -132,12 +134,27 @@ void addBenchSimulate(CLI::App& bench, CommandLine& line)
     command->callback([&line] { line.status = runBenchSimulate(line.benchSimulate); });
 }
 
+/// What is wrong with it; empty: nothing.
+std::string refuseUnknownLanguage(const std::string& code)
+{
+    std::string known;
+    for (const Language& language : languages()) {
+        if (language.code.toStdString() == code) {
+            return {};
+        }
+        known += (known.empty() ? "" : ", ") + language.code.toStdString();
+    }
+    return "there is no translation for " + code + "; there are " + known;
+}
+
 void addCommands(CLI::App& cli, CommandLine& line)
 {
     cli.set_version_flag("--version", std::string("crowdbrush ") + CROWD_VERSION);
     cli.require_subcommand(0, 1);
     cli.add_option("FILE", line.files,
                    "Scenes and models to open in the editor, such as builtin:scenes/city.crowd");
+    cli.add_option("--language", line.language, "Language of the editor this time, such as de")
+        ->check(CLI::Validator(refuseUnknownLanguage, ""));
     addInfo(cli, line);
     addRenderCommand(cli, line.render, line.status);
     addScript(cli, line);
@@ -175,7 +192,8 @@ int main(int argc, char** argv)
         return cli.exit(problem) == 0 ? 0 : kBadUsage;
     }
     if (cli.get_subcommands().empty()) {
-        line.status = runEditor(argc, argv, toList(line.files));
+        line.status =
+            runEditor(argc, argv, toList(line.files), QString::fromStdString(line.language));
     }
     return line.status;
 }

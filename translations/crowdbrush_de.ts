@@ -120,10 +120,6 @@
         <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
-        <source>Theme, mouse, autosave, memory, shortcuts</source>
-        <translation>Farben, Maus, Sicherung, Speicher, Tasten</translation>
-    </message>
-    <message>
         <source>&amp;Frame Selection</source>
         <translation>Auswahl &amp;zeigen</translation>
     </message>
@@ -662,6 +658,10 @@
     <message>
         <source>&amp;Redo %1</source>
         <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Theme, mouse, autosave, memory, language, shortcuts</source>
+        <translation>Farben, Maus, Sicherung, Speicher, Sprache, Tasten</translation>
     </message>
 </context>
 <context>
@@ -1907,6 +1907,21 @@
     </message>
 </context>
 <context>
+    <name>LanguageMenu</name>
+    <message>
+        <source>As the System</source>
+        <translation>Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <extracomment>the name of this language in this language</extracomment>
+        <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -1986,6 +2001,10 @@
     <message>
         <source>Dra&amp;wn As</source>
         <translation>Darstell&amp;ung</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache (Language)</translation>
     </message>
 </context>
 <context>
@@ -5556,6 +5575,10 @@ Verworfen ist sie fort.</translation>
             <numerusform>%n Figuren bleiben, wo sie sind</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The language changes when what is going on has ended.</source>
+        <translation>Die Sprache wechselt, sobald zu Ende ist, was gerade läuft.</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PreferencesDialog</name>
@@ -5612,10 +5635,6 @@ Verworfen ist sie fort.</translation>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>The language changes when Crowdbrush starts again.</source>
-        <translation>Die Sprache wechselt, wenn Crowdbrush neu startet.</translation>
-    </message>
-    <message>
         <source> min</source>
         <translation> min</translation>
     </message>
@@ -5638,6 +5657,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>At start</source>
         <translation>Beim Start</translation>
+    </message>
+    <message>
+        <source>The language changes when this page closes.</source>
+        <translation>Die Sprache wechselt, wenn diese Seite schließt.</translation>
     </message>
 </context>
 <context>

@@ -120,10 +120,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Theme, mouse, autosave, memory, shortcuts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Frame Selection</source>
         <translation type="unfinished"></translation>
     </message>
@@ -661,6 +657,10 @@
     </message>
     <message>
         <source>&amp;Redo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme, mouse, autosave, memory, language, shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1907,6 +1907,21 @@
     </message>
 </context>
 <context>
+    <name>LanguageMenu</name>
+    <message>
+        <source>As the System</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <extracomment>the name of this language in this language</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Looks</name>
     <message>
         <source>&amp;Plain Colours</source>
@@ -1985,6 +2000,10 @@
     </message>
     <message>
         <source>Dra&amp;wn As</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5551,6 +5570,10 @@ Thrown away, it is gone.</source>
             <numerusform>%n characters are kept where they are</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The language changes when what is going on has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PreferencesDialog</name>
@@ -5607,10 +5630,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The language changes when Crowdbrush starts again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> min</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5632,6 +5651,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>At start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The language changes when this page closes.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

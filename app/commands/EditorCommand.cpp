@@ -3,11 +3,9 @@
 
 #include <cstdio>
 
-#include <QtCore/QLibraryInfo>
-#include <QtCore/QLocale>
-#include <QtCore/QTranslator>
 #include <QtWidgets/QApplication>
 
+#include "app/window/Language.h"
 #include "app/window/MainWindow.h"
 #include "app/window/PreferencesDialog.h"
 #include "widgets/theme/Icons.h"
@@ -24,34 +22,9 @@ bool hasDisplay()
            !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") || platform.startsWith("offscreen");
 }
 
-/// Qt's own words: buttons of its dialogs, names of keys. They come with the system.
-void loadQtTranslation(QApplication& application, const QLocale& locale)
-{
-    auto* translator = new QTranslator(&application);
-    if (translator->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
-                         QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QApplication::installTranslator(translator);
-    }
-}
-
-/// Words, and numbers in fields, of the language that was chosen. Files know no language.
-void loadTranslation(QApplication& application)
-{
-    const QString chosen = Preferences::load().language;
-    const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
-    QLocale::setDefault(locale);
-    loadQtTranslation(application, locale);
-    auto* translator = new QTranslator(&application);
-    if (translator->load(locale, QStringLiteral("crowdbrush"), QStringLiteral("_"),
-                         QStringLiteral(":/translations")) ||
-        translator->load(QStringLiteral(":/translations/crowdbrush_en.qm"))) {
-        QApplication::installTranslator(translator);
-    }
-}
-
 } // namespace
 
-int runEditor(int& argc, char** argv, const QStringList& files)
+int runEditor(int& argc, char** argv, const QStringList& files, const QString& language)
 {
     if (!hasDisplay()) {
         std::fputs("crowdbrush: there is no display for the editor (DISPLAY is not set); "
@@ -67,7 +40,7 @@ int runEditor(int& argc, char** argv, const QStringList& files)
     QApplication::setApplicationName(QStringLiteral("Crowdbrush"));
     QApplication::setApplicationVersion(QStringLiteral(CROWD_VERSION));
     QApplication::setWindowIcon(widgets::iconNamed("crowdbrush"));
-    loadTranslation(application);
+    useLanguage(language.isEmpty() ? Preferences::load().language : language);
     widgets::applyTheme(Preferences::load().theme); // icons take their colour when they are made
     MainWindow window;
     window.show();

@@ -4,6 +4,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QSettings>
 #include <QtGui/QFontDatabase>
+#include <QtGui/QTextDocumentFragment>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QMessageBox>
@@ -50,14 +51,34 @@ ConsoleDock::ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* 
     layout->addWidget(makeButtons());
     layout->addWidget(halves, 1);
     setWidget(content);
-    write(tr("The open scene is \"scene\", everything else is in \"crowdbrush\". Return runs, "
-             "Shift+Return starts another line, Tab completes, up and down go through what was "
-             "typed before.") +
-              QLatin1Char('\n'),
-          echoColor());
+    m_greeting =
+        tr("The open scene is \"scene\", everything else is in \"crowdbrush\". Return runs, "
+           "Shift+Return starts another line, Tab completes, up and down go through what was "
+           "typed before.") +
+        QLatin1Char('\n');
+    write(m_greeting, echoColor());
     connectParts();
     m_timer.start(kFetchMs);
     setBusy(false);
+}
+
+/// What was printed stays as it was, but for the greeting.
+void ConsoleDock::takeOver(DockBase& before)
+{
+    const auto& old = static_cast<const ConsoleDock&>(before);
+    QTextCursor printed(old.m_output->document());
+    const bool isGreeted = old.m_output->toPlainText().startsWith(old.m_greeting);
+    printed.setPosition(isGreeted ? static_cast<int>(old.m_greeting.size()) : 0);
+    printed.movePosition(QTextCursor::End, QTextCursor::KeepAnchor);
+    if (!isGreeted) {
+        m_output->clear();
+    }
+    QTextCursor end(m_output->document());
+    end.movePosition(QTextCursor::End);
+    end.insertFragment(printed.selection());
+    m_input->takeOver(*old.m_input);
+    m_recorded->takeOver(*old.m_recorded);
+    DockBase::takeOver(before);
 }
 
 /// What is printed, and the line to type in below it.
@@ -130,6 +151,7 @@ QWidget* ConsoleDock::makeButtons()
     connect(m_cancel, &QToolButton::clicked, &m_interpreter, &Interpreter::cancel);
     connect(clear, &QToolButton::clicked, this, &ConsoleDock::clearOutput);
     connect(m_record, &QToolButton::clicked, this, &ConsoleDock::setRecording);
+    m_record->setChecked(m_recorder.isRecording());
     connect(&m_recorder, &Recorder::recordingChanged, m_record, &QToolButton::setChecked);
     for (QToolButton* each : {run, m_cancel, m_record, clear}) {
         layout->addWidget(each);

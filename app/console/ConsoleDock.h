@@ -21,6 +21,7 @@ class ConsoleDock : public widgets::DockBase
 public:
     ConsoleDock(Interpreter& interpreter, Recorder& recorder, QWidget* parent);
 
+    void takeOver(DockBase& before) override;
     /// Asks for a file and runs it.
     void runScript();
     void runFile(const QString& path);
@@ -64,6 +65,7 @@ private:
     RecordPanel* m_recorded;  ///< child
     QTimer m_timer;           ///< fetches output while a script runs
     QString m_submitted;
+    QString m_greeting; ///< the first line that was written
     bool m_isStopping = false;
     bool m_isGivenUp = false;  ///< the artist closes around the script
     bool m_isFollowing = true; ///< the end of the output stays in sight

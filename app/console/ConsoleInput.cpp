@@ -42,6 +42,15 @@ ConsoleInput::ConsoleInput(QWidget* parent)
     fitHeight();
 }
 
+void ConsoleInput::takeOver(const ConsoleInput& before)
+{
+    setPlainText(before.toPlainText());
+    moveCursor(QTextCursor::End);
+    m_history = before.m_history;
+    m_place = before.m_place;
+    m_draft = before.m_draft;
+}
+
 void ConsoleInput::fitHeight()
 {
     const int lines = std::clamp(document()->blockCount(), 1, kMostInputLines);

@@ -17,6 +17,8 @@ class ConsoleInput : public QPlainTextEdit
 public:
     explicit ConsoleInput(QWidget* parent = nullptr);
 
+    /// What is being typed there goes on here.
+    void takeOver(const ConsoleInput& before);
     /// The lines were complete: they go to the history.
     void accept();
     /// They go on: a new line, indented.

@@ -67,6 +67,12 @@ RecordPanel::RecordPanel(Recorder& recorder, QWidget* parent)
     refresh();
 }
 
+void RecordPanel::takeOver(const RecordPanel& before)
+{
+    m_text->setPlainText(before.m_text->toPlainText());
+    setVisible(!before.isHidden());
+}
+
 void RecordPanel::refresh()
 {
     m_title->setText(m_recorder.isRecording()

@@ -18,6 +18,9 @@ class RecordPanel : public QWidget
 public:
     RecordPanel(Recorder& recorder, QWidget* parent);
 
+    /// Shows what was shown there.
+    void takeOver(const RecordPanel& before);
+
 Q_SIGNALS:
     void failed(const QString& message);
     void saved(const QString& path);

@@ -36,7 +36,7 @@ bool isEditing(const QEvent& event)
 
 ScriptGuard::ScriptGuard(Interpreter& interpreter, widgets::EditorState& state, QWidget& window,
                          QWidget& console, QAction& stop)
-    : QObject(&window), m_state(state), m_window(window), m_console(console), m_stop(stop)
+    : QObject(&console), m_state(state), m_window(window), m_console(console), m_stop(stop)
 {
     connect(&interpreter, &Interpreter::started, this, [this] { qApp->installEventFilter(this); });
     connect(&interpreter, &Interpreter::finished, this, [this] { qApp->removeEventFilter(this); });

@@ -11,7 +11,7 @@ namespace crowd::app {
 
 /// While a script runs, editing by hand waits: presses and keys in the window are held back, except
 /// in the console, for what stops it and for turning the wheel over the picture. The status bar
-/// says why.
+/// says why. Owned by the console.
 class ScriptGuard : public QObject
 {
     Q_OBJECT

@@ -57,9 +57,7 @@ bool DockLayout::eventFilter(QObject* window, QEvent* event)
 {
     if (event->type() == QEvent::Resize) {
         arrangeSoon();
-        for (auto* bar : m_window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
-            fitToolBar(*bar, m_window.width());
-        }
+        fitToolBars();
     } else if (event->type() == QEvent::MouseButtonPress) {
         m_isUntouched = false; // a border between panels
     }
@@ -89,6 +87,31 @@ void DockLayout::addAll(const DockParts& parts)
     }
 }
 
+std::vector<QDockWidget*> DockLayout::replaceAll(const DockParts& parts)
+{
+    for (QDockWidget* dock : m_docks) {
+        dock->disconnect(this);
+        m_window.removeDockWidget(dock);
+        dock->setParent(nullptr);
+    }
+    std::vector<QDockWidget*> before = std::exchange(m_docks, {});
+    addAll(parts);
+    return before;
+}
+
+QByteArray DockLayout::places() const
+{
+    return m_window.saveState(kLayoutVersion);
+}
+
+void DockLayout::putBack(const QByteArray& places)
+{
+    const bool wasUntouched = m_isUntouched;
+    fitToolBars(); // of new ones
+    m_window.restoreState(places, kLayoutVersion);
+    m_isUntouched = wasUntouched;
+}
+
 void DockLayout::arrangeSoon()
 {
     m_isTwice = false;
@@ -111,6 +134,13 @@ void DockLayout::arrange()
             }
         }
         m_window.resizeDocks(rows, heights, Qt::Vertical);
+    }
+}
+
+void DockLayout::fitToolBars()
+{
+    for (auto* bar : m_window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
+        fitToolBar(*bar, m_window.width());
     }
 }
 

@@ -38,6 +38,12 @@ public:
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_docks; }
     /// The window is gone: so are its panels.
     void forget() { m_docks.clear(); }
+    /// Makes all panels anew, in the language of now; those that were there are handed over, out
+    /// of the window.
+    [[nodiscard]] std::vector<QDockWidget*> replaceAll(const DockParts& parts);
+    /// Where panels and tool bars are in the window.
+    [[nodiscard]] QByteArray places() const;
+    void putBack(const QByteArray& places);
 
     /// The layout of a new installation is the present one; then what was remembered of window and
     /// panels takes its place. The first time the window fits its screen.
@@ -57,6 +63,7 @@ protected:
     bool eventFilter(QObject* window, QEvent* event) override;
 
 private:
+    void fitToolBars();
     void fitToScreen();
     /// The sizes of a new installation: at the start, and when the window has another size, until
     /// the artist moves a border.

@@ -32,6 +32,7 @@
 #include "app/window/WindowActions.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/dialogs/WelcomePage.h"
+#include "widgets/docks/DockBase.h"
 #include "widgets/docks/Docks.h"
 #include "widgets/docks/RuleProblems.h"
 #include "widgets/state/Cues.h"
@@ -59,9 +60,8 @@ MainWindow::MainWindow()
     : m_state(m_document), m_brushes(m_state, nullptr), m_actions(this), m_files(m_state, this),
       m_assets(m_state, this), m_queue(m_files, m_assets, this), m_interpreter(m_state),
       m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
-      m_viewport(new widgets::ViewportWidget(m_state, this)),
-      m_status(new StatusPanel(m_state, this)), m_layout(*this),
-      m_bookmarks(m_state, m_actions, this)
+      m_viewport(new widgets::ViewportWidget(m_state, this)), m_layout(*this),
+      m_bookmarks(m_state, m_actions, this), m_language([this] { return isFree(); }, this)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
@@ -70,20 +70,17 @@ MainWindow::MainWindow()
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(m_viewport);
-    setStatusBar(m_status);
-    addDocks();
+    m_layout.addAll({m_state, m_interpreter, m_recorder, this});
     addWindowActions(*this);
     new widgets::CueKeys(m_state, this);
     new FieldKeys(*this, *m_viewport);
     new ModalKeys(*this);
-    new ScriptGuard(m_interpreter, m_state, *this, console(), *m_actions.action("script-cancel"));
     m_viewport->tools().leaveShortcutsToWindow();
     // In the panels Tab goes from field to field.
     QAction* hidePanels = m_actions.action("hide-panels");
     hidePanels->setShortcutContext(Qt::WidgetShortcut);
     m_viewport->addAction(hidePanels);
-    buildMenus();
-    buildToolBar();
+    buildAround();
     connectParts();
     m_layout.restore();
     applyPreferences(Preferences::load());
@@ -107,9 +104,55 @@ ConsoleDock& MainWindow::console()
     return *m_layout.dock<ConsoleDock>(DockId::Console);
 }
 
-void MainWindow::addDocks()
+/// What speaks to the artist around the picture; the panels and the actions are there.
+void MainWindow::buildAround()
 {
-    m_layout.addAll({m_state, m_interpreter, m_recorder, this});
+    connectDocks();
+    // Of the console, and gone with it.
+    new ScriptGuard(m_interpreter, m_state, *this, console(), *m_actions.action("script-cancel"));
+    buildStatusBar();
+    buildMenus();
+    buildToolBar();
+}
+
+/// In the language of now. The old panels go when the new ones know what those knew.
+void MainWindow::renewAround()
+{
+    m_viewport->setFocus(); // what is being typed into a field is taken
+    setUpdatesEnabled(false);
+    setLocale(QLocale()); // numbers in fields
+    const QByteArray places = m_layout.places();
+    const std::vector<QDockWidget*> before =
+        m_layout.replaceAll({m_state, m_interpreter, m_recorder, this});
+    delete findChild<QToolBar*>(QStringLiteral("toolBar"), Qt::FindDirectChildrenOnly);
+    setMenuBar(new QMenuBar(this));
+    m_actions.renewTexts();
+    buildAround();
+    m_status->setStatistics(m_viewport->statistics());
+    m_layout.putBack(places);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        auto* now = static_cast<widgets::DockBase*>(m_layout.docks()[i]);
+        now->takeOver(*static_cast<widgets::DockBase*>(before[i]));
+        delete before[i];
+    }
+    if (auto* hint = m_viewport->findChild<WelcomeHint*>()) {
+        delete hint;
+        WelcomeHint::showOnce(m_viewport, m_document);
+    }
+    refreshTitle();
+    setUpdatesEnabled(true);
+}
+
+bool MainWindow::isFree()
+{
+    return !m_document.isEditOpen() && !m_viewport->tools().isDragging() && !m_files.isBusy() &&
+           !m_assets.isBusy() && m_queue.isEmpty() && !m_interpreter.isRunning() &&
+           m_state.longWork().total == 0 && QApplication::activeModalWidget() == nullptr &&
+           QApplication::activePopupWidget() == nullptr;
+}
+
+void MainWindow::connectDocks()
+{
     connect(&console(), &ConsoleDock::readyToClose, this, &QWidget::close);
     auto* templates = m_layout.dock<widgets::TemplatesDock>(DockId::Templates);
     auto* scene = m_layout.dock<widgets::SceneDock>(DockId::Scene);
@@ -133,6 +176,14 @@ void MainWindow::addDocks()
             &AssetController::locateTemplate);
     connect(scene, &widgets::SceneDock::removeTemplateRequested, &m_assets,
             &AssetController::removeTemplate);
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_status = new StatusPanel(m_state, this);
+    setStatusBar(m_status);
+    connect(m_viewport, &widgets::ViewportWidget::statisticsChanged, m_status,
+            &StatusPanel::setStatistics);
 }
 
 void MainWindow::buildMenus()
@@ -162,6 +213,8 @@ void MainWindow::buildMenus()
     m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
     fillLookMenu(*specials.at("@looks"), m_state);
     fillStepMenu(*specials.at("@step-length"), m_state);
+    fillLanguageMenu(*specials.at("@language"),
+                     [this](const QString& code) { chooseLanguage(code); });
     for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
         specials.at("@path-of-places")->addAction(m_actions.action(id));
     }
@@ -209,8 +262,6 @@ void MainWindow::addSpeedField(QToolBar& bar)
 
 void MainWindow::connectParts()
 {
-    connect(m_viewport, &widgets::ViewportWidget::statisticsChanged, m_status,
-            &StatusPanel::setStatistics);
     connect(m_viewport, &widgets::ViewportWidget::problemChanged, this,
             [this](const QString& problem) {
                 if (!problem.isEmpty()) {
@@ -239,6 +290,9 @@ void MainWindow::connectParts()
         }
     });
     connect(&m_layout, &DockLayout::hiddenChanged, this, &MainWindow::followHiding);
+    connect(&m_language, &LanguageSwitch::delayed, this, [this] {
+        m_state.showStatus(tr("The language changes when what is going on has ended."));
+    });
 }
 
 void MainWindow::followHiding(bool isHidden)
@@ -322,6 +376,7 @@ void MainWindow::showPreferences()
     auto* dialog = new PreferencesDialog(m_actions, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreferences);
+    connect(dialog, &PreferencesDialog::languageChosen, this, &MainWindow::chooseLanguage);
     dialog->open();
 }
 
@@ -432,6 +487,8 @@ void MainWindow::changeEvent(QEvent* event)
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
         m_actions.refresh(widgets::ActionInput::Window);
+    } else if (event->type() == QEvent::LanguageChange) {
+        renewAround();
     }
 }
 

@@ -12,6 +12,7 @@
 #include "app/window/DockLayout.h"
 #include "app/window/FileController.h"
 #include "app/window/FileQueue.h"
+#include "app/window/LanguageMenu.h"
 #include "model/document/SceneDocument.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -27,7 +28,8 @@ class StatusPanel;
 struct Preferences;
 
 /// The editor's window: puts document, state, viewport, docks, actions and controllers together and
-/// connects them; what they do is their own affair.
+/// connects them; what they do is their own affair. In another language menus, tool bar, panels and
+/// status bar are made anew around what is edited, which stays, and so does the picture.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -52,6 +54,9 @@ public:
     void start(const QStringList& files);
     [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return m_layout.docks(); }
 
+    /// Nothing is in the middle of being done: no stroke, no dialog, no script, no file.
+    [[nodiscard]] bool isFree();
+    void chooseLanguage(const QString& code) { m_language.choose(code); }
     void showPreferences();
     void showWelcome();
     void showShortcuts();
@@ -65,7 +70,10 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void addDocks();
+    void buildAround();
+    void renewAround();
+    void connectDocks();
+    void buildStatusBar();
     void buildMenus();
     void buildToolBar();
     void addSpeedField(QToolBar& bar);
@@ -88,10 +96,11 @@ private:
     StrokePainter m_painter;
     Recorder m_recorder;
     widgets::ViewportWidget* m_viewport; ///< child
-    StatusPanel* m_status;               ///< child
+    StatusPanel* m_status = nullptr;     ///< child
     QMenu* m_recentMenu = nullptr;       ///< child
     DockLayout m_layout;
     CameraBookmarks m_bookmarks;
+    LanguageSwitch m_language;
 };
 
 } // namespace crowd::app

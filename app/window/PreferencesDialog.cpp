@@ -14,6 +14,7 @@
 #include <QtWidgets/QTabWidget>
 #include <QtWidgets/QVBoxLayout>
 
+#include "app/window/Language.h"
 #include "app/window/ShortcutsPage.h"
 
 namespace crowd::app {
@@ -90,10 +91,11 @@ void PreferencesDialog::fill()
     m_buttons->addItem(tr("Left a point, middle a circle, right a rectangle"));
     m_buttons->setCurrentIndex(m_before.buttons == widgets::ButtonMapping::Paper ? 1 : 0);
     m_language->addItem(tr("As the system"), QString());
-    m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
-    m_language->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
+    for (const Language& language : languages()) {
+        m_language->addItem(language.name, language.code);
+    }
     m_language->setCurrentIndex(std::max(0, m_language->findData(m_before.language)));
-    m_languageNote->setText(tr("The language changes when Crowdbrush starts again."));
+    m_languageNote->setText(tr("The language changes when this page closes."));
     m_languageNote->setWordWrap(true);
     m_languageNote->setVisible(false);
     m_autosave->setRange(0.0, 60.0);
@@ -151,8 +153,12 @@ void PreferencesDialog::choose()
 void PreferencesDialog::accept()
 {
     m_shortcuts->apply();
-    chosen().save();
+    const Preferences now = chosen();
+    now.save();
     QDialog::accept();
+    if (now.language != m_before.language) {
+        Q_EMIT languageChosen(now.language); // once nothing of the dialog is in the way
+    }
 }
 
 void PreferencesDialog::reject()

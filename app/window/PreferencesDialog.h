@@ -33,7 +33,7 @@ struct Preferences
 };
 
 /// Edits Preferences and the shortcuts. What is chosen is shown at once; accepting keeps it,
-/// rejecting takes it back. Only the language waits for the next start.
+/// rejecting takes it back. Only the language waits until it is accepted.
 class PreferencesDialog : public QDialog
 {
     Q_OBJECT
@@ -48,6 +48,8 @@ public:
 Q_SIGNALS:
     /// To be applied now.
     void changed(const crowd::app::Preferences& preferences);
+    /// Another one, and it was accepted.
+    void languageChosen(const QString& code);
 
 private:
     [[nodiscard]] QWidget* generalPage();

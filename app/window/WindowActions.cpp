@@ -187,7 +187,7 @@ const WindowAction kEditActions[] = {
       "Ctrl+Alt+I", QT_TRANSLATE_NOOP("Actions", "Select those who are not selected")},
      [](MainWindow& w, bool) { w.state().selection().invert(); }},
     {{"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), "preferences", "Ctrl+,",
-      QT_TRANSLATE_NOOP("Actions", "Theme, mouse, autosave, memory, shortcuts")},
+      QT_TRANSLATE_NOOP("Actions", "Theme, mouse, autosave, memory, language, shortcuts")},
      [](MainWindow& w, bool) { w.showPreferences(); }},
 };
 
@@ -360,9 +360,9 @@ constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@
                                      "collect",      "",           "library", "import-template",
                                      "import-stage", "",           "quit"};
 constexpr const char* kEditMenu[] = {
-    "undo",       "redo", "",           "delete",      "put-on-ground", "@path-of-places",
-    "path-end",   "",     "select-all", "select-none", "select-invert", "",
-    "preferences"};
+    "undo",      "redo",       "",           "delete",      "put-on-ground", "@path-of-places",
+    "path-end",  "",           "select-all", "select-none", "select-invert", "",
+    "@language", "preferences"};
 constexpr const char* kViewMenu[] = {
     "frame-selection", "frame-all",  "",       "view-front", "view-side",
     "view-top",        "projection", "",       "camera-add", "@cameras",
@@ -415,6 +415,7 @@ constexpr Submenu kSubmenus[] = {
     {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera")},
     {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places")},
     {"@looks", QT_TRANSLATE_NOOP("Menus", "Dra&wn As")},
+    {"@language", QT_TRANSLATE_NOOP("Menus", "&Language")},
     {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
 };
 

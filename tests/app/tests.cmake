@@ -1,6 +1,7 @@
 crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_DescribedStruct
     tst_Interruptions
+    tst_Language
     tst_LookMenu
     tst_MainWindow
     tst_MemoryRelease

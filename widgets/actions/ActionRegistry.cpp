@@ -59,6 +59,16 @@ void ActionRegistry::refresh(ActionInputs changed)
     }
 }
 
+void ActionRegistry::renewTexts()
+{
+    for (const ActionSpec& item : m_specs) {
+        setTexts(item, *action(item.id));
+    }
+    for (const auto& [state, action] : m_states) {
+        refresh(state, *action);
+    }
+}
+
 void ActionRegistry::refresh(const ActionState& state, QAction& action)
 {
     if (state.isEnabled) {

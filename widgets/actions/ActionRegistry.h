@@ -64,6 +64,8 @@ public:
     QAction* add(const ActionSpec& spec, std::function<void(bool)> run, ActionState state = {});
     /// Of the actions, those that depend on any of these follow.
     void refresh(ActionInputs changed);
+    /// All texts in the language of now.
+    void renewTexts();
     /// The action of an id that was added.
     [[nodiscard]] QAction* action(const std::string& id) const;
     [[nodiscard]] const std::vector<ActionSpec>& specs() const { return m_specs; }

@@ -1,9 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/DockBase.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QTimer>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QScrollBar>
 
 namespace crowd::widgets {
+
+namespace {
+
+/// The same widgets of two panels that were made by the same lines; none where they differ.
+template<class Widget>
+std::vector<std::pair<Widget*, Widget*>> pairs(const QWidget& before, const QWidget& now)
+{
+    const QList<Widget*> old = before.findChildren<Widget*>();
+    const QList<Widget*> fresh = now.findChildren<Widget*>();
+    std::vector<std::pair<Widget*, Widget*>> both;
+    for (qsizetype i = 0; old.size() == fresh.size() && i < old.size(); ++i) {
+        both.emplace_back(old[i], fresh[i]);
+    }
+    return both;
+}
+
+void unfoldAlike(const QTreeWidgetItem& before, QTreeWidgetItem& now)
+{
+    for (int i = 0; i < std::min(before.childCount(), now.childCount()); ++i) {
+        now.child(i)->setExpanded(before.child(i)->isExpanded());
+        unfoldAlike(*before.child(i), *now.child(i));
+    }
+}
+
+/// Once the new panel has its size: before, there is nothing to scroll.
+void scrollAlike(const QWidget& before, const QWidget& now)
+{
+    for (const auto& [old, fresh] : pairs<QScrollBar>(before, now)) {
+        if (old->value() > old->minimum()) {
+            QTimer::singleShot(0, fresh,
+                               [bar = fresh, value = old->value()] { bar->setValue(value); });
+        }
+    }
+}
+
+} // namespace
 
 DockBase::DockBase(const QString& title, const char* objectName, QWidget* parent)
     : QDockWidget(title, parent)
@@ -21,6 +64,19 @@ void setUpOutline(QTreeWidget& tree)
     tree.setFrameShape(QFrame::NoFrame);
     tree.setContextMenuPolicy(Qt::CustomContextMenu);
     tree.setEditTriggers(QAbstractItemView::EditKeyPressed);
+}
+
+void DockBase::takeOver(DockBase& before)
+{
+    for (const auto& [old, fresh] : pairs<QAbstractButton>(before, *this)) {
+        if (fresh->isCheckable() && fresh->isChecked() != old->isChecked()) {
+            fresh->setChecked(old->isChecked());
+        }
+    }
+    for (const auto& [old, fresh] : pairs<QTreeWidget>(before, *this)) {
+        unfoldAlike(*old->invisibleRootItem(), *fresh->invisibleRootItem());
+    }
+    scrollAlike(before, *this);
 }
 
 void DockBase::setScrolledContent(QWidget* content)

@@ -17,6 +17,11 @@ class DockBase : public QDockWidget
 {
     Q_OBJECT
 
+public:
+    /// As the same panel that was made before it, in another language: what is unfolded, ticked
+    /// and scrolled to, and all else that only the panel knows. It goes afterwards.
+    virtual void takeOver(DockBase& before);
+
 protected:
     DockBase(const QString& title, const char* objectName, QWidget* parent);
     void setScrolledContent(QWidget* content);

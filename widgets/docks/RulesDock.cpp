@@ -46,6 +46,21 @@ RulesDock::RulesDock(EditorState& state, QWidget* parent)
     connectList();
     rebuildList();
     rebuildEditor();
+    if (m_state.session().isRunning()) {
+        m_counting.start();
+    }
+}
+
+/// The chosen rule comes first: the fields to compare are its own.
+void RulesDock::takeOver(DockBase& before)
+{
+    const auto& old = static_cast<const RulesDock&>(before);
+    m_commands->setCurrentId(old.m_commands->currentId());
+    m_fired = old.m_fired;
+    rebuildList();
+    rebuildEditor();
+    DockBase::takeOver(before);
+    showLog();
 }
 
 void RulesDock::buildContent()

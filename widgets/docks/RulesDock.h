@@ -26,6 +26,8 @@ class RulesDock : public DockBase
 public:
     RulesDock(EditorState& state, QWidget* parent);
 
+    void takeOver(DockBase& before) override;
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
 

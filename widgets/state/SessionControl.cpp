@@ -166,7 +166,7 @@ bool SessionControl::isReady()
 void SessionControl::buildSurface()
 {
     m_isSurfaceStale = false;
-    m_surfaceProblem.clear();
+    m_surfaceProblem = {};
     m_surface->plan = behavior::SurfacePlan::of(m_document.scene());
     m_surface->builder.start(
         m_surface->plan, [this](const model::Result<SurfacePtr>& built) { takeSurface(built); });
@@ -179,7 +179,7 @@ void SessionControl::takeSurface(const model::Result<SurfacePtr>& built)
     if (built) {
         m_surface->current = built.value();
     } else {
-        m_surfaceProblem = model::translated(built.error());
+        m_surfaceProblem = built.error().said;
     }
     m_progress.stop();
     if (isRunning()) {
@@ -192,6 +192,11 @@ double SessionControl::surfaceProgress() const
 {
     const SurfaceBuilder& builder = m_surface->builder;
     return builder.isBuilding() ? static_cast<double>(builder.progress()) : -1.0;
+}
+
+QString SessionControl::surfaceProblem() const
+{
+    return m_surfaceProblem.empty() ? QString() : model::translated(m_surfaceProblem);
 }
 
 std::size_t SessionControl::surfacePolygons() const

@@ -75,7 +75,8 @@ public:
     [[nodiscard]] double surfaceProgress() const;
     /// Polygons of the surface in use; 0: open ground.
     [[nodiscard]] std::size_t surfacePolygons() const;
-    [[nodiscard]] const QString& surfaceProblem() const { return m_surfaceProblem; }
+    /// Empty: none.
+    [[nodiscard]] QString surfaceProblem() const;
 
 Q_SIGNALS:
     /// Runs, or does not any more.
@@ -106,7 +107,7 @@ private:
     Transport& m_transport;
     std::unique_ptr<behavior::SessionPlayer> m_player;
     std::unique_ptr<Surface> m_surface;
-    QString m_surfaceProblem;
+    model::Message m_surfaceProblem;
     std::vector<behavior::Problem> m_problems;
     QTimer m_hand;                       ///< the edits of one stroke's moment go together
     QTimer m_progress;                   ///< while the surface is built

@@ -375,6 +375,12 @@ void ToolController::refreshPicture()
     replacePicture(std::move(picture));
 }
 
+void ToolController::renewTexts()
+{
+    refreshPicture();
+    refreshHint();
+}
+
 void ToolController::refreshHint()
 {
     m_state.setHint(activeTool().hint());

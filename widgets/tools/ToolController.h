@@ -51,6 +51,8 @@ public:
     void loseKeys();
     /// Takes back the drag in progress; what was done stays done.
     void cancel();
+    /// All that is said here is said again, in another language.
+    void renewTexts();
     /// The pointer was put elsewhere by the viewport: no movement of the hand.
     void pointerPlaced(const ToolInput& input);
 

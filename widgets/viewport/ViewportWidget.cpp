@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QtCore/QEvent>
 #include <QtGui/QOpenGLContext>
@@ -171,7 +172,7 @@ void ViewportWidget::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewportWidget::releaseContext,
             Qt::UniqueConnection);
     const model::Result<void> result = m_renderer->initialize();
-    setProblem(result ? QString() : model::translated(result.error()));
+    setProblem(result ? model::Message() : result.error().said);
 }
 
 void ViewportWidget::releaseContext()
@@ -241,7 +242,7 @@ void ViewportWidget::paintGL()
         m_isSceneNew = false;
         m_renderer->releaseUnused();
     }
-    setProblem(result ? QString() : model::translated(result.error()));
+    setProblem(result ? model::Message() : result.error().said);
     m_input.setShownSeconds(m_state.transport().seconds());
     m_statistics.render = m_renderer->statistics();
     m_isShownFinal = !isMoving();
@@ -420,14 +421,26 @@ void ViewportWidget::refreshText()
     m_work->setStatus(workStatus());
 }
 
-void ViewportWidget::setProblem(const QString& problem)
+void ViewportWidget::setProblem(const model::Message& said)
 {
-    if (m_problem == problem) {
+    if (m_said == said) {
         return;
     }
-    m_problem = problem;
+    m_said = said;
+    m_problem = said.empty() ? QString() : model::translated(said);
     refreshText();
     Q_EMIT problemChanged(m_problem);
+}
+
+/// Everything else is said anew with each picture.
+void ViewportWidget::renewTexts()
+{
+    delete std::exchange(m_popup, nullptr); // comes again when it is asked for
+    m_problem = m_said.empty() ? QString() : model::translated(m_said);
+    m_tools.renewTexts();
+    refreshPlaces();
+    refreshText();
+    update();
 }
 
 void ViewportWidget::resizeEvent(QResizeEvent* event)
@@ -443,7 +456,7 @@ void ViewportWidget::changeEvent(QEvent* event)
 {
     QOpenGLWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        refreshText();
+        renewTexts();
     }
 }
 

@@ -89,7 +89,8 @@ private:
     void chooseQuality();
     void refreshPlaces();
     [[nodiscard]] bool isMoving() const { return m_clock.isRunning() || m_viewMotion.isActive(); }
-    void setProblem(const QString& problem);
+    void setProblem(const model::Message& said);
+    void renewTexts();
     [[nodiscard]] render::RenderInput renderInput();
 
     EditorState& m_state;
@@ -113,6 +114,7 @@ private:
     int m_drawnFrames = 0;
     bool m_isSceneNew = false; ///< replaced since the last picture
     int m_bakedBefore = 0;     ///< clips finished when the present baking began
+    model::Message m_said;     ///< what m_problem says, in any language
     QString m_problem;
     PathDrawing m_paths;
     PeopleMarks m_marks;
