@@ -323,7 +323,7 @@ void EnvironmentTree::showProblems()
 QString EnvironmentTree::problemOfChosen() const
 {
     for (const QTreeWidgetItem* item : selectedItems()) {
-        if (const QString problem = problemOf(*item); !problem.isEmpty()) {
+        if (QString problem = problemOf(*item); !problem.isEmpty()) {
             return problem;
         }
     }

@@ -102,23 +102,24 @@ ChangeResult ColourSettings::change(const ChangeRequest& request)
         const std::size_t slots = std::min<std::size_t>(entry->asset->slots.size(), kMaxTintSlots);
         const ColourSlots meant(*entry->asset, settings);
         std::uint16_t modes = replaced[row];
-        for (std::size_t slot = 0; slot < slots; ++slot) {
-            if (!meant.contains(entry->asset->slots[slot])) {
+        for (std::size_t index = 0; index < slots; ++index) {
+            if (!meant.contains(entry->asset->slots[index])) {
                 continue;
             }
             hasSlot = true;
-            const auto bit = static_cast<std::uint16_t>(1U << slot);
+            const auto bit = static_cast<std::uint16_t>(1U << index);
             modes = static_cast<std::uint16_t>(settings.replaces ? modes | bit : modes & ~bit);
-            const Tint before = scene.population.column(columns::tint(static_cast<int>(slot)))[row];
-            const Tint target = targetTint(settings, values.of(slot), i);
-            changes[slot].set(id, before,
-                              brush.buildUp ? steppedTint(before, target, brush.flow) : target);
+            const Tint before =
+                scene.population.column(columns::tint(static_cast<int>(index)))[row];
+            const Tint target = targetTint(settings, values.of(index), i);
+            changes[index].set(id, before,
+                               brush.buildUp ? steppedTint(before, target, brush.flow) : target);
         }
         modeChange.set(id, replaced[row], modes);
     });
     ChangeResult result;
-    for (std::size_t slot = 0; slot < changes.size(); ++slot) {
-        changes[slot].apply(request.edit, columns::tint(static_cast<int>(slot)), result.changed);
+    for (std::size_t index = 0; index < changes.size(); ++index) {
+        changes[index].apply(request.edit, columns::tint(static_cast<int>(index)), result.changed);
     }
     modeChange.apply(request.edit, columns::tintReplaces, result.changed);
     result.reason = hasSlot ? StrokeReason::Unchanged : StrokeReason::NoSuchSlot;
