@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/MainWindow.h"
 
-#include <map>
 #include <string>
 
 #include <QtCore/QFileInfo>
@@ -10,7 +9,6 @@
 #include <QtGui/QKeyEvent>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
-#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QMessageBox>
@@ -30,6 +28,7 @@
 #include "app/window/ViewMemory.h"
 #include "app/window/WelcomeHint.h"
 #include "app/window/WindowActions.h"
+#include "app/window/WindowBars.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/dialogs/WelcomePage.h"
 #include "widgets/docks/DockBase.h"
@@ -40,8 +39,6 @@
 namespace crowd::app {
 
 namespace {
-
-constexpr int kToolIconSize = 22;
 
 QStringList localFiles(const QMimeData* data)
 {
@@ -112,7 +109,7 @@ void MainWindow::buildAround()
     new ScriptGuard(m_interpreter, m_state, *this, console(), *m_actions.action("script-cancel"));
     buildStatusBar();
     buildMenus();
-    buildToolBar();
+    fillToolBar(*addToolBar(tr("Tools")), m_actions, m_state, *m_viewport);
 }
 
 /// In the language of now. The old panels go when the new ones know what those knew.
@@ -188,76 +185,19 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::buildMenus()
 {
-    std::map<std::string, QMenu*> specials;
-    for (const MenuSpec& spec : menuTable()) {
-        QMenu* menu = menuBar()->addMenu(QCoreApplication::translate("Menus", spec.title));
-        for (const std::string id : spec.ids) {
-            if (id.empty()) {
-                menu->addSeparator();
-            } else if (id == "@docks") {
-                for (QDockWidget* dock : m_layout.docks()) {
-                    menu->addAction(dock->toggleViewAction());
-                }
-            } else if (id.front() == '@') {
-                specials[id] =
-                    menu->addMenu(QCoreApplication::translate("Menus", submenuTitle(id)));
-            } else {
-                menu->addAction(m_actions.action(id));
-            }
-        }
-    }
-    m_recentMenu = specials.at("@recent");
+    const Submenus submenus = fillMenuBar(*menuBar(), m_actions, m_layout.docks());
+    m_recentMenu = submenus.at("@recent");
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     fillRecentMenu();
-    fillExamplesMenu(specials.at("@examples"));
-    m_bookmarks.attach(specials.at("@cameras"), specials.at("@keep-cameras"));
-    fillLookMenu(*specials.at("@looks"), m_state);
-    fillStepMenu(*specials.at("@step-length"), m_state);
-    fillLanguageMenu(*specials.at("@language"),
+    fillExamplesMenu(submenus.at("@examples"));
+    m_bookmarks.attach(submenus.at("@cameras"), submenus.at("@keep-cameras"));
+    fillLookMenu(*submenus.at("@looks"), m_state);
+    fillStepMenu(*submenus.at("@step-length"), m_state);
+    fillLanguageMenu(*submenus.at("@language"),
                      [this](const QString& code) { chooseLanguage(code); });
     for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
-        specials.at("@path-of-places")->addAction(m_actions.action(id));
+        submenus.at("@path-of-places")->addAction(m_actions.action(id));
     }
-}
-
-void MainWindow::buildToolBar()
-{
-    QToolBar* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("toolBar"));
-    bar->setIconSize({kToolIconSize, kToolIconSize});
-    for (const std::string id : toolBarTable()) {
-        if (id.empty()) {
-            bar->addSeparator();
-        } else {
-            bar->addAction(m_actions.action(id));
-        }
-    }
-    addSpeedField(*bar);
-}
-
-/// How many times faster than life it plays.
-void MainWindow::addSpeedField(QToolBar& bar)
-{
-    auto* speed = new QDoubleSpinBox(&bar);
-    speed->setObjectName(QStringLiteral("playSpeed"));
-    speed->setRange(0.1, 8.0);
-    speed->setSingleStep(0.1);
-    speed->setDecimals(1);
-    speed->setPrefix(tr("× "));
-    speed->setToolTip(tr("Speed of play"));
-    speed->setFocusPolicy(Qt::ClickFocus);
-    speed->setKeyboardTracking(false);
-    speed->setValue(m_state.transport().state().speed);
-    bar.addWidget(speed);
-    connect(speed, &QDoubleSpinBox::valueChanged, this,
-            [this](double value) { m_state.transport().setSpeed(value); });
-    connect(speed, &QDoubleSpinBox::editingFinished, m_viewport,
-            [this] { m_viewport->setFocus(); });
-    connect(&m_state.transport(), &widgets::Transport::stateChanged, speed,
-            [speed](const widgets::TransportState& state) {
-                const QSignalBlocker blocker(speed);
-                speed->setValue(state.speed);
-            });
 }
 
 void MainWindow::connectParts()

@@ -19,7 +19,6 @@
 #include "widgets/viewport/ViewportWidget.h"
 
 class QMenu;
-class QToolBar;
 
 namespace crowd::app {
 
@@ -75,8 +74,6 @@ private:
     void connectDocks();
     void buildStatusBar();
     void buildMenus();
-    void buildToolBar();
-    void addSpeedField(QToolBar& bar);
     void connectParts();
     void warn(const QString& title, const QString& message);
     void followHiding(bool isHidden);

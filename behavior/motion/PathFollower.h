@@ -84,8 +84,6 @@ public:
     /// Where somebody who walks goes straight to: the next corner of his way, or its end. World
     /// frame from above, metres.
     [[nodiscard]] glm::vec2 nextAim(std::uint32_t agent) const;
-    /// Index in its path of the place that an agent goes to next.
-    [[nodiscard]] std::size_t nextPlace(std::uint32_t agent) const { return m_walks[agent].next; }
     /// Whether its path has ended.
     [[nodiscard]] bool hasArrived(std::uint32_t agent) const { return m_walks[agent].hasArrived; }
     /// TravelEvent bits of the last steer(), by agent.

@@ -14,6 +14,7 @@
 
 #include "app/window/MainWindow.h"
 #include "tests/model/ProjectText.h"
+#include "tests/program/FrameCount.h"
 
 namespace crowd::testing {
 
@@ -42,7 +43,7 @@ public:
         }
         state().transport().setPlaying(false);
         state().transport().rewind();
-        return QTest::qWaitFor([this] { return isLoaded() && view().drawnFrames() > 0; }, 60000);
+        return QTest::qWaitFor([this] { return isLoaded() && frames.frames() > 0; }, 60000);
     }
     [[nodiscard]] bool isLoaded()
     {
@@ -63,9 +64,9 @@ public:
         QApplication::sendEvent(&view(), &leave);
         int still = 0;
         for (int tries = 0; still < 2 && tries < 1800; ++tries) {
-            const int before = view().drawnFrames();
+            const int before = frames.frames();
             QTest::qWait(50);
-            const bool isAtRest = view().isAtRest() && view().drawnFrames() == before &&
+            const bool isAtRest = view().isAtRest() && frames.frames() == before &&
                                   state().keyframes().progress().pendingClips == 0;
             still = isAtRest ? still + 1 : 0;
         }
@@ -83,6 +84,7 @@ public:
     }
 
     app::MainWindow window;
+    FrameCount frames{window.viewport()};
 
 private:
     void send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include <QtGui/QImage>
 #include <QtGui/QMouseEvent>
 #include <QtTest/QTest>
@@ -9,6 +11,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "tests/model/ProjectText.h"
+#include "tests/program/FrameCount.h"
 #include "tests/widgets/SmallTheatre.h"
 #include "widgets/viewport/ViewportWidget.h"
 
@@ -25,6 +28,7 @@ public:
         edit = new QLineEdit(&window);
         view = new widgets::ViewportWidget(state, &window);
         view->setFixedSize(320, 240);
+        frames = std::make_unique<FrameCount>(*view);
         layout = new QVBoxLayout(&window);
         layout->addWidget(edit);
         layout->addWidget(view);
@@ -34,15 +38,15 @@ public:
     [[nodiscard]] bool isReady()
     {
         return QTest::qWaitForWindowActive(&window) &&
-               QTest::qWaitFor([this] { return view->drawnFrames() > 0; });
+               QTest::qWaitFor([this] { return frames->frames() > 0; });
     }
     /// Until nothing wants to be drawn any more.
     void settle()
     {
         for (int still = 0, tries = 0; still < 2 && tries < 100; ++tries) {
-            const int before = view->drawnFrames();
+            const int before = frames->frames();
             QTest::qWait(60);
-            still = view->drawnFrames() == before ? still + 1 : 0;
+            still = frames->frames() == before ? still + 1 : 0;
         }
     }
     [[nodiscard]] QImage picture()
@@ -81,6 +85,7 @@ public:
     QWidget window;
     QLineEdit* edit;
     widgets::ViewportWidget* view;
+    std::unique_ptr<FrameCount> frames; ///< of the view
     QVBoxLayout* layout;
 
 private:

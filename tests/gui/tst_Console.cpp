@@ -11,6 +11,7 @@
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
 #include "tests/gui/Patience.h"
+#include "tests/program/FrameCount.h"
 #include "tests/program/WindowTest.h"
 
 using namespace crowd;
@@ -207,9 +208,9 @@ void ConsoleTest::handsAreHeldBackWhileAScriptRuns()
     QTest::keyClick(&m_window->viewport(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(people(), before);
     QVERIFY2(said.contains(QStringLiteral("script")), qPrintable(said));
-    const int drawn = m_window->viewport().drawnFrames();
+    const testing::FrameCount drawn(m_window->viewport());
     m_window->viewport().update();
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().drawnFrames() > drawn, kScriptPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.frames() > 0, kScriptPatienceMs);
     m_window->interpreter().cancel();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
     disconnect(listening);

@@ -79,16 +79,16 @@ void TestViewportWindow::drawsNothingWhileNothingChanges()
     QVERIFY(studio.isReady());
     studio.state.setTool(ToolId::Select);
     studio.settle();
-    const int before = studio.view->drawnFrames();
+    const int before = studio.frames->frames();
     // The cursor over empty ground moves only what lies over the picture.
     for (int x = 20; x < 300; x += 20) {
         QTest::mouseMove(studio.view, {x, 200});
         QTest::qWait(10);
     }
     QTest::qWait(100);
-    QCOMPARE(studio.view->drawnFrames(), before);
+    QCOMPARE(studio.frames->frames(), before);
     testing::addPeople(studio.document, 1);
-    QTRY_VERIFY(studio.view->drawnFrames() > before);
+    QTRY_VERIFY(studio.frames->frames() > before);
 }
 
 void TestViewportWindow::drawsWhilePlayingAndStops()
@@ -97,17 +97,17 @@ void TestViewportWindow::drawsWhilePlayingAndStops()
     QVERIFY(studio.isReady());
     testing::addPeople(studio.document, 2);
     studio.settle();
-    const int before = studio.view->drawnFrames();
+    const int before = studio.frames->frames();
     studio.view->setFocus();
     QTest::keyClick(studio.view, Qt::Key_Space);
     QVERIFY(studio.state.transport().isPlaying());
-    QTRY_VERIFY(studio.view->drawnFrames() > before + 5);
+    QTRY_VERIFY(studio.frames->frames() > before + 5);
     QVERIFY(studio.state.transport().seconds() > 0.0);
     QTest::keyClick(studio.view, Qt::Key_Space);
     studio.settle();
-    const int after = studio.view->drawnFrames();
+    const int after = studio.frames->frames();
     QTest::qWait(100);
-    QCOMPARE(studio.view->drawnFrames(), after);
+    QCOMPARE(studio.frames->frames(), after);
 }
 
 void TestViewportWindow::paintsAndTakesBack()

@@ -10,7 +10,7 @@
 
 #include <QtTest/QTest>
 
-#include "app/python/ScriptScene.h"
+#include "app/python/ScriptPeople.h"
 #include "app/python/ScriptSession.h"
 #include "tests/program/Test.h"
 
@@ -111,7 +111,7 @@ void ScriptThreadsTest::editsAreInterruptedByTheHost()
         for (int i = 0; i < 200; ++i) {
             const bool isBegun = scene.beginEdit("step").isOk();
             const std::vector<ColumnValues> values{headings(2, 0.01F * static_cast<float>(i))};
-            made += scene.change(ids, values).isOk() ? 1 : 0;
+            made += app::changePeople(scene, ids, values).isOk() ? 1 : 0;
             (void)scene.undo(); // refused, inside of an edit
             (void)scene.scene()->population.column(model::columns::heading)[2];
             if (isBegun) {

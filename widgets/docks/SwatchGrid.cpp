@@ -68,6 +68,15 @@ QSize SwatchGrid::sizeHint() const
     return {10 * (m_cellSize + kCellGap), heightForWidth(width())};
 }
 
+/// What it is in would go on with the height that it asked for while it was narrow.
+void SwatchGrid::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (heightForWidth(event->oldSize().width()) != heightForWidth(width())) {
+        updateGeometry();
+    }
+}
+
 QSize SwatchGrid::minimumSizeHint() const
 {
     return {kLeastColumns * (m_cellSize + kCellGap), m_cellSize};

@@ -134,7 +134,6 @@ public:
     /// Smoothly; later calls take over from where the camera is by then.
     void moveCameraTo(const model::Camera& camera, const QString& name = {},
                       double seconds = CameraMotion::kSeconds);
-    [[nodiscard]] bool isCameraMoving() const { return m_motion.isMoving(); }
     /// Where the camera is going, or where it is.
     [[nodiscard]] model::Camera cameraTarget() const;
     /// Size of the picture in logical pixels, told by the viewport.

@@ -153,7 +153,6 @@ void GroundSheets::begin(const model::StageRays& rays, float cell)
     m_rays = &rays;
     m_version = rays.version();
     m_cell = cell;
-    m_laidOut = 0;
 }
 
 const std::vector<GroundTriangle>* GroundSheets::remembered(const Key& key)
@@ -164,7 +163,6 @@ const std::vector<GroundTriangle>* GroundSheets::remembered(const Key& key)
     if (auto before = m_before.extract(key)) {
         return &m_sheets.insert(std::move(before)).position->second;
     }
-    ++m_laidOut;
     return nullptr;
 }
 

@@ -51,8 +51,6 @@ public:
     [[nodiscard]] glm::vec3 onGround(const glm::vec3& point, float reach) const;
     /// How far the ground between two places may be from the line between them, at a share of it.
     [[nodiscard]] static float reachBetween(float metres, float share);
-    /// Shapes that were laid out, not remembered, since begin(); for tests.
-    [[nodiscard]] int laidOut() const { return m_laidOut; }
 
 private:
     using Key = std::array<float, 11>;
@@ -65,7 +63,6 @@ private:
     float m_cell = 1.0F;
     Sheets m_before;
     Sheets m_sheets;
-    int m_laidOut = 0;
 };
 
 } // namespace crowd::widgets

@@ -247,7 +247,6 @@ void ViewportWidget::paintGL()
     m_statistics.render = m_renderer->statistics();
     m_isShownFinal = !isMoving();
     m_isFrameOpen = true;
-    ++m_drawnFrames;
 }
 
 void ViewportWidget::chooseQuality()

@@ -44,8 +44,6 @@ public:
 
     [[nodiscard]] ToolController& tools() { return m_tools; }
     [[nodiscard]] const FrameStatistics& statistics() const { return m_statistics; }
-    /// Pictures drawn so far: a picture at rest draws none.
-    [[nodiscard]] int drawnFrames() const { return m_drawnFrames; }
     /// Nothing moves, and what is shown depends on the scene and the view alone: no savings made
     /// to keep up with a motion, no detail levels left over from the way here.
     [[nodiscard]] bool isAtRest() const { return m_isShownFinal && !isMoving(); }
@@ -111,7 +109,6 @@ private:
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
-    int m_drawnFrames = 0;
     bool m_isSceneNew = false; ///< replaced since the last picture
     int m_bakedBefore = 0;     ///< clips finished when the present baking began
     model::Message m_said;     ///< what m_problem says, in any language

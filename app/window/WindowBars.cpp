@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/WindowBars.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QSignalBlocker>
+#include <QtGui/QAction>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QToolBar>
+
+#include "app/window/MainWindow.h"
+#include "app/window/WindowActions.h"
+#include "widgets/actions/ActionRegistry.h"
+#include "widgets/state/EditorState.h"
+
+namespace crowd::app {
+
+namespace {
+
+constexpr int kToolIconSize = 22; ///< logical pixels
+
+/// How many times faster than life it plays.
+void addSpeedField(QToolBar& bar, widgets::EditorState& state, QWidget& picture)
+{
+    auto* speed = new QDoubleSpinBox(&bar);
+    speed->setObjectName(QStringLiteral("playSpeed"));
+    speed->setRange(0.1, 8.0);
+    speed->setSingleStep(0.1);
+    speed->setDecimals(1);
+    speed->setPrefix(MainWindow::tr("× "));
+    speed->setToolTip(MainWindow::tr("Speed of play"));
+    speed->setFocusPolicy(Qt::ClickFocus);
+    speed->setKeyboardTracking(false);
+    speed->setValue(state.transport().state().speed);
+    bar.addWidget(speed);
+    QObject::connect(speed, &QDoubleSpinBox::valueChanged, &state,
+                     [&state](double value) { state.transport().setSpeed(value); });
+    QObject::connect(speed, &QDoubleSpinBox::editingFinished, &picture,
+                     [&picture] { picture.setFocus(); });
+    QObject::connect(&state.transport(), &widgets::Transport::stateChanged, speed,
+                     [speed](const widgets::TransportState& now) {
+                         const QSignalBlocker blocker(speed);
+                         speed->setValue(now.speed);
+                     });
+}
+
+} // namespace
+
+Submenus fillMenuBar(QMenuBar& bar, const widgets::ActionRegistry& actions,
+                     const std::vector<QDockWidget*>& docks)
+{
+    Submenus submenus;
+    for (const MenuSpec& spec : menuTable()) {
+        QMenu* menu = bar.addMenu(QCoreApplication::translate("Menus", spec.title));
+        for (const std::string id : spec.ids) {
+            if (id.empty()) {
+                menu->addSeparator();
+            } else if (id == "@docks") {
+                for (const QDockWidget* dock : docks) {
+                    menu->addAction(dock->toggleViewAction());
+                }
+            } else if (id.front() == '@') {
+                submenus[id] =
+                    menu->addMenu(QCoreApplication::translate("Menus", submenuTitle(id)));
+            } else {
+                menu->addAction(actions.action(id));
+            }
+        }
+    }
+    return submenus;
+}
+
+void fillToolBar(QToolBar& bar, const widgets::ActionRegistry& actions, widgets::EditorState& state,
+                 QWidget& picture)
+{
+    bar.setObjectName(QStringLiteral("toolBar"));
+    bar.setIconSize({kToolIconSize, kToolIconSize});
+    for (const std::string id : toolBarTable()) {
+        if (id.empty()) {
+            bar.addSeparator();
+        } else {
+            bar.addAction(actions.action(id));
+        }
+    }
+    addSpeedField(bar, state, picture);
+}
+
+} // namespace crowd::app
