@@ -109,9 +109,9 @@ private:
     QTimer m_viewMotion;         ///< runs from a change of the view until it counts as still
     bool m_isShownFinal = false; ///< the last picture was drawn while nothing moved
     bool m_isCoarse = false;     ///< without smoothing, to keep up with the hand
-    bool m_isSceneNew = false; ///< replaced since the last picture
-    int m_bakedBefore = 0;     ///< clips finished when the present baking began
-    model::Message m_said;     ///< what m_problem says, in any language
+    bool m_isSceneNew = false;   ///< replaced since the last picture
+    int m_bakedBefore = 0;       ///< clips finished when the present baking began
+    model::Message m_said;       ///< what m_problem says, in any language
     QString m_problem;
     PathDrawing m_paths;
     PeopleMarks m_marks;
