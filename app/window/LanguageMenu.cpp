@@ -4,9 +4,9 @@
 #include <utility>
 
 #include <QtCore/QCoreApplication>
-#include <QtGui/QActionGroup>
 #include <QtWidgets/QMenu>
 
+#include "app/window/ChoiceMenu.h"
 #include "app/window/Language.h"
 #include "app/window/PreferencesDialog.h"
 
@@ -25,26 +25,18 @@ struct LanguageMenuText
 
 void fillLanguageMenu(QMenu& menu, const std::function<void(const QString&)>& choose)
 {
-    auto* group = new QActionGroup(&menu);
+    ChoiceMenu choices(menu);
     const auto add = [&](const QString& code, const QString& name) {
-        QAction* action = menu.addAction(name);
-        action->setObjectName(QStringLiteral("language-") + code);
-        action->setCheckable(true);
-        action->setChecked(code == languageInUse());
-        action->setData(code);
-        group->addAction(action);
-        QObject::connect(action, &QAction::triggered, &menu, [choose, code] { choose(code); });
+        choices.add({.name = QStringLiteral("language-") + code,
+                     .text = name,
+                     .choose = [choose, code] { choose(code); },
+                     .isChosen = [code] { return code == languageInUse(); }});
     };
     add({}, LanguageMenuText::tr("As the System"));
     menu.addSeparator();
     for (const Language& language : languages()) {
         add(language.code, language.name);
     }
-    QObject::connect(&menu, &QMenu::aboutToShow, group, [group] { // one may have been put off
-        for (QAction* action : group->actions()) {
-            action->setChecked(action->data().toString() == languageInUse());
-        }
-    });
 }
 
 LanguageSwitch::LanguageSwitch(std::function<bool()> isFree, QObject* parent)

@@ -2,9 +2,9 @@
 #include "app/window/LookMenu.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtGui/QActionGroup>
 #include <QtWidgets/QMenu>
 
+#include "app/window/ChoiceMenu.h"
 #include "render/Looks.h"
 #include "widgets/state/EditorState.h"
 
@@ -12,27 +12,20 @@ namespace crowd::app {
 
 void fillLookMenu(QMenu& menu, widgets::EditorState& state)
 {
-    auto* group = new QActionGroup(&menu);
+    ChoiceMenu choices(menu);
     for (const render::LookInfo& info : render::kLooks) {
-        QAction* action = menu.addAction(QString());
-        action->setObjectName(QStringLiteral("look-choice-") + QLatin1String(info.key));
-        action->setCheckable(true);
-        group->addAction(action);
-        QObject::connect(action, &QAction::triggered, &menu, [&state, look = info.look] {
-            widgets::ViewOptions options = state.viewOptions();
-            options.look = look;
-            state.setViewOptions(options);
-        });
+        choices.add(
+            {.name = QStringLiteral("look-choice-") + QLatin1String(info.key),
+             .text = QCoreApplication::translate("Looks", info.label),
+             .tip = QCoreApplication::translate("Looks", info.tip),
+             .choose =
+                 [&state, look = info.look] {
+                     widgets::ViewOptions options = state.viewOptions();
+                     options.look = look;
+                     state.setViewOptions(options);
+                 },
+             .isChosen = [&state, look = info.look] { return state.viewOptions().look == look; }});
     }
-    QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu, &state] {
-        std::size_t i = 0;
-        for (QAction* action : menu.actions()) {
-            const render::LookInfo& info = render::kLooks.at(i++);
-            action->setText(QCoreApplication::translate("Looks", info.label));
-            action->setStatusTip(QCoreApplication::translate("Looks", info.tip));
-            action->setChecked(state.viewOptions().look == info.look);
-        }
-    });
 }
 
 } // namespace crowd::app

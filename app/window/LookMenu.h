@@ -9,8 +9,7 @@ class EditorState;
 
 namespace crowd::app {
 
-/// The looks of render/Looks.h, to choose how the view is drawn. Texts are those of the language in
-/// which the menu opens.
+/// The looks of render/Looks.h, to choose how the view is drawn.
 void fillLookMenu(QMenu& menu, widgets::EditorState& state);
 
 } // namespace crowd::app

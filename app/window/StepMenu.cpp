@@ -2,9 +2,9 @@
 #include "app/window/StepMenu.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtGui/QActionGroup>
 #include <QtWidgets/QMenu>
 
+#include "app/window/ChoiceMenu.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/state/EditorState.h"
 
@@ -34,25 +34,16 @@ void chooseSteps(widgets::EditorState& state, std::uint32_t steps)
 
 void fillStepMenu(QMenu& menu, widgets::EditorState& state)
 {
-    auto* group = new QActionGroup(&menu);
+    ChoiceMenu choices(menu);
     for (const std::uint32_t steps : model::kStepRates) {
-        QAction* action = menu.addAction(QString());
-        action->setObjectName(QStringLiteral("steps%1").arg(steps));
-        action->setCheckable(true);
-        group->addAction(action);
-        QObject::connect(action, &QAction::triggered, &menu,
-                         [&state, steps] { chooseSteps(state, steps); });
+        choices.add(
+            {.name = QStringLiteral("steps%1").arg(steps),
+             .text = steps == model::kStepRates.front()
+                         ? StepMenuText::tr("1/%1 s, as Usual").arg(steps)
+                         : StepMenuText::tr("1/%1 s, Finer").arg(steps),
+             .choose = [&state, steps] { chooseSteps(state, steps); },
+             .isChosen = [&state, steps] { return state.scene().stepsPerSecond == steps; }});
     }
-    QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu, &state] {
-        std::size_t i = 0;
-        for (QAction* action : menu.actions()) {
-            const std::uint32_t steps = model::kStepRates.at(i++);
-            action->setText(steps == model::kStepRates.front()
-                                ? StepMenuText::tr("1/%1 s, as Usual").arg(steps)
-                                : StepMenuText::tr("1/%1 s, Finer").arg(steps));
-            action->setChecked(state.scene().stepsPerSecond == steps);
-        }
-    });
 }
 
 } // namespace crowd::app
