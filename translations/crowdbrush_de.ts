@@ -663,6 +663,22 @@
         <source>Theme, mouse, autosave, memory, language, shortcuts</source>
         <translation>Farben, Maus, Sicherung, Speicher, Sprache, Tasten</translation>
     </message>
+    <message>
+        <source>&amp;Group Selected</source>
+        <translation>Ausgewählte &amp;gruppieren</translation>
+    </message>
+    <message>
+        <source>A new group of the selected characters; it becomes active</source>
+        <translation>Eine neue Gruppe aus den ausgewählten Figuren; sie wird aktiv</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>&amp;Gruppe</translation>
+    </message>
+    <message>
+        <source>Take the characters under the brush into a group</source>
+        <translation>Die Figuren unter dem Pinsel in eine Gruppe nehmen</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -986,6 +1002,17 @@
             <numerusform>%n Figuren mit anderem Material</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag: take characters into the group</source>
+        <translation>Ziehen: Figuren in die Gruppe nehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters taken into the group</source>
+        <translation>
+            <numerusform>%n Figur in die Gruppe genommen</numerusform>
+            <numerusform>%n Figuren in die Gruppe genommen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1190,6 +1217,25 @@
     <message>
         <source>All of them already have this material</source>
         <translation>Alle haben dieses Material schon</translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n character(s) into a group</source>
+        <translation>
+            <numerusform>%n Figur in eine Gruppe nehmen</numerusform>
+            <numerusform>%n Figuren in eine Gruppe nehmen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are in this group</source>
+        <translation>Alle sind schon in dieser Gruppe</translation>
+    </message>
+    <message>
+        <source>The mask of the brush leaves all of them out</source>
+        <translation>Die Maske des Pinsels lässt sie alle aus</translation>
+    </message>
+    <message>
+        <source>The group is locked or hidden: the Groups panel shows it</source>
+        <translation>Die Gruppe ist gesperrt oder ausgeblendet: Das Bedienfeld „Gruppen“ zeigt es</translation>
     </message>
 </context>
 <context>
@@ -1812,6 +1858,66 @@
         <source>Change character</source>
         <translation>Figur ändern</translation>
     </message>
+    <message>
+        <source>The group that new characters come into</source>
+        <translation>Die Gruppe, in die neue Figuren kommen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Only the selected</source>
+        <translation>Nur die ausgewählten</translation>
+    </message>
+    <message>
+        <source>Paint on the selected characters alone</source>
+        <translation>Nur auf den ausgewählten Figuren malen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>All but these</source>
+        <translation>Alle außer diesen</translation>
+    </message>
+    <message>
+        <source>Paint on those whom the mask leaves out</source>
+        <translation>Auf denen malen, die die Maske auslässt</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Walk as one party</source>
+        <translation>Gehen als eine Gesellschaft</translation>
+    </message>
+    <message>
+        <source>All of them take the same branch of a path</source>
+        <translation>Alle nehmen dieselbe Abzweigung eines Weges</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -1822,6 +1928,40 @@
     <message>
         <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, release to land, Escape to go back</source>
         <translation>Flug mit %1 m/s – W A S D, Q und E, Rad für das Tempo, Loslassen landet, Esc kehrt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>GroupCommands</name>
+    <message>
+        <source>New group</source>
+        <translation>Neue Gruppe</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: there is nobody to take in.</source>
+        <translation>Niemand ist ausgewählt: Es gibt niemanden zum Aufnehmen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n character(s) into a group</source>
+        <translation>
+            <numerusform>%n Figur in eine Gruppe nehmen</numerusform>
+            <numerusform>%n Figuren in eine Gruppe nehmen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The group is locked or hidden: its characters cannot be selected.</source>
+        <translation>Die Gruppe ist gesperrt oder ausgeblendet: Ihre Figuren lassen sich nicht auswählen.</translation>
+    </message>
+    <message>
+        <source>Delete a group</source>
+        <translation>Gruppe löschen</translation>
+    </message>
+    <message>
+        <source>Show a group alone</source>
+        <translation>Eine Gruppe allein zeigen</translation>
     </message>
 </context>
 <context>
@@ -2124,10 +2264,6 @@
     <message>
         <source>The environment is nested more than %1 deep.</source>
         <translation>Die Umgebung ist mehr als %1 tief verschachtelt.</translation>
-    </message>
-    <message>
-        <source>The environment must be an object with lists of places, paths, tags, rules, numbers and cues.</source>
-        <translation>Die Umgebung muss ein Objekt mit Listen von places, paths, tags, rules, numbers und cues sein.</translation>
     </message>
     <message>
         <source>The environment has no &quot;%1&quot;: there are %2.</source>
@@ -3228,6 +3364,10 @@
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+    <message>
+        <source>The environment must be an object with lists of places, paths, groups, tags, rules, numbers and cues.</source>
+        <translation>Die Umgebung muss ein Objekt mit Listen von places, paths, groups, tags, rules, numbers und cues sein.</translation>
     </message>
 </context>
 <context>
@@ -4910,6 +5050,10 @@
         <source>Material Brush</source>
         <translation>Material-Pinsel</translation>
     </message>
+    <message>
+        <source>Group Brush</source>
+        <translation>Gruppenpinsel</translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -6420,6 +6564,117 @@ Verworfen ist sie fort.</translation>
         <source>Any, by the operator</source>
         <translation>Irgendeines, nach dem Operator</translation>
     </message>
+    <message>
+        <source>In no group</source>
+        <translation>In keiner Gruppe</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::GroupsDock</name>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>A new group of those who are selected</source>
+        <translation>Eine neue Gruppe aus den Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Take the selected characters into the active group</source>
+        <translation>Die ausgewählten Figuren in die aktive Gruppe nehmen</translation>
+    </message>
+    <message>
+        <source>Select the characters of the active group</source>
+        <translation>Die Figuren der aktiven Gruppe auswählen</translation>
+    </message>
+    <message>
+        <source>Delete the active group; its characters stay</source>
+        <translation>Die aktive Gruppe löschen; ihre Figuren bleiben</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>In no group</source>
+        <translation>In keiner Gruppe</translation>
+    </message>
+    <message>
+        <source>Hidden: click to show</source>
+        <translation>Ausgeblendet: Klick blendet ein</translation>
+    </message>
+    <message>
+        <source>Shown: click to hide, with Alt to show it alone</source>
+        <translation>Sichtbar: Klick blendet aus, mit Alt wird nur sie gezeigt</translation>
+    </message>
+    <message>
+        <source>Locked: click to let brushes work on it</source>
+        <translation>Gesperrt: Klick lässt Pinsel wieder zu</translation>
+    </message>
+    <message>
+        <source>Click to lock: no brush touches it then</source>
+        <translation>Klick sperrt: Kein Pinsel rührt sie dann an</translation>
+    </message>
+    <message>
+        <source>Show or hide a group</source>
+        <translation>Gruppe ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Lock or unlock a group</source>
+        <translation>Gruppe sperren oder freigeben</translation>
+    </message>
+    <message>
+        <source>Rename a group</source>
+        <translation>Gruppe umbenennen</translation>
+    </message>
+    <message>
+        <source>Colour of a group</source>
+        <translation>Farbe einer Gruppe</translation>
+    </message>
+    <message>
+        <source>Select These Characters</source>
+        <translation>Diese Figuren auswählen</translation>
+    </message>
+    <message>
+        <source>Take the Selected Out of Their Groups</source>
+        <translation>Ausgewählte aus ihren Gruppen nehmen</translation>
+    </message>
+    <message>
+        <source>Take the Selected In</source>
+        <translation>Ausgewählte aufnehmen</translation>
+    </message>
+    <message>
+        <source>Show It Alone</source>
+        <translation>Allein zeigen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe …</translation>
+    </message>
+    <message>
+        <source>Walk as One Party</source>
+        <translation>Als eine Gesellschaft gehen</translation>
+    </message>
+    <message>
+        <source>Party or not</source>
+        <translation>Gesellschaft oder nicht</translation>
+    </message>
+    <message>
+        <source>All of them take the same branch of a path and keep together</source>
+        <translation>Alle nehmen dieselbe Abzweigung eines Weges und bleiben beisammen</translation>
+    </message>
+    <message>
+        <source>Delete the Group</source>
+        <translation>Gruppe löschen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New Group of the Selected</source>
+        <translation>Neue Gruppe aus den Ausgewählten</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -7094,26 +7349,6 @@ Verworfen ist sie fort.</translation>
         <translation>Bühne importieren …</translation>
     </message>
     <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>Gruppe %1</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>Dissolve the Group</source>
-        <translation>Die Gruppe auflösen</translation>
-    </message>
-    <message>
-        <source>Group the Selected</source>
-        <translation>Ausgewählte gruppieren</translation>
-    </message>
-    <message>
         <source>Import Template…</source>
         <translation>Vorlage importieren …</translation>
     </message>
@@ -7128,10 +7363,6 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Remove stage</source>
         <translation>Bühne entfernen</translation>
-    </message>
-    <message>
-        <source>Dissolve group</source>
-        <translation>Gruppe auflösen</translation>
     </message>
     <message>
         <source>Light</source>

@@ -663,6 +663,22 @@
         <source>Theme, mouse, autosave, memory, language, shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Group Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new group of the selected characters; it becomes active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the characters under the brush into a group</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -986,6 +1002,17 @@
             <numerusform>%n characters given another material</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag: take characters into the group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters taken into the group</source>
+        <translation>
+            <numerusform>%n character taken into the group</numerusform>
+            <numerusform>%n characters taken into the group</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1189,6 +1216,25 @@
     </message>
     <message>
         <source>All of them already have this material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n character(s) into a group</source>
+        <translation>
+            <numerusform>Take %n character into a group</numerusform>
+            <numerusform>Take %n characters into a group</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are in this group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask of the brush leaves all of them out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The group is locked or hidden: the Groups panel shows it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1812,6 +1858,66 @@
         <source>Change character</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The group that new characters come into</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on the selected characters alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All but these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint on those whom the mask leaves out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk as one party</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them take the same branch of a path</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -1821,6 +1927,40 @@
     </message>
     <message>
         <source>Flying at %1 m/s – W A S D, Q and E, wheel for the speed, release to land, Escape to go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GroupCommands</name>
+    <message>
+        <source>New group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: there is nobody to take in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n character(s) into a group</source>
+        <translation>
+            <numerusform>Take %n character into a group</numerusform>
+            <numerusform>Take %n characters into a group</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The group is locked or hidden: its characters cannot be selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a group alone</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2123,10 +2263,6 @@
     </message>
     <message>
         <source>The environment is nested more than %1 deep.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The environment must be an object with lists of places, paths, tags, rules, numbers and cues.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3227,6 +3363,10 @@
     </message>
     <message>
         <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The environment must be an object with lists of places, paths, groups, tags, rules, numbers and cues.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4910,6 +5050,10 @@
         <source>Material Brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Group Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -6413,6 +6557,117 @@ Thrown away, it is gone.</source>
         <source>Any, by the operator</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>In no group</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::GroupsDock</name>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new group of those who are selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected characters into the active group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the characters of the active group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the active group; its characters stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In no group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden: click to show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown: click to hide, with Alt to show it alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: click to let brushes work on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to lock: no brush touches it then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock or unlock a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select These Characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the Selected Out of Their Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the Selected In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show It Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk as One Party</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Party or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them take the same branch of a path and keep together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Group of the Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::HistoryDock</name>
@@ -7087,26 +7342,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Groups</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dissolve the Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group the Selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import Template…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7120,10 +7355,6 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Remove stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dissolve group</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -105,6 +105,8 @@ void bindBrushes(py::module_& module)
         module, "HeadingSettings", "Which way people face. Radians.", fieldsOf<HeadingSettings>());
     bindStruct<SeatGridSettings, SeatGridSettings>(
         module, "SeatGridSettings", "Which seats people come onto.", fieldsOf<SeatGridSettings>());
+    bindStruct<MaskSettings, MaskSettings>(
+        module, "MaskSettings", "On whom a brush may work at all.", fieldsOf<MaskSettings>());
 #define CROWD_BIND_SETTINGS(name, settings)                                                        \
     bindSettings<settings>(module, brushType(BrushKind::name));
     CROWD_BRUSHES(CROWD_BIND_SETTINGS)

@@ -108,13 +108,14 @@ void bindEnvironment(SceneClass& scene)
     scene
         .def_property_readonly(
             "environment", &environment,
-            "A dict of lists as the project file has them: places, paths, tags, rules, "
-            "numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and "
+            "A dict of lists as the project file has them: places, paths, groups, tags, "
+            "rules, numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and "
             "so on give the lists as typed classes.")
         .def(
             "set_environment", &setEnvironmentGiven, py::arg("environment"), py::kw_only(),
             py::arg("strict") = true,
-            "Lists of places, paths, tags, rules and so on as in environment, or the same as JSON "
+            "Lists of places, paths, groups, tags, rules and so on as in environment, or the same "
+            "as JSON "
             "text; what is not in it stays. What stands in them are dicts, or Rule, Place and so "
             "on. Raises Error where a member is wrong, or misspelt, or a rule names a clip or slot "
             "that no template has. strict=False takes what a project file may hold: members of a "

@@ -211,6 +211,10 @@ void bindPart(py::object& type, const PartInfo& part)
 {
     using Caster = py::detail::type_caster_generic;
     const py::detail::type_info* info = py::detail::get_type_info(part.type);
+    if (info == nullptr) {
+        throw std::logic_error(std::string("The class of the attribute ") + part.name +
+                               " must be bound before it.");
+    }
     const py::handle inner(reinterpret_cast<PyObject*>(info->type));
     const auto textOf = [](const py::handle& each) {
         return py::str(each.attr("__module__")).cast<std::string>() + "." +

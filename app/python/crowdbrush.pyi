@@ -140,6 +140,7 @@ class BrushKind:
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
     SCRIPT: ClassVar[BrushKind]
+    GROUP: ClassVar[BrushKind]
     name: str
     value: int
 
@@ -230,6 +231,46 @@ class SeatGridSettings:
         ...
 
 
+class MaskSettings:
+    """On whom a brush may work at all."""
+    @property
+    def only_selected(self) -> bool:
+        """Only those in `selected`, which the editor fills with the selected ones."""
+    @only_selected.setter
+    def only_selected(self, value: bool) -> None:
+        ...
+    @property
+    def selected(self) -> List[int]:
+        """Ids. Assign a whole list."""
+    @selected.setter
+    def selected(self, value: List[int]) -> None:
+        ...
+    @property
+    def templates(self) -> List[int]:
+        """Ids of templates; empty: all. Assign a whole list."""
+    @templates.setter
+    def templates(self, value: List[int]) -> None:
+        ...
+    @property
+    def groups(self) -> List[int]:
+        """Ids of groups, 0: in none; empty: all. Assign a whole list."""
+    @groups.setter
+    def groups(self, value: List[int]) -> None:
+        ...
+    @property
+    def tags(self) -> List[int]:
+        """Bits 0–63, any of which is worn; empty: all. Assign a whole list."""
+    @tags.setter
+    def tags(self, value: List[int]) -> None:
+        ...
+    @property
+    def inverted(self) -> bool:
+        ...
+    @inverted.setter
+    def inverted(self, value: bool) -> None:
+        ...
+
+
 class CreateSettings:
     """Who is created, and how."""
     @property
@@ -316,6 +357,12 @@ class CreateSettings:
         """List of (red, green, blue), 0–255. Assign a whole list."""
     @palette.setter
     def palette(self, value: List[Sequence[int]]) -> None:
+        ...
+    @property
+    def group(self) -> int:
+        """Id of the group that new ones come into; 0: none."""
+    @group.setter
+    def group(self, value: int) -> None:
         ...
     @property
     def facing(self) -> HeadingSettings:
@@ -555,6 +602,16 @@ class MaterialSettings:
         ...
 
 
+class GroupSettings:
+    """The group that people come into."""
+    @property
+    def group(self) -> int:
+        """Id of a group; 0: none."""
+    @group.setter
+    def group(self, value: int) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -630,6 +687,12 @@ class Brush:
     def distribution(self, value: Sequence[float]) -> None:
         ...
     @property
+    def mask(self) -> MaskSettings:
+        ...
+    @mask.setter
+    def mask(self, value: MaskSettings) -> None:
+        ...
+    @property
     def create(self) -> CreateSettings:
         ...
     @create.setter
@@ -682,6 +745,12 @@ class Brush:
         ...
     @material.setter
     def material(self, value: MaterialSettings) -> None:
+        ...
+    @property
+    def group(self) -> GroupSettings:
+        ...
+    @group.setter
+    def group(self, value: GroupSettings) -> None:
         ...
     @property
     def tag(self) -> int:
@@ -831,52 +900,63 @@ class Scene:
         """Sun, sky and ground as given."""
     @property
     def environment(self) -> Any:
-        """A dict of lists as the project file has them: places, paths, tags, rules, numbers,
-        cues, the surface to walk on, and stepsPerSecond. scene.rules and so on give the lists
-        as typed classes."""
+        """A dict of lists as the project file has them: places, paths, groups, tags, rules,
+        numbers, cues, the surface to walk on, and stepsPerSecond. scene.rules and so on give
+        the lists as typed classes."""
     def set_environment(self, environment: Union[str, Dict[str, Any]], *, strict: bool = ...) -> None:
-        """Lists of places, paths, tags, rules and so on as in environment, or the same as JSON
-        text; what is not in it stays. What stands in them are dicts, or Rule, Place and so
-        on. Raises Error where a member is wrong, or misspelt, or a rule names a clip or slot
-        that no template has. strict=False takes what a project file may hold: members of a
-        later version, clips of templates that are gone."""
+        """Lists of places, paths, groups, tags, rules and so on as in environment, or the same
+        as JSON text; what is not in it stays. What stands in them are dicts, or Rule, Place
+        and so on. Raises Error where a member is wrong, or misspelt, or a rule names a clip
+        or slot that no template has. strict=False takes what a project file may hold: members
+        of a later version, clips of templates that are gone."""
     def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
         on screen, for all of them with time=."""
     @property
     def places(self) -> List[Place]:
-        """A new list of Place, as the environment has them; setting it is a step of undo."""
+        """A new list of Place, as the environment has them, by name too; setting it is a step of
+        undo."""
     @places.setter
     def places(self, value: List[Place]) -> None:
         ...
     @property
     def paths(self) -> List[Path]:
-        """A new list of Path, as the environment has them; setting it is a step of undo."""
+        """A new list of Path, as the environment has them, by name too; setting it is a step of
+        undo."""
     @paths.setter
     def paths(self, value: List[Path]) -> None:
         ...
     @property
+    def groups(self) -> List[Group]:
+        """A new list of Group, as the environment has them, by name too; setting it is a step of
+        undo."""
+    @groups.setter
+    def groups(self, value: List[Group]) -> None:
+        ...
+    @property
     def tags(self) -> List[Tag]:
-        """A new list of Tag, as the environment has them; setting it is a step of undo."""
+        """A new list of Tag, as the environment has them, by name too; setting it is a step of undo."""
     @tags.setter
     def tags(self, value: List[Tag]) -> None:
         ...
     @property
     def numbers(self) -> List[Number]:
-        """A new list of Number, as the environment has them; setting it is a step of undo."""
+        """A new list of Number, as the environment has them, by name too; setting it is a step
+        of undo."""
     @numbers.setter
     def numbers(self, value: List[Number]) -> None:
         ...
     @property
     def cues(self) -> List[Cue]:
-        """A new list of Cue, as the environment has them; setting it is a step of undo."""
+        """A new list of Cue, as the environment has them, by name too; setting it is a step of undo."""
     @cues.setter
     def cues(self, value: List[Cue]) -> None:
         ...
     @property
     def rules(self) -> List[Rule]:
-        """A new list of Rule, as the environment has them; setting it is a step of undo."""
+        """A new list of Rule, as the environment has them, by name too; setting it is a step of
+        undo."""
     @rules.setter
     def rules(self, value: List[Rule]) -> None:
         ...
@@ -1598,6 +1678,24 @@ class Path(Entry):
     """in the order in which they are walked to"""
     branches: List[Branch]
     """where some leave it"""
+
+
+class Group(Entry):
+    """A layer of the crowd: a name for those in it."""
+    def __init__(self, *, id: int, name: str = ..., color: Union[str, Sequence[int]] = ..., hidden: bool = ..., locked: bool = ..., party: bool = ...) -> None:
+        ...
+    id: int
+    """what the column "group" has; must be given"""
+    name: str
+    ...
+    color: str
+    """begins as '#5a96dc'"""
+    hidden: bool
+    """neither drawn nor touched; begins as False"""
+    locked: bool
+    """no stroke touches them; begins as False"""
+    party: bool
+    """all take the same branch of a path; begins as False"""
 
 
 class Tag(Entry):

@@ -312,16 +312,35 @@ for _each in _schema["entries"]:
     globals()[_each["name"]] = _bases[_each["name"]] = _class(_each, Entry)
 
 
+class _Entries(list):
+    """Entries in order, found by name too: scene.groups["left stand"]."""
+
+    def __getitem__(self, which):
+        if not isinstance(which, str):
+            return list.__getitem__(self, which)
+        for each in self:
+            if each.get("name") == which:
+                return each
+        names = ", ".join(str(each.get("name")) for each in self) or "none"
+        raise Error(f"There is no entry named \"{which}\"; there are: {names}.")
+
+    def __contains__(self, which):
+        if isinstance(which, str):
+            return any(each.get("name") == which for each in self)
+        return list.__contains__(self, which)
+
+
 def _list_property(key, name):
     def get(self):
-        return [_bases[name].from_dict(each) for each in Scene.environment.fget(self).get(key, [])]
+        return _Entries(_bases[name].from_dict(each) for each in Scene.environment.fget(self).get(key, []))
 
     def set(self, entries):
         listed = [_entry(name, each, f"{key}[{i}]") for i, each in enumerate(_listed(entries, key))]
         Scene.set_environment(self, {key: listed})
 
     get.__annotations__["return"] = f"List[{name}]"
-    return property(get, set, None, f"A new list of {name}, as the environment has them; setting it is a step of undo.")
+    return property(get, set, None, f"A new list of {name}, as the environment has them, by name too; "
+                    "setting it is a step of undo.")
 
 
 for _each in _schema["entries"]:

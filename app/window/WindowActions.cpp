@@ -10,6 +10,7 @@
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
 #include "app/window/ViewMemory.h"
+#include "widgets/commands/GroupCommands.h"
 #include "widgets/commands/SelectionCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
@@ -153,6 +154,11 @@ const WindowAction kEditActions[] = {
                         "Put those of the selected characters, or of all, who stand where "
                         "nobody can walk on the nearest ground")},
      [](MainWindow& w, bool) { widgets::putSelectionOnGround(w.state()); }},
+    {{"group-selected", QT_TRANSLATE_NOOP("Actions", "&Group Selected"), "group", "Ctrl+Alt+G",
+      QT_TRANSLATE_NOOP("Actions", "A new group of the selected characters; it becomes active")},
+     [](MainWindow& w, bool) { widgets::groupSelection(w.state()); },
+     {.inputs = ActionInput::Selection,
+      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
     {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Path That &Ends at the Last Place"),
       "brush-path", "Ctrl+Shift+P",
       QT_TRANSLATE_NOOP("Actions",
@@ -359,10 +365,21 @@ constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@
                                      "@examples",    "",           "save",    "save-as",
                                      "collect",      "",           "library", "import-template",
                                      "import-stage", "",           "quit"};
-constexpr const char* kEditMenu[] = {
-    "undo",      "redo",       "",           "delete",      "put-on-ground", "@path-of-places",
-    "path-end",  "",           "select-all", "select-none", "select-invert", "",
-    "@language", "preferences"};
+constexpr const char* kEditMenu[] = {"undo",
+                                     "redo",
+                                     "",
+                                     "delete",
+                                     "group-selected",
+                                     "put-on-ground",
+                                     "@path-of-places",
+                                     "path-end",
+                                     "",
+                                     "select-all",
+                                     "select-none",
+                                     "select-invert",
+                                     "",
+                                     "@language",
+                                     "preferences"};
 constexpr const char* kViewMenu[] = {
     "frame-selection", "frame-all",  "",       "view-front", "view-side",
     "view-top",        "projection", "",       "camera-add", "@cameras",

@@ -23,11 +23,12 @@ constexpr std::uint64_t kPointOfGroup = 34;
 
 } // namespace
 
-void Walkers::countGroups(const model::Population& people)
+void Walkers::setParties(std::vector<model::GroupId> partyOfRow)
 {
-    m_groupSizes.clear();
-    for (const std::uint32_t group : people.column(walkerKeys::group)) {
-        ++m_groupSizes[group];
+    m_parties = std::move(partyOfRow);
+    m_partySizes.clear();
+    for (const model::GroupId party : m_parties) {
+        ++m_partySizes[party];
     }
 }
 
@@ -59,9 +60,9 @@ PathFollower::Assignment Walkers::assignmentOf(const model::Population& people,
         assignmentTo(who, row, people.column(walkerKeys::path)[row], paceOf(people, row));
     walk.ownSeed = model::hashKeys(m_seed, who, kPointInGroup);
     walk.from = people.column(walkerKeys::position)[row];
-    const std::uint32_t group = people.column(walkerKeys::group)[row];
-    const auto size = m_groupSizes.find(group);
-    if (group != 0 && size != m_groupSizes.end() && size->second > 1) {
+    const model::GroupId group = m_parties[row];
+    const auto size = m_partySizes.find(group);
+    if (group != 0 && size != m_partySizes.end() && size->second > 1) {
         // To the same point as the others, a little beside it.
         walk.seed = model::hashKeys(m_seed, group, kPointOfGroup);
         const std::uint32_t table = m_templates.indexOf(people.column(walkerKeys::templateId)[row]);

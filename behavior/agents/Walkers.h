@@ -21,11 +21,13 @@ public:
         : m_templates(templates), m_seed(seed)
     {
     }
-    void countGroups(const model::Population& people);
+    /// By row, 0: nobody's; see Scene::parties().
+    void setParties(std::vector<model::GroupId> partyOfRow);
 
     /// m/s.
     [[nodiscard]] float paceOf(const model::Population& people, std::size_t row) const;
-    /// For PathFollower::follow(); path 0: it follows none.
+    /// Of a row of the people that parties were set for. For PathFollower::follow(); path 0: it
+    /// follows none.
     [[nodiscard]] PathFollower::Assignment assignmentOf(const model::Population& people,
                                                         std::size_t row) const;
     /// Along a path, chosen apart from the scene.
@@ -36,7 +38,8 @@ public:
 private:
     const TemplateTables& m_templates;
     std::uint32_t m_seed;
-    std::map<std::uint32_t, std::uint32_t> m_groupSizes;
+    std::vector<model::GroupId> m_parties; ///< by row
+    std::map<model::GroupId, std::uint32_t> m_partySizes;
 };
 
 } // namespace crowd::behavior

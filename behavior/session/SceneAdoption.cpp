@@ -90,7 +90,7 @@ void Adoption::run()
         m_areBodiesNew = true;
     }
     adoptPaths();
-    m_parts.walkers.countGroups(m_now);
+    m_parts.walkers.setParties(m_scene.parties());
     if (!std::ranges::equal(m_parts.population.ids(), m_now.ids())) {
         adoptRows();
     }
@@ -106,7 +106,7 @@ void Adoption::run()
         m_parts.resetBodies(m_now);
     }
     m_parts.population = m_now;
-    m_parts.follower.setGroups(m_parts.population.column(adoptedKeys::group));
+    m_parts.adoptGroups(m_scene);
     m_parts.seating.setStages(m_scene.stages);
     m_parts.shownOverrides = m_parts.overrides.publish();
     m_parts.rules.setRules(m_scene, m_arePosesKept);

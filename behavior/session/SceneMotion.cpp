@@ -51,6 +51,7 @@ model::CrowdFramePtr SceneMotion::at(double seconds, const std::atomic<bool>* is
                                      const Progress& notify)
 {
     model::CrowdFrame frame{m_scene.population, m_templates, seconds};
+    frame.hiddenGroups = model::groupsThat(m_scene.groups, &model::Group::isHidden);
     if (m_session) {
         if (seconds < m_before->seconds) {
             begin();

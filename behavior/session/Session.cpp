@@ -28,13 +28,13 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
     for (Problem& problem : parts.follower.setPaths(parts.places, parts.paths)) {
         parts.problems.add(std::move(problem));
     }
-    parts.walkers.countGroups(parts.population);
+    parts.walkers.setParties(scene.parties());
     if (plan.walkers.empty()) {
         assignWalkers();
     } else {
         assignPlanned(plan);
     }
-    parts.follower.setGroups(parts.population.column(model::columns::group));
+    parts.adoptGroups(scene);
     parts.resetBodies(parts.population);
     parts.resetWalls();
     parts.rules.setStepsPerSecond(parts.clock.stepsPerSecond);
@@ -213,6 +213,7 @@ SessionPosePtr Session::pose() const
 model::CrowdFramePtr Session::frame() const
 {
     model::CrowdFrame frame{m_parts->population, m_parts->templates.entries(), seconds()};
+    frame.hiddenGroups = m_parts->hiddenGroups;
     const SessionPosePtr now = pose();
     applyPose(*now, *now, frame);
     return std::make_shared<const model::CrowdFrame>(std::move(frame));

@@ -99,6 +99,12 @@ void SessionParts::resetWalls()
     crowd.setWalls(walls);
 }
 
+void SessionParts::adoptGroups(const model::Scene& scene)
+{
+    hiddenGroups = model::groupsThat(scene.groups, &model::Group::isHidden);
+    follower.setGroups(scene.parties());
+}
+
 void SessionParts::checkWays()
 {
     std::vector<Problem> found;

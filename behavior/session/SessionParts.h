@@ -41,6 +41,8 @@ struct SessionParts
     void resetBodies(const model::Population& people);
     /// Walls anew, from the plan, the surface and the places.
     void resetWalls();
+    /// Who walks with whom, and who is not seen.
+    void adoptGroups(const model::Scene& scene);
     /// Says anew what is wrong with where people are to walk.
     void checkWays();
     /// An agent leaves the scene.
@@ -50,6 +52,7 @@ struct SessionParts
     model::Population population;
     std::vector<model::Place> places;
     std::vector<model::Path> paths;
+    std::vector<model::GroupId> hiddenGroups; ///< ascending
     std::vector<Wall> plannedWalls;
     std::shared_ptr<const WalkSurface> surface; ///< null: open ground
     TemplateTables templates;

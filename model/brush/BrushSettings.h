@@ -5,6 +5,7 @@
 #include <span>
 
 #include "model/brush/Brushes.h"
+#include "model/brush/Mask.h"
 #include "model/brush/operators/Operators.h"
 
 /// What a brush is set to: plain values, compared and copied freely, kept in preferences and in
@@ -34,6 +35,7 @@ struct BrushSettings
     bool pressureSize = false;   ///< pressure scales the radius
     bool pressureRate = false;   ///< pressure scales the spray's rate
     DistributionCurve distribution;
+    MaskSettings mask;
 
     BrushSettings() = default;
     /// A brush of a kind, set as its settings say.
@@ -233,7 +235,8 @@ constexpr auto BrushSettings::fields()
                    "Fields", "How often low (left) to high values (right) come: draw it; a double "
                              "click makes all equal"),
                .doc = "16 weights over the range, for the random operator.",
-               .high = 1e6}));
+               .high = 1e6}),
+        field(&S::mask, {.key = "mask"}).when([](const S& s, const C&) { return hasReach(s); }));
 }
 
 } // namespace crowd::model

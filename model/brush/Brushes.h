@@ -9,6 +9,7 @@
 #include "model/brush/changes/Create.h"
 #include "model/brush/changes/Delete.h"
 #include "model/brush/changes/Event.h"
+#include "model/brush/changes/Group.h"
 #include "model/brush/changes/Material.h"
 #include "model/brush/changes/Orientation.h"
 #include "model/brush/changes/Place.h"
@@ -35,7 +36,8 @@
     BRUSH(Script, ScriptSettings)                                                                  \
     BRUSH(Style, StyleSettings)                                                                    \
     BRUSH(Scale, ScaleSettings)                                                                    \
-    BRUSH(Material, MaterialSettings)
+    BRUSH(Material, MaterialSettings)                                                              \
+    BRUSH(Group, GroupSettings)
 
 namespace crowd::model {
 

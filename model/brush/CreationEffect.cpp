@@ -40,6 +40,12 @@ CreationEffect::CreationEffect(StrokeContext& ground)
 
 void CreationEffect::create(std::span<const Spot> spots, std::optional<float> strokeHeading)
 {
+    const Group* group =
+        m_ground.edit->scene().findGroup(m_ground.settings.as<CreateSettings>().group);
+    if (group != nullptr && (group->isHidden || group->isLocked)) {
+        m_reason = StrokeReason::GroupLocked;
+        return;
+    }
     NewPeople people = peopleFor(m_ground.edit->scene(), m_ground.context.view, m_ground.settings,
                                  spots, strokeHeading);
     m_reason = people.reason != StrokeReason::None ? people.reason : m_site.reason();

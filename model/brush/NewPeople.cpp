@@ -57,6 +57,7 @@ public:
         m_rows.column(columns::parts)[row] = parts(*entry.asset, spot);
         m_rows.column(columns::clip)[row] = wanted.value_or(usualClip(entry, isSeated));
         m_rows.column(columns::seat)[row] = spot.seat;
+        m_rows.column(columns::group)[row] = create.group;
         m_rows.column(columns::seed)[row] = static_cast<std::uint32_t>(
             hashKeys(spot.key, static_cast<std::uint64_t>(DrawPurpose::Seed)));
         writeOutfit(row, *entry.asset, spot);

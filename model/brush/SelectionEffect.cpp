@@ -9,9 +9,9 @@
 namespace crowd::model {
 
 SelectionEffect::SelectionEffect(StrokeContext& ground)
-    : m_ground(ground), m_picker(ground.context.keyframes, ground.context.stage),
-      m_frame(ground.document.frame(0.0)), m_isTouched(m_frame->population.size(), 0),
-      m_isChanged(m_frame->population.size(), 0)
+    : m_ground(ground), m_mask(ground.document.scene(), ground.settings.mask),
+      m_picker(ground.context.keyframes, ground.context.stage), m_frame(ground.document.frame(0.0)),
+      m_isTouched(m_frame->population.size(), 0), m_isChanged(m_frame->population.size(), 0)
 {
 }
 
@@ -51,7 +51,22 @@ std::vector<IndividualId> SelectionEffect::selected(const Dab& dab) const
         }
     }
     std::ranges::sort(ids);
-    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
+}
+
+std::vector<IndividualId> SelectionEffect::unmasked(std::vector<IndividualId> ids)
+{
+    using Verdict = StrokeMask::Verdict;
+    const Population& people = m_frame->population;
+    std::erase_if(ids, [&](IndividualId id) {
+        const Verdict verdict = m_mask.verdict(people.rowOf(id));
+        if (verdict != Verdict::Meant && m_reason == StrokeReason::NobodyUnderBrush) {
+            m_reason =
+                verdict == Verdict::Locked ? StrokeReason::GroupLocked : StrokeReason::Masked;
+        }
+        return verdict != Verdict::Meant;
+    });
     return ids;
 }
 
@@ -138,7 +153,7 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
     std::vector<IndividualId> gone;
     for (const StrokeDab& dab : dabs) {
         showTime(dab.dab.shownSeconds);
-        std::vector<IndividualId> ids = untouched(selected(dab.dab));
+        std::vector<IndividualId> ids = untouched(unmasked(selected(dab.dab)));
         if (ids.empty()) {
             continue;
         }
@@ -184,9 +199,9 @@ void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
     m_reason = StrokeReason::NobodyUnderBrush;
     if (settings.selection == BrushSelection::Rectangle) {
         showTime(shownSeconds);
-        m_touched =
+        m_touched = unmasked(
             m_picker.individualsInArea(ScreenArea::rectangle(line.from, line.to),
-                                       settings.through ? AreaMode::Through : AreaMode::Visible);
+                                       settings.through ? AreaMode::Through : AreaMode::Visible));
     }
     if (m_touched.empty()) {
         return;

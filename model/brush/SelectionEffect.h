@@ -25,6 +25,8 @@ public:
 private:
     void showTime(double seconds);
     [[nodiscard]] std::vector<IndividualId> selected(const Dab& dab) const;
+    /// Those of the ids on whom the brush may work; says why there is none.
+    [[nodiscard]] std::vector<IndividualId> unmasked(std::vector<IndividualId> ids);
     /// Those of the ids that this stroke may still change; they are touched from now on.
     [[nodiscard]] std::vector<IndividualId> untouched(std::vector<IndividualId> ids);
     /// The share of them that a delete brush takes.
@@ -36,6 +38,7 @@ private:
     void count(std::span<const IndividualId> changed);
 
     StrokeContext& m_ground;
+    StrokeMask m_mask; ///< as of the press
     ScenePicker m_picker;
     CrowdFramePtr m_frame;               ///< at the press, with the time of the last dab
     CrowdFramePtr m_shown;               ///< the same, where a session has them; null: none runs

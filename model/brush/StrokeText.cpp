@@ -61,9 +61,13 @@ constexpr ReasonText kReasons[] = {
     {StrokeReason::ScriptChangedNothing,
      QT_TRANSLATE_NOOP("Brushes", "The script brush changed nothing")},
     {StrokeReason::NoDirection, QT_TRANSLATE_NOOP("Brushes", "Drag to show the direction")},
+    {StrokeReason::Masked,
+     QT_TRANSLATE_NOOP("Brushes", "The mask of the brush leaves all of them out")},
+    {StrokeReason::GroupLocked,
+     QT_TRANSLATE_NOOP("Brushes", "The group is locked or hidden: the Groups panel shows it")},
 };
 
-constexpr auto kLast = StrokeReason::NoDirection;
+constexpr auto kLast = StrokeReason::GroupLocked;
 constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
 static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 

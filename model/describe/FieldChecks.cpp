@@ -115,6 +115,11 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
                     return Error{QT_TRANSLATE_NOOP("Messages", "%1 must be in ascending order."),
                                  name};
                 }
+                for (const int each : numbers) {
+                    if (each < meta.low || each > meta.high) {
+                        return refuseNumber(meta, each, name);
+                    }
+                }
                 return {};
             },
             [&](const std::vector<PaintColor>& colors) -> Result<void> {

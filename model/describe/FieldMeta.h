@@ -26,6 +26,7 @@ enum class FieldRole : std::uint8_t {
     WalkingClips, ///< of clips those that move over ground alone
     SeatNumbers,  ///< rows or wedges of seats
     Material,     ///< a name of a slot's materials; empty: any
+    Group,        ///< GroupId; 0: none
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

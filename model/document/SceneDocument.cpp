@@ -85,6 +85,7 @@ CrowdFramePtr SceneDocument::frame(double seconds) const
     frame->population = m_scene.population;
     frame->templates = m_sharedTemplates;
     frame->seconds = seconds;
+    frame->hiddenGroups = groupsThat(m_scene.groups, &Group::isHidden);
     return frame;
 }
 

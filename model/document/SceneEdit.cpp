@@ -261,15 +261,9 @@ void SceneEdit::changePath(const Path& path)
 
 void SceneEdit::removePath(PathId id)
 {
-    std::vector<IndividualId> walkers;
-    const auto followed = scene().population.column(columns::path);
-    for (std::size_t row = 0; row < followed.size(); ++row) {
-        if (followed[row] == id) {
-            walkers.push_back(scene().population.ids()[row]);
-        }
-    }
     const PathId none = 0;
-    setColumn(columns::path, walkers, std::span<const PathId>(&none, 1));
+    setColumn(columns::path, peopleWith(scene().population, columns::path, id),
+              std::span<const PathId>(&none, 1));
     for (Path& path : m_document.m_scene.paths) {
         if (std::ranges::find(path.branches, id, &PathBranch::path) != path.branches.end()) {
             m_record->touch<members::Paths>(path.id, scene());

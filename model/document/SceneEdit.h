@@ -76,6 +76,9 @@ public:
     /// followed a path that is gone follows none.
     void setPlacesAndPaths(std::vector<Place> places, std::vector<Path> paths);
 
+    /// By ascending ids.
+    void setGroups(std::vector<Group> groups) { set<members::Groups>(std::move(groups)); }
+
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();
     /// Ends the edit as one undo step with this text; false when nothing changed. `stroke`: what

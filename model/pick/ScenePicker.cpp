@@ -123,8 +123,9 @@ bool ScenePicker::Private::isUpToDate(const CrowdFrame& frame, std::size_t seats
 {
     return people.frame() && populationVersion == frame.population.version() &&
            keyframesVersion == keyframes.version() && templates == frame.templates.get() &&
-           seatCount == seats && stageVersion == stage.version() &&
-           wanted.camera() == view.camera() && wanted.size() == view.size();
+           people.frame()->hiddenGroups == frame.hiddenGroups && seatCount == seats &&
+           stageVersion == stage.version() && wanted.camera() == view.camera() &&
+           wanted.size() == view.size();
 }
 
 std::vector<std::uint32_t> ScenePicker::Private::candidates(glm::dvec2 low, glm::dvec2 high) const

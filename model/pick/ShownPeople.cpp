@@ -88,6 +88,10 @@ void ShownPeople::resolve(Entry& entry, const TemplateEntry& source, std::size_t
 
 const ShownClip* ShownPeople::clipAt(std::size_t row) const
 {
+    if (!m_frame->hiddenGroups.empty() &&
+        isAmong(m_frame->hiddenGroups, m_frame->population.column(columns::group)[row])) {
+        return nullptr;
+    }
     const std::int32_t index = m_entryOfId[m_frame->population.column(columns::templateId)[row]];
     if (index < 0) {
         return nullptr;

@@ -31,7 +31,7 @@ struct ShownClip
 /// One individual as it stands on screen.
 struct ShownIndividual
 {
-    const ShownClip* clip = nullptr; ///< null: not shown (no asset)
+    const ShownClip* clip = nullptr; ///< null: not shown (no asset, or a hidden group's)
     glm::vec3 position{0.0F};        ///< of the drawn mesh, lifted onto its seat
     float headingRadians = 0.0F;
     float height = 1.0F;

@@ -124,4 +124,19 @@ private:
     std::uint64_t m_rowsVersion = 0;
 };
 
+/// Ids of those whose column has a value, ascending.
+template<class T>
+[[nodiscard]] std::vector<IndividualId> peopleWith(const Population& people, ColumnKey<T> key,
+                                                   const T& value)
+{
+    const auto column = people.column(key);
+    std::vector<IndividualId> ids;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (column[row] == value) {
+            ids.push_back(people.ids()[row]);
+        }
+    }
+    return ids;
+}
+
 } // namespace crowd::model

@@ -10,6 +10,7 @@
 #include "model/describe/FieldJson.h"
 #include "model/rules/EnvironmentFields.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Group.h"
 
 namespace crowd::model {
 
@@ -50,6 +51,8 @@ const char* referredBy(FieldRole role)
         return "Path";
     case FieldRole::Tag:
         return "Tag";
+    case FieldRole::Group:
+        return "Group";
     case FieldRole::ArtistNumber:
         return "Number";
     case FieldRole::Template:
@@ -172,6 +175,7 @@ json entriesJson()
     const Place place;
     const Path path;
     const PathBranch branch;
+    const Group group;
     const TagName tag;
     const NumberName number;
     const Cue cue;
@@ -186,6 +190,8 @@ json entriesJson()
                   fieldsJson(pathFields(), &path),
                   {partField("places", "ids of Place", "in the order in which they are walked to"),
                    partField("branches", "list of Branch", "where some leave it")}),
+        entryJson("Group", "groups", "A layer of the crowd: a name for those in it.",
+                  fieldsJson(fieldsOf<Group>(), &group)),
         entryJson("Tag", "tags", "A tag that characters can have, 0 to 63.",
                   fieldsJson(tagFields(), &tag)),
         entryJson("Number", "numbers", "A number that everybody has, for rules.",

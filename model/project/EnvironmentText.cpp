@@ -136,7 +136,7 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene, bool isS
     if (top.is_discarded() || !top.is_object()) {
         return Error{QT_TRANSLATE_NOOP("Messages",
                                        "The environment must be an object with lists of places, "
-                                       "paths, tags, rules, numbers and cues.")};
+                                       "paths, groups, tags, rules, numbers and cues.")};
     }
     Scene changed = scene;
     std::set<std::string> known;

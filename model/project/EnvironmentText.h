@@ -6,15 +6,16 @@
 #include "model/base/Result.h"
 #include "model/scene/SceneMembers.h"
 
-/// Places, paths, tags, rules and what belongs to them apart from the rest of a project, for
-/// scripts.
+/// Places, paths, groups, tags, rules and what belongs to them apart from the rest of a project,
+/// for scripts.
 namespace crowd::model {
 
 /// The members that belong to it.
 [[nodiscard]] MemberSet environmentMembers();
 
-/// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "surface",
-/// "stepsPerSecond" as the project file has them; those that are meant, also where they are empty.
+/// A JSON object with the members "places", "paths", "tags", "rules", "numbers", "cues", "groups",
+/// "surface", "stepsPerSecond" as the project file has them; those that are meant, also where they
+/// are empty.
 [[nodiscard]] std::string environmentText(const Scene& scene,
                                           const MemberSet& meant = environmentMembers());
 

@@ -29,6 +29,7 @@ struct CrowdFrame
     std::shared_ptr<const std::vector<TemplateEntry>> templates;
     double seconds = 0.0;          ///< the transport's time
     std::vector<ClipFade> fades{}; ///< ascending rows; whoever is not here shows his clip alone
+    std::vector<GroupId> hiddenGroups{}; ///< ascending; theirs are neither drawn nor found
 };
 
 using CrowdFramePtr = std::shared_ptr<const CrowdFrame>;

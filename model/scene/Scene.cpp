@@ -53,6 +53,30 @@ const Path* Scene::findPath(PathId id) const
     return findById(paths, id);
 }
 
+const Group* Scene::findGroup(GroupId id) const
+{
+    return findById(groups, id);
+}
+
+bool Scene::isTouchable(std::size_t row) const
+{
+    const Group* group = findGroup(population.column(columns::group)[row]);
+    return group == nullptr || !(group->isHidden || group->isLocked);
+}
+
+std::vector<GroupId> Scene::parties() const
+{
+    const auto column = population.column(columns::group);
+    std::vector<GroupId> parties(column.begin(), column.end());
+    if (!groups.empty()) {
+        for (GroupId& party : parties) {
+            const Group* group = findGroup(party);
+            party = group == nullptr || group->isParty ? party : 0;
+        }
+    }
+    return parties;
+}
+
 bool Scene::hasBehaviour() const
 {
     const auto followed = population.column(columns::path);

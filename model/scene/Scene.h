@@ -14,6 +14,7 @@
 #include "model/base/Message.h"
 #include "model/population/Population.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Group.h"
 #include "model/scene/Path.h"
 #include "model/scene/Stage.h"
 #include "model/template/Template.h"
@@ -118,6 +119,7 @@ struct Scene
     Lighting lighting;
     std::vector<Place> places;       ///< ascending ids
     std::vector<Path> paths;         ///< ascending ids; their places are there
+    std::vector<Group> groups;       ///< ascending ids
     std::vector<Rule> rules;         ///< the first ones matter most; may name what is gone
     std::vector<TagName> tags;       ///< ascending bits; those that have a name
     std::vector<NumberName> numbers; ///< ascending ids
@@ -138,6 +140,12 @@ struct Scene
     [[nodiscard]] const StageEntry* findStage(std::uint8_t id) const;
     [[nodiscard]] const Place* findPlace(PlaceId id) const;
     [[nodiscard]] const Path* findPath(PathId id) const;
+    [[nodiscard]] const Group* findGroup(GroupId id) const;
+    /// Whether strokes, moves and selections may touch a row: not where its group is hidden or
+    /// locked.
+    [[nodiscard]] bool isTouchable(std::size_t row) const;
+    /// By row, with whom somebody walks as one party: the group's number; 0: nobody.
+    [[nodiscard]] std::vector<GroupId> parties() const;
     /// Whether play has more to do than to run clips: somebody follows a path, or there are rules.
     [[nodiscard]] bool hasBehaviour() const;
     /// All seats of the loaded stages, ascending by id.

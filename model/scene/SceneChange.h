@@ -38,6 +38,9 @@ struct LightingChanged
 struct PathsChanged
 {
 };
+struct GroupsChanged
+{
+};
 /// Rules or the names of tags.
 struct RulesChanged
 {
@@ -49,6 +52,6 @@ struct SceneReplaced
 
 using SceneChange = std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged,
                                  TemplatesChanged, StagesChanged, CamerasChanged, LightingChanged,
-                                 PathsChanged, RulesChanged, SceneReplaced>;
+                                 PathsChanged, GroupsChanged, RulesChanged, SceneReplaced>;
 
 } // namespace crowd::model

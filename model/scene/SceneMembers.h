@@ -29,8 +29,9 @@ struct SceneMember
     using Type = std::remove_cvref_t<decltype(std::declval<Scene&>().*Pointer)>;
     using Changed = Change; ///< what is announced
     /// Whether scripts read and set it with the environment (see EnvironmentText.h).
-    static constexpr bool isEnvironment =
-        std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged>;
+    static constexpr bool isEnvironment = std::is_same_v<Change, PathsChanged> ||
+                                          std::is_same_v<Change, RulesChanged> ||
+                                          std::is_same_v<Change, GroupsChanged>;
     [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
     [[nodiscard]] static Type& of(Scene& scene) { return scene.*Pointer; }
 };
@@ -53,6 +54,10 @@ struct Places : SceneMember<&Scene::places, PathsChanged, MemberKind::Entries>
 struct Paths : SceneMember<&Scene::paths, PathsChanged, MemberKind::Entries>
 {
     static constexpr const char* key = "paths";
+};
+struct Groups : SceneMember<&Scene::groups, GroupsChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "groups";
 };
 struct Cameras : SceneMember<&Scene::cameras, CamerasChanged, MemberKind::Value>
 {
@@ -92,8 +97,8 @@ struct Surface : SceneMember<&Scene::surface, PathsChanged, MemberKind::Value>
 /// The one list. A member comes after those that it refers to: undo takes it back before them.
 using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
-               members::Cameras, members::Light, members::Tags, members::Rules, members::Numbers,
-               members::Cues, members::Steps, members::Surface>;
+               members::Groups, members::Cameras, members::Light, members::Tags, members::Rules,
+               members::Numbers, members::Cues, members::Steps, members::Surface>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -139,7 +139,8 @@ PlanLook::PlanLook(const CrowdPlan::Request& request)
       m_clips(request.frame.population.column(columns::clip)),
       m_phases(request.frame.population.column(columns::phase)),
       m_speeds(request.frame.population.column(columns::playbackSpeed)),
-      m_fades(request.frame.fades)
+      m_fades(request.frame.fades), m_hiddenGroups(request.frame.hiddenGroups),
+      m_groups(request.frame.population.column(columns::group))
 {
     const Camera& camera = request.view.camera();
     const glm::mat4 m = glm::transpose(request.view.viewProjection());
@@ -219,6 +220,9 @@ void PlanLook::rows(std::size_t begin, std::size_t end, std::span<std::uint8_t> 
     for (std::size_t first = begin; first < end; first += kPiece) {
         const std::size_t count = std::min(kPiece, end - first);
         gather(first, count, piece);
+        if (!m_hiddenGroups.empty()) {
+            hide(first, count, piece);
+        }
         cull(first, count, piece);
         chooseLevels(levels.subspan(first, count), piece);
         emit(first, flags, piece, seen);
@@ -237,6 +241,16 @@ void PlanLook::gather(std::size_t begin, std::size_t count, Piece& piece) const
         piece.halfHeights[i] = extent.halfHeight;
         piece.sides[i] = extent.side;
         piece.shownHeights[i] = extent.shownHeight;
+    }
+}
+
+/// Those of hidden groups are never in view.
+void PlanLook::hide(std::size_t begin, std::size_t count, Piece& piece) const
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        if (model::isAmong(m_hiddenGroups, m_groups[begin + i])) {
+            piece.halfHeights[i] = m_extents.front().halfHeight;
+        }
     }
 }
 

@@ -82,6 +82,7 @@ private:
     void addClip(const PlanClip& clip, const PlanTemplate& asset, std::size_t index,
                  std::uint32_t order);
     void gather(std::size_t begin, std::size_t count, Piece& piece) const;
+    void hide(std::size_t begin, std::size_t count, Piece& piece) const;
     void cull(std::size_t begin, std::size_t count, Piece& piece) const;
     void chooseLevels(std::span<std::uint8_t> levels, Piece& piece) const;
     void emit(std::size_t begin, std::span<const std::uint8_t> flags, const Piece& piece,
@@ -108,6 +109,8 @@ private:
     std::span<const float> m_phases;
     std::span<const float> m_speeds;
     std::span<const model::ClipFade> m_fades;
+    std::span<const model::GroupId> m_hiddenGroups;
+    std::span<const model::GroupId> m_groups;
 };
 
 } // namespace crowd::render

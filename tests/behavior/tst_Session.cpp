@@ -26,6 +26,7 @@ class SessionTest : public QObject
 private Q_SLOTS:
     void clipsGoOverIntoEachOther();
     void groupsKeepTogether();
+    void hiddenGroupsAreHiddenWhileItPlays();
     void pathsEndAsTheyShould_data();
     void pathsEndAsTheyShould();
     void pathsAreJoinedWhereTheyAreNearest_data();
@@ -141,7 +142,7 @@ void SessionTest::clipsGoOverIntoEachOther()
 void SessionTest::groupsKeepTogether()
 {
     // Four people of very different paces, with and without a group, over 40 m.
-    const auto spreadOf = [](std::uint32_t group) {
+    const auto spreadOf = [](std::uint32_t group, std::optional<bool> isParty = {}) {
         model::Scene scene = sceneOf(
             {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.5F}, {1.0F, 0.0F, 2.0F}});
         const std::vector<model::IndividualId> ids{1, 2, 3, 4};
@@ -151,6 +152,12 @@ void SessionTest::groupsKeepTogether()
         scene.population.setValues<model::PathId>(model::columns::path, ids, paths);
         scene.population.setValues<std::uint32_t>(model::columns::group, ids, groups);
         scene.population.setValues<float>(model::columns::walkSpeed, ids, speeds);
+        if (isParty) {
+            model::Group named;
+            named.id = group;
+            named.isParty = *isParty;
+            scene.groups = {named};
+        }
         scene.places = {placeAt(1, 0.0F, 60.0F, 4.0F)};
         scene.paths = {{1, "way", PathKind::Simple, {1}}};
         Session session(scene);
@@ -171,6 +178,22 @@ void SessionTest::groupsKeepTogether()
     const float together = spreadOf(7);
     QVERIFY2(alone > 12.0F, QByteArray::number(alone));
     QVERIFY2(together < 4.0F, QByteArray::number(together));
+    QCOMPARE(spreadOf(7, true), together);
+    QCOMPARE(spreadOf(7, false), alone); // a layer, not a party
+}
+
+void SessionTest::hiddenGroupsAreHiddenWhileItPlays()
+{
+    model::Scene scene = sceneOf({{0.0F, 0.0F, 0.0F}});
+    model::Group group;
+    group.id = 3;
+    group.isHidden = true;
+    scene.groups = {group};
+    Session session(scene);
+    QCOMPARE(session.frame()->hiddenGroups, std::vector<model::GroupId>{3});
+    scene.groups.front().isHidden = false;
+    session.adopt(scene);
+    QVERIFY(session.frame()->hiddenGroups.empty());
 }
 
 void SessionTest::pathsEndAsTheyShould_data()

@@ -31,6 +31,7 @@ crowd_add_tests(ROOM model
     tst_GltfSpecFiles
     tst_GltfSpecMeshes
     tst_GroundSpeed
+    tst_Groups
     tst_ImportProposal
     tst_Message
     tst_PickScene

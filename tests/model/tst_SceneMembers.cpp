@@ -38,6 +38,13 @@ void alter(members::Paths, SceneEdit& edit)
 {
     (void)edit.addPath({0, "lane", PathKind::Cyclic, {}});
 }
+void alter(members::Groups, SceneEdit& edit)
+{
+    Group group;
+    group.id = 2;
+    group.name = "left stand";
+    edit.set<members::Groups>({group});
+}
 void alter(members::Cameras, SceneEdit& edit)
 {
     edit.set<members::Cameras>({NamedCamera{"Front", Camera{}}});

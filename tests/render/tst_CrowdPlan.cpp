@@ -33,6 +33,7 @@ private Q_SLOTS:
     void standInsOfFadesAreReported();
     void theOrderIsTheSameWhereverClipsLie();
     void whoChangesClipsIsDrawnBetweenBoth();
+    void hiddenGroupsAreNotDrawn();
     void onlyChangedRowsAreListed();
     void rowsThatComeBackAreListed();
     void olderPopulationIsNoticed();
@@ -47,6 +48,7 @@ private:
     model::TemplatePtr m_man = makeBoxMan(4);
     std::vector<render::PlanTemplate> m_templates;
     std::vector<model::TemplateEntry> m_entries;
+    std::vector<model::GroupId> m_hidden; ///< groups
     std::vector<float> m_lifts;
 };
 
@@ -69,8 +71,9 @@ void TestCrowdPlan::make(render::CrowdPlan& plan, const model::Population& popul
         }
     }
     m_lifts.assign(population.size(), 0.0F);
-    const model::CrowdFramePtr frame = frameOf(population, m_entries, seconds);
-    plan.make({*frame, m_templates, m_lifts, view, 1.0F, {}, selected, 0});
+    model::CrowdFrame frame = *frameOf(population, m_entries, seconds);
+    frame.hiddenGroups = m_hidden;
+    plan.make({frame, m_templates, m_lifts, view, 1.0F, {}, selected, 0});
 }
 
 render::CrowdPlan TestCrowdPlan::plan(const model::Population& population, const model::View& view,
@@ -79,6 +82,23 @@ render::CrowdPlan TestCrowdPlan::plan(const model::Population& population, const
     render::CrowdPlan made;
     make(made, population, view, seconds);
     return made;
+}
+
+void TestCrowdPlan::hiddenGroupsAreNotDrawn()
+{
+    model::Population people = makeRow(3);
+    const std::vector<model::GroupId> groups{0, 4, 9};
+    people.setValues<model::GroupId>(model::columns::group, people.ids(), groups);
+    const model::View view = frontView({640.0F, 640.0F}, 10.0F);
+    const auto drawnWithout = [&](std::vector<model::GroupId> hidden) {
+        m_hidden = std::move(hidden);
+        return plan(people, view).instances().size();
+    };
+    QCOMPARE(drawnWithout({}), std::size_t{3});
+    QCOMPARE(drawnWithout({4}), std::size_t{2});
+    QCOMPARE(drawnWithout({4, 9}), std::size_t{1});
+    QCOMPARE(drawnWithout({5}), std::size_t{3});
+    m_hidden.clear();
 }
 
 void TestCrowdPlan::levelFollowsHeight_data()

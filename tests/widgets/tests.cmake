@@ -7,6 +7,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_DockControls
     tst_Docks
     tst_GroundTools
+    tst_GroupsDock
     tst_IndividualDock
     tst_KeepPose
     tst_LabelLayout

@@ -37,7 +37,6 @@ private Q_SLOTS:
     void outlineListsTheScene();
     void renamedCameraCanBeUndone();
     void stagesAndTemplatesAreRenamed();
-    void groupsAreListedAndSelected();
     void paletteIsAsHighAsItsButtons();
     void templatesShowTheirShareOfTheMix();
     void sectionsStayFolded();
@@ -175,27 +174,6 @@ void DocksTest::stagesAndTemplatesAreRenamed()
     QTRY_COMPARE(tree->topLevelItem(1)->child(0)->text(0), QStringLiteral("citizen"));
     desk.document.undoStack().undo();
     QTRY_COMPARE(tree->topLevelItem(1)->child(0)->text(0), QStringLiteral("box man"));
-}
-
-void DocksTest::groupsAreListedAndSelected()
-{
-    Desk<SceneDock> desk;
-    QVERIFY(desk.isReady());
-    const auto ids = testing::addPeople(desk.document, 5);
-    auto* tree = desk.dock->findChild<QTreeWidget*>();
-    QCOMPARE(tree->topLevelItemCount(), 3);
-    const std::uint32_t group = 4;
-    const auto edit = desk.document.beginEdit();
-    edit->setColumn(model::columns::group, std::span(ids).first(2),
-                    std::span<const std::uint32_t>(&group, 1));
-    edit->commit(QStringLiteral("Group"));
-    QTRY_COMPARE(tree->topLevelItemCount(), 4);
-    QTreeWidgetItem* item = tree->topLevelItem(2)->child(0);
-    QCOMPARE(item->text(1), QStringLiteral("2"));
-    Q_EMIT tree->itemDoubleClicked(item, 0);
-    QCOMPARE(desk.state.selection().size(), std::size_t{2});
-    desk.document.undoStack().undo();
-    QTRY_COMPARE(tree->topLevelItemCount(), 3);
 }
 
 void DocksTest::paletteIsAsHighAsItsButtons()

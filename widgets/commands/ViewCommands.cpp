@@ -13,6 +13,7 @@
 namespace crowd::widgets {
 
 using model::Bounds;
+using model::Camera;
 using model::NamedCamera;
 
 namespace {

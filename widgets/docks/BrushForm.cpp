@@ -41,7 +41,7 @@ std::span<const model::FieldInfo> areaFields()
         std::vector<model::FieldInfo> fields;
         for (const model::FieldInfo& field : model::fieldsOf<BrushSettings>()) {
             const std::string_view key = field.meta.key;
-            if (key != "operator" && key != "distribution") {
+            if (key != "operator" && key != "distribution" && key != "mask") {
                 fields.push_back(field);
             }
         }
@@ -143,6 +143,7 @@ FieldForm* makeBrushForm(EditorState& state, BrushKind kind, QWidget* parent)
     if (kind == BrushKind::Script) {
         addScriptFields(*form, state);
     }
+    form->addField(commonField("mask"), {}, {});
     if (*type.info.note != '\0') {
         form->addNote(fieldText(type.info.note));
     }

@@ -13,6 +13,7 @@
 #include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
 #include "model/scene/Scene.h"
+#include "widgets/docks/CheckList.h"
 #include "widgets/docks/ClipMix.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/EditorState.h"
@@ -22,6 +23,8 @@ namespace crowd::widgets {
 using Bound = FieldForm::Bound;
 
 namespace {
+
+constexpr int kTagsOffered = 8; ///< without a name
 
 const model::Scene& sceneOf(const FieldForm& form)
 {
@@ -180,6 +183,62 @@ void addPath(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
+void addGroupChoice(FieldForm& form, const Bound& bound)
+{
+    QStringList names{fieldText(bound.field->meta.zero)};
+    std::vector<std::int64_t> ids{0};
+    for (const model::Group& group : sceneOf(form).groups) {
+        names << QString::fromStdString(group.name);
+        ids.push_back(group.id);
+    }
+    form.addChoice(
+        labelText(bound), names,
+        [&form, bound, ids] {
+            const auto found = std::ranges::find(ids, form.valueOf<std::int64_t>(bound));
+            return found == ids.end() ? -1 : static_cast<int>(found - ids.begin());
+        },
+        [&form, bound, ids](int i) { form.setValue(bound, ids[static_cast<std::size_t>(i)]); },
+        bound.isShown);
+}
+
+/// What a list of ids may hold, by its role.
+std::vector<CheckList::Item> listedItems(const model::Scene& scene, model::FieldRole role)
+{
+    std::vector<CheckList::Item> items;
+    if (role == model::FieldRole::Template) {
+        for (const model::TemplateEntry& entry : scene.templates) {
+            items.push_back({entry.id, QString::fromStdString(entry.name)});
+        }
+    } else if (role == model::FieldRole::Group) {
+        items.push_back({0, FieldForm::tr("In no group")});
+        for (const model::Group& group : scene.groups) {
+            items.push_back({static_cast<int>(group.id), QString::fromStdString(group.name)});
+        }
+    } else {
+        for (int bit = 0; bit < static_cast<int>(model::kTagCount); ++bit) {
+            const auto named = std::ranges::find(scene.tags, bit, &model::TagName::bit);
+            if (named != scene.tags.end() || bit < kTagsOffered) {
+                items.push_back({bit, tagText(scene, bit)});
+            }
+        }
+    }
+    return items;
+}
+
+void addCheckList(FieldForm& form, const Bound& bound)
+{
+    auto* list = new CheckList(fieldText(bound.field->meta.zero), &form);
+    list->setToolTip(fieldText(bound.field->meta.tip));
+    const model::FieldRole role = bound.field->meta.role;
+    list->setSource([&form, role] { return listedItems(sceneOf(form), role); });
+    QObject::connect(list, &CheckList::edited, &form,
+                     [&form, bound](const std::vector<int>& ids) { form.setValue(bound, ids); });
+    form.addLabelled(
+        labelText(bound), list,
+        [&form, list, bound] { list->setChecked(form.valueOf<std::vector<int>>(bound)); },
+        bound.isShown);
+}
+
 /// A colour and a name beside it, to be looked at only.
 void addTagSwatch(FieldForm& form, const Bound& bound)
 {
@@ -300,7 +359,14 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         addClips(form, bound);
         return true;
     }
+    if (field.is<std::vector<int>>() && field.meta.role != model::FieldRole::SeatNumbers) {
+        addCheckList(form, bound);
+        return true;
+    }
     switch (field.meta.role) {
+    case model::FieldRole::Group:
+        addGroupChoice(form, bound);
+        return true;
     case model::FieldRole::Slot:
         addSlot(form, bound);
         return true;

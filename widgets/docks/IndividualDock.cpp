@@ -402,7 +402,7 @@ void IndividualDock::addPart(QFormLayout* form, const std::string& part, bool is
 
 void IndividualDock::refreshSlots(const SelectedPeople& selected)
 {
-    using Group = SelectedPeople::Group;
+    using Alike = SelectedPeople::Group;
     const model::Population& all = m_state.scene().population;
     // By name: the same index means another clip in another template.
     const auto clips = all.column(model::columns::clip);
@@ -415,7 +415,7 @@ void IndividualDock::refreshSlots(const SelectedPeople& selected)
     m_clip->setCurrentIndex(
         clip ? m_clip->findText(QString::fromUtf8(clip->data(), std::ssize(*clip))) : -1);
     for (const SlotRow& item : m_slots) {
-        const auto slotOf = [&](const Group& group) { return group.slotIndex(item.slot); };
+        const auto slotOf = [&](const Alike& group) { return group.slotIndex(item.slot); };
         item.color->setIcon(tintIcon(
             selected.commonOf<model::Tint>(slotOf,
                                            [&](std::size_t row, int slot) {

@@ -53,6 +53,8 @@ QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t valu
         return entryText(scene.places, value, none);
     case FieldRole::Path:
         return entryText(scene.paths, value, none);
+    case FieldRole::Group:
+        return entryText(scene.groups, value, none);
     case FieldRole::ArtistNumber:
         return entryText(scene.numbers, value, RuleTextsContext::tr("a number"));
     case FieldRole::Template:

@@ -25,26 +25,10 @@ enum OutlineItemType {
     HeadingItem = QTreeWidgetItem::UserType,
     StageItem,
     TemplateItem,
-    GroupItem,
     CameraItem
 };
 
 constexpr int kRebuildMs = 150;
-
-/// Ids of those whose column has a value.
-template<class T>
-std::vector<model::IndividualId> peopleWith(const model::Population& people,
-                                            model::ColumnKey<T> key, const T& value)
-{
-    const auto column = people.column(key);
-    std::vector<model::IndividualId> ids;
-    for (std::size_t row = 0; row < people.size(); ++row) {
-        if (column[row] == value) {
-            ids.push_back(people.ids()[row]);
-        }
-    }
-    return ids;
-}
 
 /// How many people have each value.
 template<class T>
@@ -60,8 +44,7 @@ std::map<T, int> countsOf(std::span<const T> column)
 bool changesOutline(const model::SceneChange& change)
 {
     const auto* columns = std::get_if<model::ColumnsChanged>(&change);
-    return columns == nullptr || columns->columns.contains(model::ColumnId::Group) ||
-           columns->columns.contains(model::ColumnId::Template);
+    return columns == nullptr || columns->columns.contains(model::ColumnId::Template);
 }
 
 QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& text)
@@ -142,7 +125,6 @@ void SceneDock::rebuild()
     m_tree->clear();
     addStages();
     addPeople();
-    addGroups();
     addCameras();
     m_isFilling = false;
 }
@@ -177,21 +159,6 @@ void SceneDock::addPeople()
     }
 }
 
-void SceneDock::addGroups()
-{
-    const auto counts = countsOf(m_state.scene().population.column(model::columns::group));
-    QTreeWidgetItem* groups = nullptr;
-    for (const auto& [group, count] : counts) {
-        if (group == 0) {
-            continue; // in no group
-        }
-        groups = groups == nullptr ? heading(m_tree, "group", tr("Groups")) : groups;
-        auto* item = new QTreeWidgetItem(groups, {tr("Group %1").arg(group)}, GroupItem);
-        item->setData(0, kIdRole, group);
-        item->setText(1, QLocale().toString(count));
-    }
-}
-
 void SceneDock::addCameras()
 {
     QTreeWidgetItem* cameras = heading(m_tree, "camera", tr("Cameras"));
@@ -212,8 +179,6 @@ void SceneDock::activate(QTreeWidgetItem* item)
     } else if (item->type() == TemplateItem) {
         m_state.selection().set(peopleWith(people, model::columns::templateId,
                                            static_cast<model::TemplateId>(id.toUInt())));
-    } else if (item->type() == GroupItem) {
-        m_state.selection().set(peopleWith(people, model::columns::group, id.toUInt()));
     }
 }
 
@@ -270,27 +235,6 @@ void SceneDock::removeStage(std::uint8_t id)
     edit->commit(tr("Remove stage"));
 }
 
-void SceneDock::setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
-                         const QString& undoText)
-{
-    if (!ids.empty() && !m_state.document().isEditOpen()) {
-        const auto edit = m_state.document().beginEdit();
-        edit->setColumn(model::columns::group, ids, std::span<const std::uint32_t>(&group, 1));
-        edit->commit(undoText);
-    }
-}
-
-void SceneDock::groupSelected()
-{
-    const auto counts = countsOf(m_state.scene().population.column(model::columns::group));
-    std::uint32_t group = 1;
-    while (counts.contains(group)) {
-        ++group;
-    }
-    const auto selected = m_state.selection().ids();
-    setGroup({selected.begin(), selected.end()}, group, tr("Group"));
-}
-
 void SceneDock::fillStageMenu(QMenu& menu, std::uint8_t id)
 {
     menu.addAction(iconNamed("locate"), tr("Locate File…"), this,
@@ -308,15 +252,6 @@ void SceneDock::fillTemplateMenu(QMenu& menu, model::TemplateId id)
                    [this, id] { Q_EMIT locateTemplateRequested(id); });
     menu.addAction(iconNamed("delete"), tr("Remove"), this,
                    [this, id] { Q_EMIT removeTemplateRequested(id); });
-}
-
-void SceneDock::fillGroupMenu(QMenu& menu, std::uint32_t group)
-{
-    const auto ids = peopleWith(m_state.scene().population, model::columns::group, group);
-    menu.addAction(iconNamed("select-all"), tr("Select These Characters"), this,
-                   [this, ids] { m_state.selection().set(ids); });
-    menu.addAction(iconNamed("remove"), tr("Dissolve the Group"), this,
-                   [this, ids] { setGroup(ids, 0, tr("Dissolve group")); });
 }
 
 void SceneDock::fillCameraMenu(QMenu& menu, const QString& name)
@@ -339,9 +274,6 @@ void SceneDock::fillMenu(QMenu& menu, QTreeWidgetItem* item)
     case TemplateItem:
         fillTemplateMenu(menu, static_cast<model::TemplateId>(id.toUInt()));
         break;
-    case GroupItem:
-        fillGroupMenu(menu, id.toUInt());
-        break;
     case CameraItem:
         fillCameraMenu(menu, id.toString());
         break;
@@ -361,9 +293,6 @@ void SceneDock::showMenu(const QPoint& position)
     if (QTreeWidgetItem* item = m_tree->itemAt(position)) {
         fillMenu(menu, item);
     }
-    QAction* group = menu.addAction(iconNamed("group"), tr("Group the Selected"), this,
-                                    &SceneDock::groupSelected);
-    group->setEnabled(!m_state.selection().isEmpty());
     menu.addAction(iconNamed("camera-add"), tr("Keep This View"), this,
                    [this] { (void)addCamera(m_state); });
     menu.addAction(iconNamed("import"), tr("Import Stage…"), this,

@@ -12,8 +12,8 @@ class QTreeWidgetItem;
 
 namespace crowd::widgets {
 
-/// What the scene consists of: stages, templates with how many people each has, groups, cameras;
-/// and its light. A double click goes to a camera or selects the people of a template or group;
+/// What the scene consists of: stages, templates with how many people each has, cameras;
+/// and its light. A double click goes to a camera or selects the people of a template;
 /// F2 renames.
 class SceneDock : public DockBase
 {
@@ -36,7 +36,6 @@ private:
     void rebuild();
     void addStages();
     void addPeople();
-    void addGroups();
     void addCameras();
     void activate(QTreeWidgetItem* item);
     void rename(QTreeWidgetItem* item);
@@ -46,13 +45,9 @@ private:
     void fillMenu(QMenu& menu, QTreeWidgetItem* item);
     void fillStageMenu(QMenu& menu, std::uint8_t id);
     void fillTemplateMenu(QMenu& menu, model::TemplateId id);
-    void fillGroupMenu(QMenu& menu, std::uint32_t group);
     void fillCameraMenu(QMenu& menu, const QString& name);
     void addLight(QWidget& content);
     void removeStage(std::uint8_t id);
-    void groupSelected();
-    void setGroup(const std::vector<model::IndividualId>& ids, std::uint32_t group,
-                  const QString& undoText);
 
     EditorState& m_state;
     QTreeWidget* m_tree;

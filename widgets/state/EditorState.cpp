@@ -30,6 +30,37 @@ void refreshEvent(EditorState& state)
     }
 }
 
+/// Brushes that name a group that is gone name none.
+void forgetGoneGroups(EditorState& state)
+{
+    const auto isGone = [&state](std::int64_t id) {
+        return id != 0 && state.scene().findGroup(static_cast<model::GroupId>(id)) == nullptr;
+    };
+    for (std::size_t kind = 0; kind < model::kBrushCount; ++kind) {
+        BrushSettings brush = state.brush(static_cast<BrushKind>(kind));
+        const model::BrushType& type = model::brushType(brush.kind());
+        for (const model::FieldInfo& field : type.fields) {
+            const bool isGroup =
+                field.meta.role == model::FieldRole::Group && field.is<std::int64_t>();
+            if (isGroup && isGone(std::get<std::int64_t>(field.get(type.settings(brush))))) {
+                field.set(type.editable(brush), std::int64_t{0});
+            }
+        }
+        std::erase_if(brush.mask.groups, isGone);
+        state.setBrush(brush);
+    }
+}
+
+/// Masks name what only their scene has.
+void forgetMasks(EditorState& state)
+{
+    for (std::size_t kind = 0; kind < model::kBrushCount; ++kind) {
+        BrushSettings brush = state.brush(static_cast<BrushKind>(kind));
+        brush.mask = {};
+        state.setBrush(brush);
+    }
+}
+
 const std::string& nameOf(const ScriptBrush& brush)
 {
     return brush.settings.as<model::ScriptSettings>().brush;
@@ -244,12 +275,15 @@ void EditorState::followScene(const model::SceneChange& change)
         [this](const model::StagesChanged&) { refreshSeatGrid(false); },
         [this](const model::PathsChanged&) { refreshWalk(false); },
         [this](const model::RulesChanged&) { refreshEvent(*this); },
+        [this](const model::GroupsChanged&) { forgetGoneGroups(*this); },
         [this](const model::SceneReplaced&) { beginScene(); });
 }
 
 /// Another one is open now.
 void EditorState::beginScene()
 {
+    forgetMasks(*this);
+    forgetGoneGroups(*this);
     refreshWalk(true);
     refreshEvent(*this);
     refreshMix(true);

@@ -72,6 +72,12 @@ void Selection::invert()
 
 void Selection::replace(Ids ids)
 {
+    const model::Scene& scene = m_document.scene();
+    if (!scene.groups.empty()) {
+        std::erase_if(ids, [&scene](IndividualId id) {
+            return !scene.isTouchable(scene.population.rowOf(id));
+        });
+    }
     if (ids == m_ids) {
         return;
     }
@@ -83,6 +89,12 @@ void Selection::follow(const model::SceneChange& change)
 {
     visitChange(
         change, [this](const model::SceneReplaced&) { replace({}); },
+        [this](const model::GroupsChanged&) { replace(m_ids); },
+        [this](const model::ColumnsChanged& columns) {
+            if (columns.columns.contains(model::ColumnId::Group)) {
+                replace(m_ids);
+            }
+        },
         [this](const model::IndividualsRemoved& removed) {
             Ids rest;
             std::set_difference(m_ids.begin(), m_ids.end(), removed.ids.begin(), removed.ids.end(),

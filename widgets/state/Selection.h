@@ -14,8 +14,9 @@ namespace crowd::widgets {
 /// How new ids meet those that are selected already.
 enum class SelectionMode : unsigned char { Replace, Add, Toggle };
 
-/// The selected individuals, by id. Follows the document: ids that vanish are dropped. Selecting is
-/// not an edit and cannot be undone. Main thread only; the document outlives it.
+/// The selected individuals, by id. Follows the document: ids that vanish are dropped, and those
+/// whose group is hidden or locked are never among them. Selecting is not an edit and cannot be
+/// undone. Main thread only; the document outlives it.
 class Selection : public QObject
 {
     Q_OBJECT
@@ -39,6 +40,7 @@ Q_SIGNALS:
     void changed();
 
 private:
+    /// Those of them that may be touched.
     void replace(std::vector<model::IndividualId> ids);
     void follow(const model::SceneChange& change);
 

@@ -29,6 +29,18 @@ QString whatItDoes(BrushKind kind)
     return QCoreApplication::translate("BrushTool", model::brushType(kind).info.hint);
 }
 
+/// What a stroke is painted with that begins now.
+BrushSettings pressedSettings(const BrushSettings& settings, Qt::MouseButton button,
+                              const EditorState& state)
+{
+    BrushSettings pressed = settingsForButton(settings, button, state.viewOptions().buttons);
+    if (pressed.mask.onlySelected) {
+        const auto selected = state.selection().ids();
+        pressed.mask.selected.assign(selected.begin(), selected.end());
+    }
+    return pressed;
+}
+
 } // namespace
 
 BrushTool::BrushTool(const ToolContext& context, BrushKind kind) : m_context(context), m_kind(kind)
@@ -107,7 +119,7 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
         return scriptStroke(seed, input);
     }
     return std::make_unique<StrokeDrag>(
-        m_context, settingsForButton(settings(), input.button, mapping), seed, input);
+        m_context, pressedSettings(settings(), input.button, m_context.state), seed, input);
 }
 
 DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& input)
@@ -120,8 +132,7 @@ DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& inpu
                               "crowdbrush.register_brush."));
         return nullptr;
     }
-    const BrushSettings chosen =
-        settingsForButton(settings(), input.button, state.viewOptions().buttons);
+    const BrushSettings chosen = pressedSettings(settings(), input.button, state);
     if (!painter->begin(m_context.queries.brushContext(), chosen, seed, input.pointer)) {
         return nullptr;
     }
@@ -149,8 +160,7 @@ void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const
     if (m_kind == BrushKind::Create) {
         picture.ghosts = ghostsAt(m_context, settings(), nextSeed(), input);
     } else if (worksOnPeople(m_kind)) {
-        const BrushSettings pressed =
-            settingsForButton(settings(), Qt::LeftButton, m_context.state.viewOptions().buttons);
+        const BrushSettings pressed = pressedSettings(settings(), Qt::LeftButton, m_context.state);
         picture.candidates = candidatesAt(m_context, pressed, input);
     }
 }

@@ -61,8 +61,9 @@ void PeopleMarks::make(const EditorState& state, const model::CrowdFrame& frame)
         }
         std::uint64_t worn = 0;
         const auto tags = people.column(model::columns::tags);
+        const auto groups = people.column(model::columns::group);
         for (std::size_t row = 0; row < people.size(); ++row) {
-            if (tags[row] != 0) {
+            if (tags[row] != 0 && !model::isAmong(frame.hiddenGroups, groups[row])) {
                 addRing(positions[row], tags[row], colors);
                 worn |= tags[row];
             }

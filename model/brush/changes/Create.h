@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "model/brush/BrushInfo.h"
 #include "model/brush/Heading.h"
+#include "model/brush/Mask.h"
 
 namespace crowd::model {
 
@@ -40,6 +44,7 @@ struct CreateSettings
     /// Also on roofs, crowns of trees and wherever else nobody can walk to. Strokes of before there
     /// was a choice say nothing of it.
     bool anywhere = true;
+    std::uint32_t group = 0; ///< GroupId that new ones come into; 0: none
 
     static const BrushInfo kInfo;
     static constexpr auto fields();
@@ -95,6 +100,8 @@ constexpr auto SeatGridSettings::fields()
                .label = QT_TRANSLATE_NOOP("Fields", "Rows"),
                .tip = QT_TRANSLATE_NOOP("Fields", "Rows counted from the front, as 1, 3-5"),
                .doc = "Empty: all. Assign a whole list.",
+               .low = std::numeric_limits<int>::min(),
+               .high = std::numeric_limits<int>::max(),
                .role = FieldRole::SeatNumbers,
                .isRemembered = false})
             .when([](const S&, const C& c) { return createsOnSeats(c); }),
@@ -102,6 +109,8 @@ constexpr auto SeatGridSettings::fields()
                            .label = QT_TRANSLATE_NOOP("Fields", "Wedges"),
                            .tip = QT_TRANSLATE_NOOP("Fields", "Wedges of seats, as 1, 3-5"),
                            .doc = "Empty: all. Assign a whole list.",
+                           .low = std::numeric_limits<int>::min(),
+                           .high = std::numeric_limits<int>::max(),
                            .role = FieldRole::SeatNumbers,
                            .isBeside = true,
                            .isRemembered = false})
@@ -210,6 +219,18 @@ constexpr auto CreateSettings::fields()
         field(&S::palette, {.key = "palette",
                             .doc = "List of (red, green, blue), 0–255. Assign a whole list.",
                             .low = 0.0}),
+        field(&S::group,
+              {.key = "group",
+               .label = QT_TRANSLATE_NOOP("Fields", "Group"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "The group that new characters come into"),
+               .doc = "Id of the group that new ones come into; 0: none.",
+               .high = std::numeric_limits<std::uint32_t>::max(),
+               .step = 1.0,
+               .decimals = 0,
+               .role = FieldRole::Group,
+               .isRemembered = false,
+               .zero = QT_TRANSLATE_NOOP("Fields", "none")})
+            .when([](const S&, const C& c) { return hasGroups(c); }),
         field(&S::heading, {.key = "facing"}).when(onGround),
         field(&S::clips, {.key = "clips",
                           .label = QT_TRANSLATE_NOOP("Fields", "Clips"),

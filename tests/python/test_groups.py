@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Groups and masks of brushes: found by name, hidden and locked ones untouched, undo."""
+import unittest
+
+import numpy as np
+
+import crowdbrush
+from crowdbrush import Brush, BrushKind, Error, Group, Selection
+
+SIZE = (640, 480)
+
+
+def crowd(count=6):
+    scene = crowdbrush.Scene()
+    man = scene.add_template("builtin:templates/man.glb")
+    ids = scene.create(template=man, position=np.array([[i - count / 2, 0, 0] for i in range(count)]))
+    scene.set_camera("Front", crowdbrush.Camera((0, 6, 22), (0, 0.9, 0)))
+    return scene, ids
+
+
+def sized(mask=None):
+    brush = Brush(BrushKind.SCALE)
+    brush.selection = Selection.RECTANGLE
+    brush.through = True
+    brush.scale.sets_girth = False
+    brush.scale.height = (2.0, 2.0)
+    for name, value in (mask or {}).items():
+        setattr(brush.mask, name, value)
+    return brush
+
+
+def painted(scene, brush):
+    scene.stroke(brush, [(0, 0), (639, 479)], size=SIZE)
+    tall = [int(i) for i in np.flatnonzero(scene.column("height") == 2.0)]
+    scene.undo()
+    return tall
+
+
+class Groups(unittest.TestCase):
+    def test_they_are_found_by_name(self):
+        scene, ids = crowd()
+        scene.groups = [Group(id=1, name="left"), Group(id=2, name="right", color="#102030")]
+        self.assertEqual(scene.groups["right"].id, 2)
+        self.assertIn("left", scene.groups)
+        self.assertNotIn("middle", scene.groups)
+        with self.assertRaisesRegex(Error, 'no entry named "middle".*left, right'):
+            scene.groups["middle"]
+        scene.undo()
+        self.assertEqual(scene.groups, [])
+
+    def test_locked_and_hidden_ones_are_not_touched(self):
+        scene, ids = crowd()
+        scene.change(ids[:2], group=1)
+        scene.change(ids[2:4], group=2)
+        scene.groups = [Group(id=1, name="locked", locked=True), Group(id=2, name="hidden", hidden=True)]
+        self.assertEqual(painted(scene, sized()), [4, 5])
+
+    def test_hidden_ones_are_in_no_picture(self):
+        scene, ids = crowd()
+        everybody = scene.render(160, 120)
+        scene.change(ids, group=1)
+        scene.groups = [Group(id=1, name="all", hidden=True)]
+        nobody = scene.render(160, 120)
+        scene.groups = [Group(id=1, name="all")]
+        self.assertTrue((scene.render(160, 120) == everybody).all())
+        self.assertGreater((nobody != everybody).sum(), 100)
+
+    def test_the_group_brush_takes_in(self):
+        scene, ids = crowd()
+        brush = Brush(BrushKind.GROUP)
+        brush.selection = Selection.RECTANGLE
+        brush.through = True
+        brush.group.group = 7
+        self.assertEqual(scene.stroke(brush, [(0, 0), (639, 479)], size=SIZE).affected, 6)
+        self.assertEqual(set(scene.column("group").tolist()), {7})
+
+    def test_what_is_wrong_is_named(self):
+        scene, ids = crowd()
+        with self.assertRaisesRegex(Error, "groups"):
+            scene.set_environment({"groups": [{"id": 1}, {"id": 1}]})
+        with self.assertRaisesRegex((Error, TypeError), "locked"):
+            Group(id=1, locked="yes")
+
+
+class Masks(unittest.TestCase):
+    def test_only_those_who_fulfil_all(self):
+        scene, ids = crowd()
+        scene.change(ids[1:4], group=3)
+        scene.change(ids[3:], tags=1 << 5)
+        self.assertEqual(painted(scene, sized({"groups": [3]})), [1, 2, 3])
+        self.assertEqual(painted(scene, sized({"groups": [0]})), [0, 4, 5])
+        self.assertEqual(painted(scene, sized({"tags": [5]})), [3, 4, 5])
+        self.assertEqual(painted(scene, sized({"tags": [5], "groups": [3]})), [3])
+        self.assertEqual(painted(scene, sized({"tags": [5], "groups": [3], "inverted": True})), [0, 1, 2, 4, 5])
+        chosen = [int(ids[0]), int(ids[5])]
+        self.assertEqual(painted(scene, sized({"only_selected": True, "selected": chosen})), [0, 5])
+
+    def test_what_cannot_be_is_refused(self):
+        scene, ids = crowd()
+        with self.assertRaisesRegex(Error, "brush.mask.tags"):
+            painted(scene, sized({"tags": [64]}))
+        with self.assertRaisesRegex(Error, "brush.mask.groups"):
+            painted(scene, sized({"groups": [-1]}))
+
+
+if __name__ == "__main__":
+    unittest.main()
