@@ -679,6 +679,38 @@
         <source>Take the characters under the brush into a group</source>
         <translation>Die Figuren unter dem Pinsel in eine Gruppe nehmen</translation>
     </message>
+    <message>
+        <source>Select Si&amp;milar</source>
+        <translation>Ä&amp;hnliche auswählen</translation>
+    </message>
+    <message>
+        <source>Also those who look like one of the selected: template, materials, colours</source>
+        <translation>Auch die, die wie einer der Ausgewählten aussehen: Vorlage, Materialien, Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Grow Selection</source>
+        <translation>Auswahl &amp;vergrößern</translation>
+    </message>
+    <message>
+        <source>Also those who stand beside the selected</source>
+        <translation>Auch die, die neben den Ausgewählten stehen</translation>
+    </message>
+    <message>
+        <source>Sh&amp;rink Selection</source>
+        <translation>Auswahl ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Without those who stand beside somebody not selected</source>
+        <translation>Ohne die, die neben nicht Ausgewählten stehen</translation>
+    </message>
+    <message>
+        <source>Select with a &amp;Lasso</source>
+        <translation>Mit dem &amp;Lasso auswählen</translation>
+    </message>
+    <message>
+        <source>Draw a line round those to select; else a rectangle</source>
+        <translation>Eine Linie um die Auszuwählenden ziehen; sonst ein Rechteck</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1918,6 +1950,10 @@
         <source>All of them take the same branch of a path</source>
         <translation>Alle nehmen dieselbe Abzweigung eines Weges</translation>
     </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -2145,6 +2181,10 @@
     <message>
         <source>&amp;Language</source>
         <translation>S&amp;prache (Language)</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswahl</translation>
     </message>
 </context>
 <context>
@@ -4910,16 +4950,16 @@
 </context>
 <context>
     <name>SelectTool</name>
-    <message>
-        <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Ziehen: Rechteck, oder jemanden versetzen · Umschalt: dazu, Strg: umkehren, Rechtecke von überall · Entf: entfernen · F: Auswahl zeigen</translation>
-    </message>
     <message numerus="yes">
         <source>%n characters</source>
         <translation>
             <numerusform>%n Figur</numerusform>
             <numerusform>%n Figuren</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Bereich, oder jemanden bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>

@@ -679,6 +679,38 @@
         <source>Take the characters under the brush into a group</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Select Si&amp;milar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also those who look like one of the selected: template, materials, colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Grow Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also those who stand beside the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sh&amp;rink Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without those who stand beside somebody not selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select with a &amp;Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a line round those to select; else a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1918,6 +1950,10 @@
         <source>All of them take the same branch of a path</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -2144,6 +2180,10 @@
     </message>
     <message>
         <source>&amp;Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4910,16 +4950,16 @@
 </context>
 <context>
     <name>SelectTool</name>
-    <message>
-        <source>Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, rectangles from anywhere · Delete: remove · F: show the selection</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n characters</source>
         <translation>
             <numerusform>%n character</numerusform>
             <numerusform>%n characters</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -151,6 +151,7 @@ class Selection:
     SPRAY: ClassVar[Selection]
     ALL_IN_CIRCLE: ClassVar[Selection]
     RECTANGLE: ClassVar[Selection]
+    LASSO: ClassVar[Selection]
     name: str
     value: int
 

@@ -20,7 +20,8 @@ struct Switch
 constexpr std::array kSwitches{Switch{"view/showGroundGrid", &ViewOptions::showGroundGrid},
                                Switch{"view/showShadows", &ViewOptions::showShadows},
                                Switch{"view/showPaths", &ViewOptions::showPaths},
-                               Switch{"view/showTags", &ViewOptions::showTags}};
+                               Switch{"view/showTags", &ViewOptions::showTags},
+                               Switch{"select/byLasso", &ViewOptions::selectsByLasso}};
 constexpr const char* kLookKey = "view/look";
 constexpr const char* kLitKey = "view/lit"; ///< before there were more looks than two
 

@@ -9,8 +9,8 @@
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "app/window/SelectActions.h"
 #include "app/window/ViewMemory.h"
-#include "widgets/commands/GroupCommands.h"
 #include "widgets/commands/SelectionCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
@@ -22,23 +22,6 @@ namespace crowd::app {
 namespace {
 
 using widgets::ActionInput;
-using widgets::ActionSpec;
-
-/// As ActionState, of a window that is still to come.
-struct WindowState
-{
-    widgets::ActionInputs inputs;
-    bool (*isEnabled)(MainWindow& window) = nullptr;
-    bool (*isChecked)(MainWindow& window) = nullptr;
-    QString (*text)(MainWindow& window) = nullptr;
-};
-
-struct WindowAction
-{
-    ActionSpec spec;
-    void (*run)(MainWindow& window, bool isChecked);
-    WindowState state = {};
-};
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};
 
@@ -154,11 +137,6 @@ const WindowAction kEditActions[] = {
                         "Put those of the selected characters, or of all, who stand where "
                         "nobody can walk on the nearest ground")},
      [](MainWindow& w, bool) { widgets::putSelectionOnGround(w.state()); }},
-    {{"group-selected", QT_TRANSLATE_NOOP("Actions", "&Group Selected"), "group", "Ctrl+Alt+G",
-      QT_TRANSLATE_NOOP("Actions", "A new group of the selected characters; it becomes active")},
-     [](MainWindow& w, bool) { widgets::groupSelection(w.state()); },
-     {.inputs = ActionInput::Selection,
-      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
     {{"path-of-places", QT_TRANSLATE_NOOP("Actions", "Path That &Ends at the Last Place"),
       "brush-path", "Ctrl+Shift+P",
       QT_TRANSLATE_NOOP("Actions",
@@ -181,17 +159,6 @@ const WindowAction kEditActions[] = {
      [](MainWindow& w, bool) { w.state().paths().end(); },
      {.inputs = ActionInput::Paths,
       .isEnabled = [](MainWindow& w) { return w.state().paths().isPainting(); }}},
-    {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
-      QT_TRANSLATE_NOOP("Actions", "Select everybody")},
-     [](MainWindow& w, bool) { w.state().selection().selectAll(); }},
-    {{"select-none", QT_TRANSLATE_NOOP("Actions", "Select &None"), "select-none", "Ctrl+Shift+A",
-      QT_TRANSLATE_NOOP("Actions", "Select nobody")},
-     [](MainWindow& w, bool) { w.state().selection().clear(); },
-     {.inputs = ActionInput::Selection,
-      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
-    {{"select-invert", QT_TRANSLATE_NOOP("Actions", "In&vert Selection"), "select-invert",
-      "Ctrl+Alt+I", QT_TRANSLATE_NOOP("Actions", "Select those who are not selected")},
-     [](MainWindow& w, bool) { w.state().selection().invert(); }},
     {{"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), "preferences", "Ctrl+,",
       QT_TRANSLATE_NOOP("Actions", "Theme, mouse, autosave, memory, language, shortcuts")},
      [](MainWindow& w, bool) { w.showPreferences(); }},
@@ -365,21 +332,12 @@ constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@
                                      "@examples",    "",           "save",    "save-as",
                                      "collect",      "",           "library", "import-template",
                                      "import-stage", "",           "quit"};
-constexpr const char* kEditMenu[] = {"undo",
-                                     "redo",
-                                     "",
-                                     "delete",
-                                     "group-selected",
-                                     "put-on-ground",
-                                     "@path-of-places",
-                                     "path-end",
-                                     "",
-                                     "select-all",
-                                     "select-none",
-                                     "select-invert",
-                                     "",
-                                     "@language",
-                                     "preferences"};
+constexpr const char* kEditMenu[] = {
+    "undo",     "redo", "",          "delete",     "put-on-ground", "@path-of-places",
+    "path-end", "",     "@language", "preferences"};
+constexpr const char* kSelectMenu[] = {"select-all",     "select-none",   "select-invert", "",
+                                       "select-similar", "select-grow",   "select-shrink", "",
+                                       "select-lasso",   "group-selected"};
 constexpr const char* kViewMenu[] = {
     "frame-selection", "frame-all",  "",       "view-front", "view-side",
     "view-top",        "projection", "",       "camera-add", "@cameras",
@@ -508,6 +466,7 @@ void addWindowActions(MainWindow& window)
 {
     addAll(window, kFileActions);
     addAll(window, kEditActions);
+    addAll(window, selectActions());
     addAll(window, kViewActions);
     addAll(window, kPlayActions);
     addAll(window, kScriptActions);
@@ -521,6 +480,7 @@ std::span<const MenuSpec> menuTable()
     static const MenuSpec kMenus[] = {
         {QT_TRANSLATE_NOOP("Menus", "&File"), kFileMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Edit"), kEditMenu},
+        {QT_TRANSLATE_NOOP("Menus", "&Select"), kSelectMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Brush"), brushMenu()},
         {QT_TRANSLATE_NOOP("Menus", "&View"), kViewMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},

@@ -59,7 +59,7 @@ const BrushInfo& infoOf(const BrushSettings& brush)
 /// Whether dabs are applied one by one.
 bool isDabbed(const BrushSettings& brush)
 {
-    return brush.selection != BrushSelection::Rectangle && !brush.followsLine();
+    return !brush.hasWholeArea() && !brush.followsLine();
 }
 
 template<class Brush>
@@ -153,7 +153,7 @@ bool BrushSettings::isReevaluated() const
 {
     const bool asksLine = followsLine() && infoOf(*this).family == StrokeFamily::People &&
                           !find<DeleteSettings>() && !find<EventSettings>();
-    return selection == BrushSelection::Rectangle || asksLine;
+    return hasWholeArea() || asksLine;
 }
 
 std::span<const BrushType> brushTypes()
@@ -225,7 +225,7 @@ bool canFlow(const BrushSettings& brush)
 bool fillsArea(const FieldContext& context)
 {
     return context.brush != nullptr && (context.brush->selection == BrushSelection::AllInCircle ||
-                                        context.brush->selection == BrushSelection::Rectangle);
+                                        context.brush->hasWholeArea());
 }
 
 bool takesShare(const FieldContext& context)

@@ -16,7 +16,8 @@ enum class BrushSelection : std::uint8_t {
     Point,       ///< what is under the cursor
     Spray,       ///< random points of a circle, so many a second
     AllInCircle, ///< everything in a circle
-    Rectangle    ///< everything between press and release
+    Rectangle,   ///< everything between press and release
+    Lasso        ///< everything that the pointer's way goes round
 };
 
 inline constexpr float kMinRadiusPixels = 1.0F;
@@ -96,6 +97,11 @@ struct BrushSettings
     }
     /// Whether it sets places on the ground instead of painting on people.
     [[nodiscard]] bool addsPlaces() const { return place() != nullptr; }
+    /// Whether the area is one for the whole stroke, known when the pointer is released.
+    [[nodiscard]] bool hasWholeArea() const
+    {
+        return selection == BrushSelection::Rectangle || selection == BrushSelection::Lasso;
+    }
     /// Whether a share of what is inside is meant, not so much a second.
     [[nodiscard]] bool takesShare() const { return selection != BrushSelection::Spray; }
     /// Whether values run along the line from press to current.
@@ -141,7 +147,8 @@ inline constexpr FieldChoice kSelections[] = {
     {"POINT", QT_TRANSLATE_NOOP("Fields", "Point")},
     {"SPRAY", QT_TRANSLATE_NOOP("Fields", "Spray")},
     {"ALL_IN_CIRCLE", QT_TRANSLATE_NOOP("Fields", "All in the circle")},
-    {"RECTANGLE", QT_TRANSLATE_NOOP("Fields", "Rectangle")}};
+    {"RECTANGLE", QT_TRANSLATE_NOOP("Fields", "Rectangle")},
+    {"LASSO", QT_TRANSLATE_NOOP("Fields", "Lasso")}};
 
 /// The main number of sprays and of brushes without one of their own.
 [[nodiscard]] MainNumber rateOf(const BrushSettings& brush);

@@ -19,6 +19,7 @@ std::vector<Spot> spotsOfDab(CreationSite& site, const BrushSettings& settings, 
     switch (settings.selection) {
     case BrushSelection::Point:
     case BrushSelection::Rectangle:
+    case BrushSelection::Lasso:
         keep(site.at(dab.pixels(), std::nullopt));
         break;
     case BrushSelection::Spray:
@@ -67,7 +68,7 @@ void CreationEffect::reevaluate(const StrokeLine& line, double /*shownSeconds*/)
     m_ground.edit->rollback();
     m_site.reset();
     m_created = 0;
-    create(m_site.fill(ScreenArea::rectangle(line.from, line.to), true),
+    create(m_site.fill(wholeArea(m_ground, line), true),
            headingOfLine(m_ground.context.view, m_ground.context.stage, line));
 }
 

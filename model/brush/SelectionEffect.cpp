@@ -197,11 +197,10 @@ void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
     std::ranges::fill(m_isChanged, 0);
     m_affected = 0;
     m_reason = StrokeReason::NobodyUnderBrush;
-    if (settings.selection == BrushSelection::Rectangle) {
+    if (settings.hasWholeArea()) {
         showTime(shownSeconds);
-        m_touched = unmasked(
-            m_picker.individualsInArea(ScreenArea::rectangle(line.from, line.to),
-                                       settings.through ? AreaMode::Through : AreaMode::Visible));
+        m_touched = unmasked(m_picker.individualsInArea(
+            wholeArea(m_ground, line), settings.through ? AreaMode::Through : AreaMode::Visible));
     }
     if (m_touched.empty()) {
         return;

@@ -60,6 +60,36 @@ glm::dvec2 sprayPoint(const BrushSettings& settings, std::uint64_t seed, const D
     return dab.pixels() + glm::dvec2(std::cos(angle), std::sin(angle)) * radius;
 }
 
+void extendWay(std::vector<glm::ivec2>& way, glm::ivec2 point)
+{
+    if (!way.empty() && way.back() == point) {
+        return;
+    }
+    if (way.size() >= 2) {
+        using Wide = glm::i64vec2;
+        const Wide before = Wide(way.back()) - Wide(way[way.size() - 2]);
+        const Wide next = Wide(point) - Wide(way.back());
+        if (before.x * next.y == before.y * next.x && before.x * next.x + before.y * next.y > 0) {
+            way.back() = point;
+            return;
+        }
+    }
+    way.push_back(point);
+}
+
+ScreenArea wholeArea(const StrokeContext& ground, const StrokeLine& line)
+{
+    if (ground.settings.selection != BrushSelection::Lasso) {
+        return ScreenArea::rectangle(line.from, line.to);
+    }
+    std::vector<glm::dvec2> corners;
+    corners.reserve(ground.way.size());
+    for (const glm::ivec2& point : ground.way) {
+        corners.push_back(pixelsOf(point));
+    }
+    return ScreenArea::polygon(std::move(corners));
+}
+
 struct Stroke::Private
 {
     Private(StrokeContext strokeGround, const PointerInput& press);
@@ -77,7 +107,7 @@ struct Stroke::Private
     bool isOver = false;
 
     [[nodiscard]] bool seesStandIns() const;
-    void add(const PointerInput& input);
+    void add(const PointerInput& input, bool isEvaluated = true);
     void follow(const Dab& dab, double atLeastPixels);
     void applyDabs(std::span<const Dab> dabs);
     void applyWaiting();
@@ -159,14 +189,15 @@ void Stroke::Private::applyWaiting()
     waiting.clear();
 }
 
-void Stroke::Private::add(const PointerInput& input)
+void Stroke::Private::add(const PointerInput& input, bool isEvaluated)
 {
     recording.inputs.push_back(input);
+    extendWay(ground.way, input.grid);
     const std::vector<Dab> dabs = sampler.add(input);
-    if (ground.settings.selection != BrushSelection::Rectangle) {
+    if (!ground.settings.hasWholeArea()) {
         applyDabs(dabs);
     }
-    if (ground.settings.isReevaluated()) {
+    if (ground.settings.isReevaluated() && isEvaluated) {
         work->reevaluate(line(), input.shownSeconds);
     }
 }
@@ -186,6 +217,13 @@ void Stroke::move(const PointerInput& input)
 {
     if (!m_private->isOver) {
         m_private->add(input);
+    }
+}
+
+void Stroke::pass(const PointerInput& input)
+{
+    if (!m_private->isOver) {
+        m_private->add(input, !m_private->ground.settings.hasWholeArea());
     }
 }
 
@@ -273,7 +311,8 @@ StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const St
     const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
                                       recording.inputs.front());
     for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
-        stroke->move(recording.inputs[i]);
+        i + 1 < recording.inputs.size() ? stroke->pass(recording.inputs[i])
+                                        : stroke->move(recording.inputs[i]);
     }
     return stroke->finish();
 }

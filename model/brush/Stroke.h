@@ -85,6 +85,9 @@ public:
     /// The pointer moved, or rests while time goes on (a tick, about each 1/60 s, that keeps a
     /// spray going).
     void move(const PointerInput& input);
+    /// The pointer passed here on its way: it is remembered, and nothing is evaluated before the
+    /// next move(). For strokes whose area hasWholeArea(); of others it is a move().
+    void pass(const PointerInput& input);
     /// The pointer has left: applies what waits for that. finish() does it too; a script that works
     /// on its own thread needs it earlier.
     void settle();

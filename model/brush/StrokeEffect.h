@@ -10,6 +10,7 @@
 #include "model/brush/Sampler.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneEdit.h"
+#include "model/pick/ScreenArea.h"
 
 namespace crowd::model {
 
@@ -21,8 +22,15 @@ struct StrokeContext
     BrushSettings settings;
     std::uint64_t seed = 0;
     std::unique_ptr<SceneEdit> edit;
-    std::vector<WorldSeat> seats; ///< ascending by id
+    std::vector<WorldSeat> seats;  ///< ascending by id
+    std::vector<glm::ivec2> way{}; ///< of the pointer, grid points, bends alone
 };
+
+/// Goes on to a grid point; what lies straight between two bends is left out, so that the way is
+/// the same however it was split into inputs.
+void extendWay(std::vector<glm::ivec2>& way, glm::ivec2 point);
+/// What a stroke with hasWholeArea() is about: between press and current, or inside its way.
+[[nodiscard]] ScreenArea wholeArea(const StrokeContext& ground, const StrokeLine& line);
 
 /// A dab with what the stroke has learnt about its way.
 struct StrokeDab

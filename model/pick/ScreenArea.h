@@ -2,13 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 namespace crowd::model {
 
-/// A circle or a rectangle on screen; logical pixels, origin top left, y down.
+/// A circle, a rectangle or a closed polygon on screen; logical pixels, origin top left, y down.
+/// Of a polygon that crosses itself, all that it winds round is inside.
 class ScreenArea
 {
 public:
@@ -21,22 +24,39 @@ public:
     {
         return {glm::min(a, b), glm::max(a, b), -1.0};
     }
+    /// The corners in order; the last one is joined to the first. Fewer than three hold nothing
+    /// but what lies on them.
+    [[nodiscard]] static ScreenArea polygon(std::vector<glm::dvec2> corners);
 
     [[nodiscard]] bool isCircle() const { return m_radius >= 0.0; }
+    [[nodiscard]] bool isPolygon() const { return m_corners != nullptr; }
     [[nodiscard]] glm::dvec2 low() const { return m_low; }
     [[nodiscard]] glm::dvec2 high() const { return m_high; }
     [[nodiscard]] glm::dvec2 center() const { return (m_low + m_high) * 0.5; }
     [[nodiscard]] double radius() const { return m_radius; } ///< circles only
+    [[nodiscard]] const std::vector<glm::dvec2>& corners() const
+    {
+        return *m_corners;
+    } ///< polygons
 
     [[nodiscard]] bool contains(glm::dvec2 point) const
     {
+        if (isPolygon()) {
+            return windsRound(point);
+        }
         if (!isCircle()) {
             return point.x >= m_low.x && point.x <= m_high.x && point.y >= m_low.y &&
                    point.y <= m_high.y;
         }
         return squared(point - center()) <= m_radius * m_radius;
     }
-    /// Whether any point of a box lies inside.
+    /// Whether all of a box lies inside; of a polygon it may say no where all of it does.
+    [[nodiscard]] bool containsBox(glm::dvec2 boxLow, glm::dvec2 boxHigh) const
+    {
+        return !isPolygon() && contains(boxLow) && contains(boxHigh) &&
+               contains({boxLow.x, boxHigh.y}) && contains({boxHigh.x, boxLow.y});
+    }
+    /// Whether any point of a box lies inside; of a polygon it may say yes where none does.
     [[nodiscard]] bool touches(glm::dvec2 boxLow, glm::dvec2 boxHigh) const
     {
         if (boxHigh.x < m_low.x || boxLow.x > m_high.x || boxHigh.y < m_low.y ||
@@ -53,10 +73,12 @@ private:
     {
     }
     [[nodiscard]] static double squared(glm::dvec2 way) { return way.x * way.x + way.y * way.y; }
+    [[nodiscard]] bool windsRound(glm::dvec2 point) const;
 
     glm::dvec2 m_low;
     glm::dvec2 m_high;
     double m_radius;
+    std::shared_ptr<const std::vector<glm::dvec2>> m_corners; ///< null: no polygon
 };
 
 } // namespace crowd::model

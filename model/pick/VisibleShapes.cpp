@@ -171,6 +171,47 @@ AreaPixels::AreaPixels(const ScreenArea& area, const View& view)
     m_rect = PixelRect{whole(area.low().x), whole(area.low().y), whole(area.high().x) + 1,
                        whole(area.high().y) + 1}
                  .clipped(screen);
+    if (area.isPolygon()) {
+        fillPolygon(area.corners());
+    }
+}
+
+/// Row by row: where edges cross the middle of a row of pixels, the winding number changes.
+void AreaPixels::fillPolygon(const std::vector<glm::dvec2>& corners)
+{
+    const int width = m_rect.width();
+    m_isInside.assign(static_cast<std::size_t>(std::max(0, width * m_rect.height())), 0);
+    std::vector<std::vector<Crossing>> rows(static_cast<std::size_t>(std::max(0, m_rect.height())));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec2 a = corners[i];
+        const glm::dvec2 b = corners[i + 1 < corners.size() ? i + 1 : 0];
+        const double top = std::min(a.y, b.y);
+        const double bottom = std::max(a.y, b.y);
+        const int first = std::max(m_rect.y0, static_cast<int>(std::ceil(top - 0.5)));
+        for (int y = first; y < m_rect.y1 && y + 0.5 < bottom; ++y) {
+            const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y));
+            rows[static_cast<std::size_t>(y - m_rect.y0)].push_back({x, b.y > a.y ? 1 : -1});
+        }
+    }
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        fillRow(rows[y], &m_isInside[y * static_cast<std::size_t>(width)]);
+    }
+}
+
+void AreaPixels::fillRow(std::vector<Crossing>& crossings, char* row) const
+{
+    std::ranges::sort(crossings, {}, &Crossing::x);
+    int turns = 0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        turns += crossings[i].direction;
+        if (turns != 0) {
+            const double from = std::max(crossings[i].x, static_cast<double>(m_rect.x0));
+            const double to = std::min(crossings[i + 1].x, static_cast<double>(m_rect.x1));
+            for (int x = static_cast<int>(std::ceil(from - 0.5)); x + 0.5 < to; ++x) {
+                row[x - m_rect.x0] = 1;
+            }
+        }
+    }
 }
 
 std::vector<std::uint32_t> visibleShapes(const ShownPeople& people, const ScreenIndex& index,
@@ -196,7 +237,7 @@ std::vector<std::uint32_t> visibleShapes(const ShownPeople& people, const Screen
         all.insert(all.end(), rows.begin(), rows.end());
     }
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 
@@ -212,8 +253,7 @@ std::vector<std::uint32_t> touchingShapes(const ShownPeople& people, const Scree
             const ScreenBox& box = index.box(candidates[i]);
             const glm::dvec2 low(box.low);
             const glm::dvec2 high(box.high);
-            if (area.contains(low) && area.contains(high) && area.contains({low.x, high.y}) &&
-                area.contains({high.x, low.y})) {
+            if (area.containsBox(low, high)) {
                 isIn[i] = 1;
             } else if (area.touches(low, high)) {
                 const ShownIndividual shown = people.at(candidates[i]);

@@ -12,7 +12,7 @@
 namespace crowd::model {
 
 /// The pixels of an area: those whose centres lie inside, and always the one under its middle, so
-/// that an area smaller than a pixel is not empty. Clipped to the view.
+/// that an area smaller than a pixel is not empty (a polygon may be). Clipped to the view.
 class AreaPixels
 {
 public:
@@ -21,13 +21,27 @@ public:
     [[nodiscard]] const PixelRect& rect() const { return m_rect; }
     [[nodiscard]] bool contains(int x, int y) const
     {
+        if (m_area.isPolygon()) {
+            return m_isInside[static_cast<std::size_t>((y - m_rect.y0) * m_rect.width() + x -
+                                                       m_rect.x0)] != 0;
+        }
         return m_area.contains({x + 0.5, y + 0.5}) || (x == m_middle.x && y == m_middle.y);
     }
 
 private:
+    /// Where an edge meets a row of pixels, and whether it goes down (1) or up (-1).
+    struct Crossing
+    {
+        double x;
+        int direction;
+    };
+    void fillPolygon(const std::vector<glm::dvec2>& corners);
+    void fillRow(std::vector<Crossing>& crossings, char* row) const;
+
     ScreenArea m_area;
     glm::ivec2 m_middle;
     PixelRect m_rect;
+    std::vector<char> m_isInside; ///< of a polygon: by pixel of the rectangle
 };
 
 /// Which of the candidates (rows) show at least one pixel inside the area. Resolves people against

@@ -28,7 +28,7 @@ EXAMPLES = {
                        r"\bBrushKind\.SCALE\b|\bbrush\.scale\b", most=4),
     "An operator": Example(r"\bGradientOperator\b|\bBrushOperator::Gradient\b|"
                            r"\bOPERATOR\(Gradient\)", most=3),
-    "A selection": Example(r"\bBrushSelection::Rectangle\b|\bRectangle +///<|\"RECTANGLE\"",
+    "A selection": Example(r"\bBrushSelection::Lasso\b|\bLasso +///<|\"LASSO\"",
                            users=("app/commands/BenchPaint.cpp",), most=6),
     "A property of individuals": Example(r"\bwalkSpeed\b|\bWalkSpeed\b",
                                          users=("behavior/validation/*",), most=3),

@@ -33,7 +33,9 @@ crowd_add_tests(ROOM model
     tst_GroundSpeed
     tst_Groups
     tst_ImportProposal
+    tst_Lasso
     tst_Message
+    tst_Neighbours
     tst_PickScene
     tst_Population
     tst_Pose

@@ -84,10 +84,11 @@ void addStrokeRows()
     QTest::addColumn<int>("op");
     constexpr std::array<const char*, 5> kKinds{"create", "delete", "colour", "orientation",
                                                 "animation"};
-    constexpr std::array<const char*, 4> kSelections{"point", "spray", "circle", "rectangle"};
+    constexpr std::array<const char*, 5> kSelections{"point", "spray", "circle", "rectangle",
+                                                     "lasso"};
     constexpr std::array<const char*, 3> kOperators{"uniform", "random", "gradient"};
     for (int kind = 0; kind < 5; ++kind) {
-        for (int selection = 0; selection < 4; ++selection) {
+        for (int selection = 0; selection < 5; ++selection) {
             for (int op = 0; op < 3; ++op) {
                 QTest::addRow("%s by %s, %s", kKinds[static_cast<std::size_t>(kind)],
                               kSelections[static_cast<std::size_t>(selection)],
@@ -193,6 +194,7 @@ void tst_BrushStroke::escapePutsEverythingBack()
         auto stroke = Stroke::begin(scene.document, scene.context(fromAbove()), settings, 5,
                                     PointerInput::at({300.0, 240.0}, 0.0));
         stroke->move(PointerInput::at({700.0, 500.0}, 1.0));
+        stroke->move(PointerInput::at({720.0, 300.0}, 1.5));
         QVERIFY(!(scene.people() == before));
         if (isDestroyed) {
             stroke.reset();

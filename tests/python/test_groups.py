@@ -103,5 +103,14 @@ class Masks(unittest.TestCase):
             painted(scene, sized({"groups": [-1]}))
 
 
+class Lasso(unittest.TestCase):
+    def test_it_paints_on_whom_it_goes_round(self):
+        scene, ids = crowd()
+        brush = sized()
+        brush.selection = Selection.LASSO
+        scene.stroke(brush, [(0, 0), (300, 0), (300, 479), (0, 479)], size=SIZE)
+        self.assertEqual(np.flatnonzero(scene.column("height") == 2.0).tolist(), [0, 1, 2])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void clickOnABandChoosesItsPath();
     void modifiersAddAndToggle();
     void rectangleSelectsWhatIsInside();
+    void aLassoSelectsWhatItGoesRound();
     void withShiftARectangleBeginsOnSomebodyToo();
     void escapeKeepsTheSelectionOfBefore();
     void selectionForgetsWhoVanishes();
@@ -99,6 +100,31 @@ void TestSelectTool::rectangleSelectsWhatIsInside()
     QCOMPARE(std::vector<model::IndividualId>(selected.begin(), selected.end()),
              (std::vector<model::IndividualId>{ids[1], ids[2], ids[3], ids[4]}));
     QVERIFY(!hand.tools.isDragging());
+}
+
+void TestSelectTool::aLassoSelectsWhatItGoesRound()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 6);
+    hand.state.setTool(ToolId::Select);
+    ViewOptions options = hand.state.viewOptions();
+    options.selectsByLasso = true;
+    hand.state.setViewOptions(options);
+    // Down before the second, under the third, up behind it, and back to where it began.
+    const QPointF from = hand.pixelOf(ids[1]) + QPointF(-14.0, -120.0);
+    const QPointF to = hand.pixelOf(ids[2]) + QPointF(14.0, -120.0);
+    hand.press(from);
+    for (const QPointF& corner : {from + QPointF(0.0, 230.0), to + QPointF(0.0, 230.0), to}) {
+        hand.move(corner);
+    }
+    QVERIFY(!hand.tools.picture().rectangle.has_value());
+    QCOMPARE(hand.tools.picture().outlines.size(), std::size_t{1});
+    hand.release(from);
+    const auto selected = hand.state.selection().ids();
+    QCOMPARE(std::vector<model::IndividualId>(selected.begin(), selected.end()),
+             (std::vector<model::IndividualId>{ids[1], ids[2]}));
+    hand.drag(hand.pixelOf(ids[4]), hand.pixelOf(ids[4]));
+    QVERIFY2(hand.state.selection().contains(ids[4]), "a click still selects");
 }
 
 void TestSelectTool::withShiftARectangleBeginsOnSomebodyToo()

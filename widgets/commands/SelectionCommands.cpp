@@ -7,10 +7,13 @@
 
 #include "model/document/GroundEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/population/Neighbours.h"
 
 namespace crowd::widgets {
 
 namespace {
+
+constexpr float kBeside = 1.5F; ///< metres: the next seat, the next row
 
 struct SelectionCommandsText
 {
@@ -47,6 +50,23 @@ void deleteSelection(EditorState& state)
     edit->removeIndividuals(ids);
     edit->commit(
         SelectionCommandsText::tr("Delete %n character(s)", nullptr, static_cast<int>(ids.size())));
+}
+
+void selectSimilar(EditorState& state)
+{
+    state.selection().set(model::lookAlikes(state.scene().population, state.selection().ids()));
+}
+
+void growSelection(EditorState& state)
+{
+    state.selection().set(
+        model::withNeighbours(state.scene().population, state.selection().ids(), kBeside));
+}
+
+void shrinkSelection(EditorState& state)
+{
+    state.selection().set(
+        model::withoutRim(state.scene().population, state.selection().ids(), kBeside));
 }
 
 void putSelectionOnGround(EditorState& state)

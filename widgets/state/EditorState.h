@@ -42,6 +42,7 @@ struct ViewOptions
     bool showShadows = true;
     bool showPaths = true;
     bool showTags = false;
+    bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;
     ButtonMapping buttons = ButtonMapping::Standard;
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;

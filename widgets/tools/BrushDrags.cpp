@@ -20,6 +20,14 @@ struct BrushDragsText
 
 } // namespace
 
+QPolygonF closed(QPolygonF way)
+{
+    if (!way.isEmpty()) {
+        way << way.front();
+    }
+    return way;
+}
+
 QString affectedText(BrushKind kind, int count)
 {
     return QCoreApplication::translate("BrushTool", model::brushType(kind).info.done, nullptr,
@@ -31,7 +39,7 @@ StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings
     : m_context(context),
       m_stroke(model::Stroke::begin(context.state.document(), context.queries.brushContext(),
                                     settings, seed, press.pointer)),
-      m_press(press), m_current(press)
+      m_press(press), m_current(press), m_way{press.position()}
 {
 }
 
@@ -45,9 +53,15 @@ void StrokeDrag::paint()
 void StrokeDrag::update(const ToolInput& input)
 {
     m_current = input;
+    if (!m_stroke) {
+        return;
+    }
+    m_way << input.position();
     // What is evaluated anew from press to here need not be for places that no picture shows.
-    if (m_stroke && !m_stroke->settings().isReevaluated()) {
+    if (!m_stroke->settings().isReevaluated()) {
         paint();
+    } else if (m_stroke->settings().selection == BrushSelection::Lasso) {
+        m_stroke->pass(input.pointer);
     }
 }
 
@@ -96,6 +110,9 @@ void StrokeDrag::show(ToolPicture& picture) const
     showBrush(settings, m_current.position(), m_current.pointer.pressure, picture);
     if (settings.selection == BrushSelection::Rectangle) {
         picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+    }
+    if (settings.selection == BrushSelection::Lasso) {
+        picture.outlines.push_back(closed(m_way));
     }
     if (settings.isReevaluated() && settings.followsLine()) {
         picture.gradient = QLineF(m_press.position(), m_current.position());

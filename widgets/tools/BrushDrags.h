@@ -31,6 +31,7 @@ private:
     std::unique_ptr<model::Stroke> m_stroke;
     ToolInput m_press;
     ToolInput m_current;
+    QPolygonF m_way; ///< of the pointer
 };
 
 /// A stroke of a script brush: it goes on, and is taken back, where scripts run.
@@ -54,6 +55,9 @@ private:
     ToolInput m_current;
     bool m_isOver = false;
 };
+
+/// Back to where it began.
+[[nodiscard]] QPolygonF closed(QPolygonF way);
 
 /// What a stroke did, for the status bar.
 [[nodiscard]] QString affectedText(model::BrushKind kind, int count);

@@ -9,6 +9,7 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/brush/MoveDrag.h"
+#include "widgets/tools/BrushDrags.h"
 #include "widgets/tools/PlaceHandles.h"
 
 namespace crowd::widgets {
@@ -30,18 +31,22 @@ bool isClick(const QPointF& from, const QPointF& to)
     return (to - from).manhattanLength() <= kClickSlack;
 }
 
-/// A drag draws a rectangle; a click selects whom it hit, if anybody, else clears. Nothing changes
-/// before release.
-class RectangleSelect : public DragSession
+/// A drag draws a rectangle or a lasso; a click selects whom it hit, if anybody, else clears.
+/// Nothing changes before release.
+class AreaSelect : public DragSession
 {
 public:
-    RectangleSelect(const ToolContext& context, const ToolInput& press,
-                    std::optional<IndividualId> hit)
-        : m_context(context), m_press(press), m_current(press), m_hit(hit)
+    AreaSelect(const ToolContext& context, const ToolInput& press, std::optional<IndividualId> hit)
+        : m_context(context), m_press(press), m_current(press), m_hit(hit),
+          m_isLasso(context.state.viewOptions().selectsByLasso), m_way{press.position()}
     {
     }
 
-    void update(const ToolInput& input) override { m_current = input; }
+    void update(const ToolInput& input) override
+    {
+        m_current = input;
+        m_way << input.position();
+    }
 
     void tick(const ToolInput& /*resting*/, double /*elapsedSeconds*/) override
     {
@@ -53,7 +58,7 @@ public:
 
     void release(const ToolInput& input) override
     {
-        m_current = input;
+        update(input);
         const SelectionMode mode = selectionModeFor(input.modifiers);
         if (isDrag()) {
             m_context.state.selection().apply(inside(), mode);
@@ -74,25 +79,47 @@ public:
         if (!isDrag()) {
             return;
         }
-        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+        if (m_isLasso) {
+            picture.outlines.push_back(closed(m_way));
+        } else {
+            picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+        }
         picture.symbolAt = m_current.position();
         picture.label = SelectToolText::tr("%n characters", nullptr, m_count);
     }
 
 private:
-    [[nodiscard]] bool isDrag() const { return !isClick(m_press.position(), m_current.position()); }
+    /// A lasso ends where it began.
+    [[nodiscard]] bool isDrag() const
+    {
+        return !isClick(m_press.position(), m_current.position()) ||
+               (m_isLasso &&
+                !isClick(m_way.boundingRect().topLeft(), m_way.boundingRect().bottomRight()));
+    }
+    [[nodiscard]] model::ScreenArea area() const
+    {
+        if (!m_isLasso) {
+            return model::ScreenArea::rectangle(m_press.pointer.pixels(),
+                                                m_current.pointer.pixels());
+        }
+        std::vector<glm::dvec2> corners;
+        for (const QPointF& point : m_way) {
+            corners.emplace_back(point.x(), point.y());
+        }
+        return model::ScreenArea::polygon(std::move(corners));
+    }
     [[nodiscard]] std::vector<IndividualId> inside() const
     {
-        const auto area =
-            model::ScreenArea::rectangle(m_press.pointer.pixels(), m_current.pointer.pixels());
         return m_context.queries.picker(m_current.pointer.shownSeconds)
-            .individualsInArea(area, model::AreaMode::Visible);
+            .individualsInArea(area(), model::AreaMode::Visible);
     }
 
     ToolContext m_context;
     ToolInput m_press;
     ToolInput m_current;
     std::optional<IndividualId> m_hit;
+    bool m_isLasso;
+    QPolygonF m_way; ///< of the pointer
     glm::ivec2 m_counted{-1};
     int m_count = 0;
 };
@@ -175,8 +202,8 @@ SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
 QString SelectTool::hint() const
 {
     return SelectToolText::tr(
-        "Click: select · Drag: rectangle, or move somebody · Shift: add, Ctrl: toggle, "
-        "rectangles from anywhere · Delete: remove · F: show the selection");
+        "Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from "
+        "anywhere · L: lasso or rectangle · Delete: remove · F: show the selection");
 }
 
 DragSessionPtr SelectTool::press(const ToolInput& input)
@@ -184,7 +211,7 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     const bool isPaperRectangle = m_context.state.viewOptions().buttons == ButtonMapping::Paper &&
                                   input.button == Qt::RightButton;
     if (isPaperRectangle) {
-        return std::make_unique<RectangleSelect>(m_context, input, std::nullopt);
+        return std::make_unique<AreaSelect>(m_context, input, std::nullopt);
     }
     if (input.button != Qt::LeftButton) {
         return nullptr;
@@ -195,11 +222,11 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
     if (!hit) {
-        return std::make_unique<RectangleSelect>(m_context, input, std::nullopt);
+        return std::make_unique<AreaSelect>(m_context, input, std::nullopt);
     }
     if (selectionModeFor(input.modifiers) != SelectionMode::Replace) {
         // In a dense crowd there is no empty ground to begin a rectangle on.
-        return std::make_unique<RectangleSelect>(m_context, input, hit->id);
+        return std::make_unique<AreaSelect>(m_context, input, hit->id);
     }
     return std::make_unique<ClickOrMove>(m_context, input, hit->id);
 }

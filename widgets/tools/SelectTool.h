@@ -5,7 +5,8 @@
 
 namespace crowd::widgets {
 
-/// Click selects, Shift adds, Control toggles; dragging from empty ground draws a rectangle;
+/// Click selects, Shift adds, Control toggles; dragging from empty ground draws a rectangle or a
+/// lasso;
 /// dragging somebody moves all that are selected, on the ground or to free seats.
 class SelectTool : public Tool
 {

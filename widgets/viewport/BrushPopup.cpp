@@ -97,7 +97,7 @@ QWidget* BrushPopup::makeSettings()
     auto* grid = new QGridLayout(m_settings);
     grid->setContentsMargins(0, 0, 0, 0);
     m_selection = new QComboBox(m_settings);
-    for (int kind = 0; kind <= static_cast<int>(model::BrushSelection::Rectangle); ++kind) {
+    for (int kind = 0; kind < static_cast<int>(std::size(model::kSelections)); ++kind) {
         m_selection->addItem(selectionName(static_cast<model::BrushSelection>(kind)));
     }
     m_size = new QSlider(Qt::Horizontal, m_settings);

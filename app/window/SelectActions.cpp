@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/SelectActions.h"
+
+#include "app/window/MainWindow.h"
+#include "widgets/commands/GroupCommands.h"
+#include "widgets/commands/SelectionCommands.h"
+
+namespace crowd::app {
+
+namespace {
+
+using widgets::ActionInput;
+
+bool hasSelection(MainWindow& window)
+{
+    return !window.state().selection().isEmpty();
+}
+
+const WindowAction kSelectActions[] = {
+    {{"select-all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "select-all", "Ctrl+A",
+      QT_TRANSLATE_NOOP("Actions", "Select everybody")},
+     [](MainWindow& w, bool) { w.state().selection().selectAll(); }},
+    {{"select-none", QT_TRANSLATE_NOOP("Actions", "Select &None"), "select-none", "Ctrl+Shift+A",
+      QT_TRANSLATE_NOOP("Actions", "Select nobody")},
+     [](MainWindow& w, bool) { w.state().selection().clear(); },
+     {.inputs = ActionInput::Selection,
+      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
+    {{"select-invert", QT_TRANSLATE_NOOP("Actions", "In&vert Selection"), "select-invert",
+      "Ctrl+Alt+I", QT_TRANSLATE_NOOP("Actions", "Select those who are not selected")},
+     [](MainWindow& w, bool) { w.state().selection().invert(); }},
+    {{"select-similar", QT_TRANSLATE_NOOP("Actions", "Select Si&milar"), "select-all", "Ctrl+Alt+A",
+      QT_TRANSLATE_NOOP(
+          "Actions", "Also those who look like one of the selected: template, materials, colours")},
+     [](MainWindow& w, bool) { widgets::selectSimilar(w.state()); },
+     {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
+    {{"select-grow", QT_TRANSLATE_NOOP("Actions", "&Grow Selection"), "larger", "Ctrl+Alt++",
+      QT_TRANSLATE_NOOP("Actions", "Also those who stand beside the selected")},
+     [](MainWindow& w, bool) { widgets::growSelection(w.state()); },
+     {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
+    {{"select-shrink", QT_TRANSLATE_NOOP("Actions", "Sh&rink Selection"), "smaller", "Ctrl+Alt+-",
+      QT_TRANSLATE_NOOP("Actions", "Without those who stand beside somebody not selected")},
+     [](MainWindow& w, bool) { widgets::shrinkSelection(w.state()); },
+     {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
+    {{"select-lasso", QT_TRANSLATE_NOOP("Actions", "Select with a &Lasso"), "select", "L",
+      QT_TRANSLATE_NOOP("Actions", "Draw a line round those to select; else a rectangle"), true},
+     [](MainWindow& w, bool on) {
+         auto options = w.state().viewOptions();
+         options.selectsByLasso = on;
+         w.state().setViewOptions(options);
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().selectsByLasso; }}},
+    {{"group-selected", QT_TRANSLATE_NOOP("Actions", "&Group Selected"), "group", "Ctrl+Alt+G",
+      QT_TRANSLATE_NOOP("Actions", "A new group of the selected characters; it becomes active")},
+     [](MainWindow& w, bool) { widgets::groupSelection(w.state()); },
+     {.inputs = ActionInput::Selection,
+      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
+};
+
+} // namespace
+
+std::span<const WindowAction> selectActions()
+{
+    return kSelectActions;
+}
+
+} // namespace crowd::app
