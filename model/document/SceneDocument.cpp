@@ -59,17 +59,6 @@ void SceneDocument::markSaved(const QString& path)
     }
 }
 
-void SceneDocument::setTemplateAsset(TemplateId id, TemplatePtr asset, const Message& problem)
-{
-    TemplateEntry* entry = m_scene.findTemplate(id);
-    if (entry == nullptr) {
-        return; // removed while it was loading
-    }
-    entry->asset = std::move(asset);
-    entry->problem = problem;
-    announce(TemplatesChanged{});
-}
-
 std::unique_ptr<SceneEdit> SceneDocument::beginEdit()
 {
     assert(!isEditOpen());

@@ -54,9 +54,6 @@ public:
     void replaceScene(Scene scene, const QString& path);
     /// After a successful save.
     void markSaved(const QString& path);
-    /// Puts a loaded asset (or the reason why it is not there) into its entry: not an edit, not
-    /// undoable.
-    void setTemplateAsset(TemplateId id, TemplatePtr asset, const Message& problem);
 
     /// Starts an edit. One at a time: asserts when another is open.
     [[nodiscard]] std::unique_ptr<SceneEdit> beginEdit();

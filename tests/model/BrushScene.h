@@ -190,6 +190,14 @@ struct BrushScene
         return ids;
     }
 
+    /// Another asset in place of the box man, or none; forgets the undo steps.
+    void replaceMan(TemplatePtr asset)
+    {
+        Scene scene = document.scene();
+        scene.templates.front().asset = std::move(asset);
+        document.replaceScene(std::move(scene), {});
+    }
+
     [[nodiscard]] BrushContext context(const View& view) { return {view, keyframes, rays}; }
     [[nodiscard]] const Population& people() const { return document.scene().population; }
 

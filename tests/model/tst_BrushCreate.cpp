@@ -525,11 +525,12 @@ void tst_BrushCreate::saysWhyNobodyCame()
     settings.as<CreateSettings>().mix = {};
     QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::NoTemplateChosen);
     settings.as<CreateSettings>().mix = {{1, 1.0F}};
-    scene.document.setTemplateAsset(1, nullptr, "gone");
-    QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::TemplateNotLoaded);
     const View sky(Camera::lookingAt({0, 2, 0}, {0, 5, 5}), {1280.0F, 768.0F});
     QCOMPARE(scene.paint(sky, settings, {{640.0, 100.0}}).reason, StrokeReason::NothingUnderBrush);
     QCOMPARE(scene.document.undoStack().count(), 1);
+    scene.replaceMan(nullptr);
+    QCOMPARE(scene.paint(view, settings, {{900.0, 500.0}}).reason, StrokeReason::TemplateNotLoaded);
+    QCOMPARE(scene.document.undoStack().count(), 0);
 }
 
 void tst_BrushCreate::dragsOnTheGround()

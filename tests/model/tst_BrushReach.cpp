@@ -80,7 +80,7 @@ void tst_BrushReach::selectsInTheShownKeyframe()
     turn.values = {0, 0, 0, 1, std::sqrt(0.5F), 0, 0, std::sqrt(0.5F)};
     man->clips[0].channels.push_back(turn);
     BrushScene scene;
-    scene.document.setTemplateAsset(1, man, {});
+    scene.replaceMan(man);
     scene.addPeople({{0, 0, 0}});
     (void)scene.keyframes.clip(man, 0);
     scene.keyframes.waitForAll();

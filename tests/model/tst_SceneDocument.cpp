@@ -251,8 +251,14 @@ void tst_SceneDocument::keepsAssetsThatCameMeanwhile()
         edit->changeTemplate(renamed);
         QVERIFY(edit->commit(QStringLiteral("Rename")));
     }
-    document.setTemplateAsset(id, std::make_shared<Template>(), {});
-    document.undoStack().undo();
+    {
+        const auto edit = document.beginEdit();
+        TemplateEntry located = *document.scene().findTemplate(id);
+        located.asset = std::make_shared<Template>();
+        edit->changeTemplate(located);
+        QVERIFY(edit->commit(QStringLiteral("Locate assets")));
+    }
+    document.undoStack().setIndex(1);
     QVERIFY(document.scene().findTemplate(id)->asset != nullptr);
     QCOMPARE(document.scene().findTemplate(id)->name, std::string());
 }
