@@ -93,11 +93,6 @@ int ShortcutsPage::rowOf(const std::string& id) const
     return found == specs.end() ? -1 : static_cast<int>(found - specs.begin());
 }
 
-QString ShortcutsPage::conflict() const
-{
-    return m_conflictRow < 0 ? QString() : m_conflict->text();
-}
-
 void ShortcutsPage::setKeys(int row, const QKeySequence& typed)
 {
     const QKeySequence keys = firstOf(typed);

@@ -30,7 +30,6 @@ public:
     /// As if the artist had typed them into the row of this action.
     void setKeys(int row, const QKeySequence& keys);
     [[nodiscard]] int rowOf(const std::string& id) const; ///< -1: unknown
-    [[nodiscard]] QString conflict() const;               ///< what is said of it; empty: none
 
 private:
     void addRow(int row);

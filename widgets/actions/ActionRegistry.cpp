@@ -137,13 +137,4 @@ QAction* ActionRegistry::actionWithShortcut(const QKeySequence& keys) const
     return nullptr;
 }
 
-void ActionRegistry::resetShortcuts()
-{
-    QSettings().remove(QStringLiteral("shortcuts"));
-    for (const ActionSpec& item : m_specs) {
-        loadShortcut(item, *action(item.id));
-        setTexts(item, *action(item.id));
-    }
-}
-
 } // namespace crowd::widgets

@@ -76,7 +76,6 @@ public:
     void setShortcut(const std::string& id, const QKeySequence& keys);
     /// The action that has these keys, null if none.
     [[nodiscard]] QAction* actionWithShortcut(const QKeySequence& keys) const;
-    void resetShortcuts();
 
 private:
     [[nodiscard]] const ActionSpec& spec(const std::string& id) const;
