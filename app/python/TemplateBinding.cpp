@@ -3,8 +3,7 @@
 #include <limits>
 
 #include "app/python/Binding.h"
-#include "model/bake/Pose.h"
-#include "model/bake/Skinning.h"
+#include "model/bake/ClipBaker.h"
 #include "model/brush/ClipChoice.h"
 
 namespace crowd::app {
@@ -103,35 +102,17 @@ int clipIndex(const Template& asset, const std::variant<int, std::string>& clip)
     return static_cast<int>(found - asset.clips.begin());
 }
 
-struct Keyframe
+ExactKeyframe keyframeOf(const TemplateHandle& handle, const std::variant<int, std::string>& clip,
+                         int k)
 {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-};
-
-/// Level 0 at full precision, file order.
-Keyframe keyframeOf(const TemplateHandle& handle, const std::variant<int, std::string>& clip, int k)
-{
-    const TemplatePtr held = handle.asset();
-    const Template& asset = *held;
-    const int index = clipIndex(asset, clip);
-    const Clip& chosen = asset.clips[static_cast<std::size_t>(index)];
+    const TemplatePtr asset = handle.asset();
+    const int index = clipIndex(*asset, clip);
+    const Clip& chosen = asset->clips[static_cast<std::size_t>(index)];
     if (k < 0 || k >= chosen.keyframeCount()) {
         throw ScriptError("Keyframe " + std::to_string(k) + " is out of range: " + chosen.name +
                           " has " + std::to_string(chosen.keyframeCount()) + ", counted from 0.");
     }
-    const Mesh& mesh = asset.levels.front();
-    Pose pose;
-    evaluatePose(asset, index, chosen.keyframeSeconds(k), pose);
-    Keyframe keyframe;
-    keyframe.positions.resize(mesh.positions.size());
-    keyframe.normals.resize(mesh.positions.size());
-    skin(mesh, pose.bones, keyframe.positions, keyframe.normals);
-    if (mesh.fileVertexCount > 0) {
-        keyframe.positions.resize(mesh.fileVertexCount);
-        keyframe.normals.resize(mesh.fileVertexCount);
-    }
-    return keyframe;
+    return exactKeyframe(*asset, index, k);
 }
 
 py::array_t<float> toArray(const std::vector<glm::vec3>& vectors)

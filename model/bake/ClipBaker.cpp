@@ -134,19 +134,21 @@ glm::vec3 BakedClip::normal(int level, int keyframe, std::size_t vertex) const
     return octahedralDecode(packed[static_cast<std::size_t>(keyframe) * vertices + vertex].normal);
 }
 
-std::vector<glm::vec3> keyframePositions(const Template& asset, int clipIndex, int keyframe,
-                                         int level)
+ExactKeyframe exactKeyframe(const Template& asset, int clipIndex, int keyframe)
 {
-    const Mesh& mesh = asset.levels[static_cast<std::size_t>(level)];
+    const Mesh& mesh = asset.levels.front();
     const Clip& clip = asset.clips[static_cast<std::size_t>(clipIndex)];
     Pose pose;
     evaluatePose(asset, clipIndex, keyframeSeconds(clip, keyframe), pose);
-    std::vector<glm::vec3> positions(mesh.positions.size());
-    skin(mesh, pose.bones, positions, {});
-    if (mesh.fileVertexCount > 0) {
-        positions.resize(mesh.fileVertexCount); // without the copies behind the file's vertices
+    ExactKeyframe exact;
+    exact.positions.resize(mesh.positions.size());
+    exact.normals.resize(mesh.positions.size());
+    skin(mesh, pose.bones, exact.positions, exact.normals);
+    if (mesh.fileVertexCount > 0) { // without the copies behind the file's vertices
+        exact.positions.resize(mesh.fileVertexCount);
+        exact.normals.resize(mesh.fileVertexCount);
     }
-    return positions;
+    return exact;
 }
 
 } // namespace crowd::model

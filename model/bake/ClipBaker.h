@@ -2,6 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "model/bake/KeyframeStore.h"
 
@@ -15,5 +18,14 @@ namespace crowd::model {
 
 /// What baking the whole clip will take, in bytes.
 [[nodiscard]] std::size_t bakedBytes(const Template& asset, int clipIndex);
+
+/// The finest level at one keyframe before it is packed: template frame, metres, the file's
+/// vertices in the file's order.
+struct ExactKeyframe
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals; ///< unit vectors
+};
+[[nodiscard]] ExactKeyframe exactKeyframe(const Template& asset, int clipIndex, int keyframe);
 
 } // namespace crowd::model

@@ -91,9 +91,4 @@ private:
     std::unique_ptr<Private> m_private;
 };
 
-/// Full-precision keyframe: positions of `level` at keyframe k, V long, template frame, metres,
-/// file order before any welding. The reference that packing is measured against.
-[[nodiscard]] std::vector<glm::vec3> keyframePositions(const Template& asset, int clipIndex,
-                                                       int keyframe, int level = 0);
-
 } // namespace crowd::model

@@ -53,7 +53,7 @@ public:
     explicit Feet(model::TemplatePtr asset) : m_asset(std::move(asset))
     {
         const std::vector<glm::vec3> rest =
-            model::keyframePositions(*m_asset, m_asset->defaultClip, 0);
+            model::exactKeyframe(*m_asset, m_asset->defaultClip, 0).positions;
         for (std::size_t v = 0; v < rest.size(); ++v) {
             if (rest[v].y < kSole) {
                 m_soles[rest[v].x > 0.0F ? 0 : 1].push_back(v);

@@ -193,7 +193,7 @@ void TestBake::packingKeepsATenthOfAMillimetre()
     const BakedClipPtr baked = bakeClip(*asset, 0, asset->clips[0].keyframeCount());
     float worst = 0.0F;
     for (int k = 0; k < baked->keyframes; ++k) {
-        const std::vector<glm::vec3> exact = keyframePositions(*asset, 0, k);
+        const std::vector<glm::vec3> exact = exactKeyframe(*asset, 0, k).positions;
         for (std::size_t v = 0; v < exact.size(); ++v) {
             worst = std::max(worst, glm::length(baked->position(0, k, v) - exact[v]));
         }
@@ -205,7 +205,7 @@ void TestBake::lastKeyframeIsTheEndOfTheClip()
 {
     const TemplatePtr asset = makeTube(1.01F);
     const int last = asset->clips[0].keyframeCount() - 1;
-    const std::vector<glm::vec3> end = keyframePositions(*asset, 0, last);
+    const std::vector<glm::vec3> end = exactKeyframe(*asset, 0, last).positions;
     // The tube's top, bent by one radian about X at 0.9 m.
     const glm::vec3 rest = asset->levels[0].positions.back();
     const float angle = 1.0F;
@@ -223,7 +223,8 @@ void TestBake::boundsHoldEveryVertex()
     QCOMPARE(baked->keyframeBounds.size(), std::size_t{33});
     for (int k = 0; k < 33; k += 8) {
         const Bounds& box = baked->keyframeBounds[static_cast<std::size_t>(k)];
-        for (const glm::vec3& p : keyframePositions(*asset, 0, k)) {
+        const ExactKeyframe exact = exactKeyframe(*asset, 0, k);
+        for (const glm::vec3& p : exact.positions) {
             QVERIFY(glm::all(glm::greaterThanEqual(p, box.low)));
             QVERIFY(glm::all(glm::lessThanEqual(p, box.high)));
         }

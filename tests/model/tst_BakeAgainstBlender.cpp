@@ -62,7 +62,7 @@ void TestBakeAgainstBlender::keyframesAgree()
         const int keyframe = sample[QStringLiteral("keyframe")].toInt();
         const int clip = asset.value()->clipIndex(clipName.toStdString());
         QVERIFY2(clip >= 0, qPrintable(clipName));
-        const std::vector<glm::vec3> ours = keyframePositions(*asset.value(), clip, keyframe);
+        const std::vector<glm::vec3> ours = exactKeyframe(*asset.value(), clip, keyframe).positions;
         QVERIFY(ours.size() >= count); // what they carry follows the body
         const qsizetype offset = sample[QStringLiteral("byteOffset")].toInt();
         QVERIFY(offset + static_cast<qsizetype>(count * sizeof(glm::vec3)) <= bytes.size());
