@@ -98,7 +98,8 @@ SessionTally countPeople(const SessionParts& parts)
         if (parts.agents.isGone[agent] != 0) {
             continue;
         }
-        if (const model::PathId path = parts.follower.pathOf(agent); path != 0) {
+        const model::PathId path = parts.follower.pathOf(agent);
+        if (path != 0 && !parts.follower.hasArrived(agent)) {
             ++tally.followers[path];
         }
         const glm::vec3 at = parts.agents.motion.position(agent);

@@ -247,9 +247,4 @@ CrowdSimulation& Session::crowd()
     return m_parts->crowd;
 }
 
-const PathFollower& Session::follower() const
-{
-    return m_parts->follower;
-}
-
 } // namespace crowd::behavior

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "behavior/crowd/CrowdSimulation.h"
-#include "behavior/motion/PathFollower.h"
 #include "behavior/rules/RuleEngine.h"
 #include "behavior/session/SessionPlan.h"
 #include "behavior/session/SessionPose.h"
@@ -66,7 +65,6 @@ public:
 
     /// For measuring and tuning.
     [[nodiscard]] CrowdSimulation& crowd();
-    [[nodiscard]] const PathFollower& follower() const;
 
 private:
     void assignWalkers();

@@ -131,7 +131,7 @@ void TestWalkSurface::aWalkerGoesAroundAHouse()
     const auto end = session.frame();
     const glm::vec3 at = end->population.column(model::columns::position)[0];
     QVERIFY2(std::abs(at.x - 9.0F) < 0.6F, QByteArray::number(static_cast<double>(at.x)));
-    QVERIFY(session.follower().hasArrived(0));
+    QVERIFY(session.tally().followers.empty());
 }
 
 void TestWalkSurface::aPathIntoAHouseEndsBeforeIt()

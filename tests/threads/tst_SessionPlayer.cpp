@@ -139,7 +139,7 @@ void SessionPlayerTest::stoppingWaitsForNobody()
     QVERIFY(!player.isRunning());
 }
 
-/// Two walk to a place, one stands in it, one leaves by an exit there.
+/// Two walk past a place, one stands in it, one leaves by an exit there.
 void SessionPlayerTest::peopleAreCountedWhenAsked()
 {
     model::Scene scene;
@@ -151,9 +151,11 @@ void SessionPlayerTest::peopleAreCountedWhenAsked()
             static_cast<model::PathId>(std::array{1, 1, 0, 2}[i]);
     }
     scene.population.add(rows);
-    scene.places = {{1, "a", {8.0F, 0.0F, 0.0F}, 1.0F}, {2, "out", {14.0F, 0.0F, 0.0F}, 0.6F}};
+    scene.places = {{1, "a", {8.0F, 0.0F, 0.0F}, 1.0F},
+                    {2, "out", {14.0F, 0.0F, 0.0F}, 0.6F},
+                    {3, "b", {8.0F, 0.0F, 30.0F}, 1.0F}};
     scene.places[1].role = model::PlaceRole::Exit;
-    scene.paths = {{1, "there", model::PathKind::Cyclic, {1}}, {2, "away", {}, {2}}};
+    scene.paths = {{1, "to and fro", model::PathKind::Cyclic, {1, 3}}, {2, "away", {}, {2}}};
     std::atomic<int> published = 0;
     SessionPlayer player([&] { ++published; });
     player.start(scene);
