@@ -120,6 +120,12 @@ struct StrokeTimes
     int painted = 0;
 };
 
+struct AreaQueries
+{
+    double medianMs = 0.0;
+    double candidates = 0.0; ///< looked at by each
+};
+
 /// One measurement: a document of people, its assets baked.
 class PaintBench
 {
@@ -141,7 +147,7 @@ public:
     [[nodiscard]] StrokeTimes paint(model::BrushKind kind);
     [[nodiscard]] double medianUndo();
     [[nodiscard]] std::optional<double> medianFrame();
-    [[nodiscard]] double medianAreaQuery(model::AreaMode mode);
+    [[nodiscard]] AreaQueries queryArea(model::AreaMode mode);
 
 private:
     [[nodiscard]] model::BrushContext context() { return {fieldView(), m_keyframes, m_stage}; }
@@ -234,7 +240,7 @@ std::optional<double> PaintBench::medianFrame()
     return percentile(samples, 0.5);
 }
 
-double PaintBench::medianAreaQuery(model::AreaMode mode)
+AreaQueries PaintBench::queryArea(model::AreaMode mode)
 {
     model::ScenePicker picker(m_keyframes, m_stage);
     const model::View view = viewFromAbove(72.0F);
@@ -246,7 +252,7 @@ double PaintBench::medianAreaQuery(model::AreaMode mode)
             model::ScreenArea::circle(glm::dvec2(kPicture) * 0.5, kRadiusPixels * 2.0), mode);
         samples.push_back(since(start));
     }
-    return percentile(samples, 0.5);
+    return {percentile(samples, 0.5), static_cast<double>(picker.candidateVisits()) / kAreaQueries};
 }
 
 /// The same people under the brush, and the others around it, all on screen.
@@ -265,14 +271,22 @@ std::vector<glm::vec3> clumpAmong(int others)
     return places;
 }
 
-/// Time of an area query among 100 000 over that among 10 000, the same people inside.
-double areaRatio(const std::vector<model::TemplateEntry>& cast, model::AreaMode mode)
+/// What queries of an area cost among 100 000 and among 10 000, the same people inside.
+void measureAreas(const std::vector<model::TemplateEntry>& cast, QJsonObject& report)
 {
     PaintBench few(cast, clumpAmong(10000));
     PaintBench many(cast, clumpAmong(100000));
-    (void)many.medianAreaQuery(mode);
-    const double fewMs = few.medianAreaQuery(mode);
-    return many.medianAreaQuery(mode) / fewMs;
+    const auto measure = [&](model::AreaMode mode, const QString& ratio) {
+        (void)many.queryArea(mode);
+        const AreaQueries amongFew = few.queryArea(mode);
+        const AreaQueries amongMany = many.queryArea(mode);
+        report[ratio] = rounded(amongMany.medianMs / amongFew.medianMs);
+        report[QStringLiteral("candidates_per_dab")] = rounded(amongMany.candidates);
+        report[QStringLiteral("candidates_ratio_100k_10k")] =
+            rounded(amongMany.candidates / amongFew.candidates);
+    };
+    measure(model::AreaMode::Visible, QStringLiteral("area_visible_ratio_100k_10k"));
+    measure(model::AreaMode::Through, QStringLiteral("area_through_ratio_100k_10k"));
 }
 
 } // namespace
@@ -300,10 +314,7 @@ int runBenchPaint(const BenchPaintOptions& options)
     report[QStringLiteral("created")] = creation.painted;
     report[QStringLiteral("undo_ms")] = rounded(undoMs);
     report[QStringLiteral("frame_ms")] = frameMs ? QJsonValue(rounded(*frameMs)) : QJsonValue();
-    report[QStringLiteral("area_visible_ratio_100k_10k")] =
-        rounded(areaRatio(cast.value(), model::AreaMode::Visible));
-    report[QStringLiteral("area_through_ratio_100k_10k")] =
-        rounded(areaRatio(cast.value(), model::AreaMode::Through));
+    measureAreas(cast.value(), report);
     printReport(report, options.json);
     return 0;
 }
