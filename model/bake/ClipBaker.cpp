@@ -6,7 +6,6 @@
 #include <cmath>
 #include <span>
 
-#include "model/bake/KeyframeTime.h"
 #include "model/bake/Octahedral.h"
 #include "model/bake/Pose.h"
 #include "model/bake/Skinning.h"
@@ -85,7 +84,7 @@ BakedClipPtr bakeClip(const Template& asset, int clipIndex, int keyframes,
         if (isCancelled && isCancelled()) {
             return nullptr;
         }
-        evaluatePose(asset, clipIndex, keyframeSeconds(clip, k), pose);
+        evaluatePose(asset, clipIndex, clip.keyframeSeconds(k), pose);
         Bounds bounds;
         for (std::size_t level = 0; level < levels.size(); ++level) {
             appendKeyframe(asset.levels[level], pose.bones, normals, levels[level], bounds);
@@ -139,7 +138,7 @@ ExactKeyframe exactKeyframe(const Template& asset, int clipIndex, int keyframe)
     const Mesh& mesh = asset.levels.front();
     const Clip& clip = asset.clips[static_cast<std::size_t>(clipIndex)];
     Pose pose;
-    evaluatePose(asset, clipIndex, keyframeSeconds(clip, keyframe), pose);
+    evaluatePose(asset, clipIndex, clip.keyframeSeconds(keyframe), pose);
     ExactKeyframe exact;
     exact.positions.resize(mesh.positions.size());
     exact.normals.resize(mesh.positions.size());

@@ -11,15 +11,6 @@ constexpr float kInterval = 1.0F / static_cast<float>(kKeyframeRate);
 
 } // namespace
 
-float keyframeSeconds(const Clip& clip, int keyframe)
-{
-    const int last = clip.keyframeCount() - 1;
-    if (last == 0) {
-        return 0.0F;
-    }
-    return keyframe >= last ? clip.seconds : static_cast<float>(keyframe) * kInterval;
-}
-
 KeyframePlace keyframePlace(const Clip& clip, float phase)
 {
     const int last = clip.keyframeCount() - 1;

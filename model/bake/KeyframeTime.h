@@ -5,11 +5,6 @@
 
 namespace crowd::model {
 
-/// When keyframe k of a clip is sampled, in seconds after the clip's start: k/32 s for all but the
-/// last, which is the extra one at the clip's end. Where the duration is no multiple of 1/32 s the
-/// last interval is therefore between half and one and a half times as long as the others.
-[[nodiscard]] float keyframeSeconds(const Clip& clip, int keyframe);
-
 /// Two neighbouring keyframes and the share of the second.
 struct KeyframePlace
 {

@@ -168,6 +168,8 @@ struct Clip
     /// Keyframes baked: one each 1/32 s plus the extra one at the end of the loop.
     [[nodiscard]] int keyframeCount() const;
     /// When keyframe k is sampled, seconds after the start: k / 32, the last one at the very end.
+    /// Where the duration is no multiple of 1/32 s the last interval is therefore between half and
+    /// one and a half times as long as the others.
     [[nodiscard]] float keyframeSeconds(int keyframe) const;
     /// The inverse: which keyframe (with the fraction towards the next) a moment falls on.
     [[nodiscard]] float keyframeAt(float secondsAfterStart) const;

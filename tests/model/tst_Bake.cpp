@@ -127,11 +127,11 @@ void TestBake::keyframesLieOnTheirTimes()
     clip.seconds = seconds;
     QCOMPARE(clip.keyframeCount(), count);
     for (int k = 0; k + 1 < count; ++k) {
-        QCOMPARE(keyframeSeconds(clip, k), static_cast<float>(k) / 32.0F);
+        QCOMPARE(clip.keyframeSeconds(k), static_cast<float>(k) / 32.0F);
     }
-    QCOMPARE(keyframeSeconds(clip, count - 2), lastButOne);
-    QCOMPARE(keyframeSeconds(clip, count - 1), seconds);
-    QVERIFY(keyframeSeconds(clip, count - 2) < seconds);
+    QCOMPARE(clip.keyframeSeconds(count - 2), lastButOne);
+    QCOMPARE(clip.keyframeSeconds(count - 1), seconds);
+    QVERIFY(clip.keyframeSeconds(count - 2) < seconds);
 }
 
 void TestBake::placesAreBetweenKeyframes_data()
