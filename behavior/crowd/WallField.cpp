@@ -141,10 +141,4 @@ void WallField::layOut(float reach)
     m_start.push_back(static_cast<std::uint32_t>(m_items.size()));
 }
 
-std::size_t WallField::bytes() const
-{
-    return m_pieces.size() * sizeof(WallPiece) +
-           (m_start.size() + m_items.size()) * sizeof(std::uint32_t);
-}
-
 } // namespace crowd::behavior

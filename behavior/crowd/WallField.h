@@ -54,7 +54,6 @@ public:
     /// Pieces that may be within reach of a point; indices into pieces().
     [[nodiscard]] std::span<const std::uint32_t> near(float x, float z) const;
     [[nodiscard]] const WallPiece& piece(std::uint32_t index) const { return m_pieces[index]; }
-    [[nodiscard]] std::size_t bytes() const;
 
 private:
     void addCorners(std::span<const Wall> walls);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -41,7 +40,7 @@ struct SessionPlayer::Run
     std::jthread thread; ///< last: ends first
 
     void serve(const std::stop_token& token);
-    void publish(double stepMs);
+    void publish();
     void release();
 };
 
@@ -66,14 +65,11 @@ void SessionPlayer::Run::serve(const std::stop_token& token)
         if (token.stop_requested()) {
             return;
         }
-        const auto begin = std::chrono::steady_clock::now();
         if (isStepWanted) {
             session->step();
         }
-        const std::chrono::duration<double, std::milli> time =
-            std::chrono::steady_clock::now() - begin;
         if (!token.stop_requested()) {
-            publish(time.count());
+            publish();
             published();
         }
     }
@@ -88,7 +84,7 @@ void SessionPlayer::Run::release()
     poses.clear();
 }
 
-void SessionPlayer::Run::publish(double stepMs)
+void SessionPlayer::Run::publish()
 {
     SessionPosePtr pose = session->pose();
     std::vector<Problem> problems = session->problems();
@@ -101,7 +97,7 @@ void SessionPlayer::Run::publish(double stepMs)
     while (poses.front()->seconds < poses.back()->seconds - kKeptSeconds) {
         poses.pop_front();
     }
-    report = {std::move(problems), session->rules().counts(), stepMs};
+    report = {std::move(problems), session->rules().counts()};
     if (log.size() < kMaxLog) {
         log.insert(log.end(), fired.begin(), fired.end());
     }
@@ -128,7 +124,7 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     }
     run.poses = {run.session->pose()};
     run.wanted = seconds;
-    run.report = {run.session->problems(), {}, 0.0};
+    run.report = {run.session->problems(), {}};
     run.tally = run.session->tally();
     run.thread = std::jthread([&run](const std::stop_token& token) {
         run.serve(token);

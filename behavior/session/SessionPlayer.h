@@ -22,7 +22,6 @@ public:
     {
         std::vector<Problem> problems;
         std::map<model::RuleId, std::uint64_t> fired;
-        double stepMs = 0.0; ///< of the last step
     };
 
     /// `published` is called on the session's thread after every step.

@@ -20,9 +20,4 @@ glm::vec3 linearFromSrgb(const glm::vec3& encoded)
     return {linearFromSrgb(encoded.x), linearFromSrgb(encoded.y), linearFromSrgb(encoded.z)};
 }
 
-glm::vec3 srgbFromLinear(const glm::vec3& linear)
-{
-    return {srgbFromLinear(linear.x), srgbFromLinear(linear.y), srgbFromLinear(linear.z)};
-}
-
 } // namespace crowd::model

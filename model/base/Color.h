@@ -24,6 +24,5 @@ static_assert(sizeof(Tint) == 4);
 [[nodiscard]] float linearFromSrgb(float encoded);
 [[nodiscard]] float srgbFromLinear(float linear);
 [[nodiscard]] glm::vec3 linearFromSrgb(const glm::vec3& encoded);
-[[nodiscard]] glm::vec3 srgbFromLinear(const glm::vec3& linear);
 
 } // namespace crowd::model

@@ -273,19 +273,9 @@ int Stroke::affected() const
     return m_private->work->affected();
 }
 
-StrokeReason Stroke::reason() const
-{
-    return affected() > 0 ? StrokeReason::None : m_private->work->reason();
-}
-
 const BrushSettings& Stroke::settings() const
 {
     return m_private->ground.settings;
-}
-
-const PointerInput& Stroke::press() const
-{
-    return m_private->recording.inputs.front();
 }
 
 const PointerInput& Stroke::current() const

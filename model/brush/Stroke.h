@@ -98,10 +98,7 @@ public:
 
     /// Individuals created, removed or changed so far.
     [[nodiscard]] int affected() const;
-    /// What would be the reason if it ended now; None while it did something.
-    [[nodiscard]] StrokeReason reason() const;
     [[nodiscard]] const BrushSettings& settings() const;
-    [[nodiscard]] const PointerInput& press() const;
     [[nodiscard]] const PointerInput& current() const;
     [[nodiscard]] const RecordedStroke& recording() const;
 

@@ -2,7 +2,6 @@
 #include "model/describe/FieldChecks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <locale>
 #include <sstream>
 
@@ -79,12 +78,6 @@ Result<void> checkWeights(const std::vector<Weighted>& all, const std::string& n
     return {};
 }
 
-float fitted(const FieldMeta& meta, float value)
-{
-    return std::isfinite(value) ? static_cast<float>(std::clamp<double>(value, meta.low, meta.high))
-                                : static_cast<float>(meta.low);
-}
-
 } // namespace
 
 std::string shortNumber(double value)
@@ -148,36 +141,6 @@ Result<void> checkFields(std::span<const FieldInfo> fields, const void* object,
         }
     }
     return {};
-}
-
-FieldValue fittedValue(const FieldInfo& field, FieldValue value)
-{
-    const FieldMeta& meta = field.meta;
-    if (auto* number = std::get_if<float>(&value)) {
-        *number = fitted(meta, *number);
-    } else if (auto* whole = std::get_if<std::int64_t>(&value)) {
-        const auto count = static_cast<std::int64_t>(meta.choices.size());
-        if (count > 0) {
-            *whole = *whole >= 0 && *whole < count ? *whole : 0;
-        } else {
-            *whole = std::clamp(*whole, static_cast<std::int64_t>(meta.low),
-                                static_cast<std::int64_t>(meta.high));
-        }
-    } else if (auto* range = std::get_if<ValueRange>(&value)) {
-        range->low = fitted(meta, range->low);
-        range->high = std::max(range->low, fitted(meta, range->high));
-    } else if (auto* point = std::get_if<glm::vec3>(&value)) {
-        for (int axis = 0; axis < 3; ++axis) {
-            (*point)[axis] = fitted(meta, (*point)[axis]);
-        }
-    } else if (auto* curve = std::get_if<DistributionCurve>(&value)) {
-        for (float& weight : curve->weights) {
-            weight = fitted(meta, weight);
-        }
-    } else if (auto* numbers = std::get_if<std::vector<int>>(&value)) {
-        std::ranges::sort(*numbers);
-    }
-    return value;
 }
 
 } // namespace crowd::model

@@ -20,9 +20,6 @@ namespace crowd::model {
 [[nodiscard]] Result<void> checkFields(std::span<const FieldInfo> fields, const void* object,
                                        const std::string& prefix);
 
-/// The nearest value that the field may have: clamped, ranges ordered, unknown choices the first.
-[[nodiscard]] FieldValue fittedValue(const FieldInfo& field, FieldValue value);
-
 /// A short decimal text of a number, for messages.
 [[nodiscard]] std::string shortNumber(double value);
 

@@ -306,11 +306,6 @@ const View& ScenePicker::view() const
     return m_private->view;
 }
 
-const StageRays& ScenePicker::stage() const
-{
-    return m_private->stage;
-}
-
 std::uint64_t ScenePicker::candidateVisits() const
 {
     return m_private->index.visits();

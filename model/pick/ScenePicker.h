@@ -49,10 +49,10 @@ public:
     ScenePicker(const ScenePicker&) = delete;
     ScenePicker& operator=(const ScenePicker&) = delete;
 
-    /// What is shown. Cheap when only the time changed; rebuilds the index when people or the view
-    /// changed (about 4 ms for 100 000). `seats` are Scene::worldSeats(), ascending by id.
     /// Lets go of the frame and its templates, until the next update().
     void forget();
+    /// What is shown. Cheap when only the time changed; rebuilds the index when people or the view
+    /// changed (about 4 ms for 100 000). `seats` are Scene::worldSeats(), ascending by id.
     void update(CrowdFramePtr frame, std::span<const WorldSeat> seats, const View& view);
     /// Takes individuals out of all later answers until the next update() with changed people.
     void exclude(std::span<const IndividualId> ids);
@@ -68,7 +68,6 @@ public:
     [[nodiscard]] std::optional<SurfaceHit> surfaceAt(glm::dvec2 pixel) const;
 
     [[nodiscard]] const View& view() const;
-    [[nodiscard]] const StageRays& stage() const;
 
     /// How much work queries did so far: candidates taken from the index.
     [[nodiscard]] std::uint64_t candidateVisits() const;

@@ -26,12 +26,6 @@ void toStarts(std::vector<std::uint32_t>& counts)
 
 } // namespace
 
-void CrowdPlan::reset()
-{
-    m_lastPopulation = {};
-    m_levels.clear();
-}
-
 /// Carries the levels over to the rows that the same individuals have now.
 void CrowdPlan::keepLevels(const Population& population)
 {

@@ -91,8 +91,6 @@ public:
     /// Fills instances() and runs(): ordered by level (finest first), template, distance in coarse
     /// steps (nearest first), keyframe, row.
     void make(const Request& request);
-    /// Forgets the levels of the last frame.
-    void reset();
 
     [[nodiscard]] std::span<const Instance> instances() const { return m_instances; }
     [[nodiscard]] std::span<const InstanceRun> runs() const { return m_runs; }

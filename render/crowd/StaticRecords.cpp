@@ -51,12 +51,6 @@ std::uint32_t radiusAndModes(float radius, std::uint16_t replacedSlots)
     return (std::bit_cast<std::uint32_t>(radius) & ~kModes) | (replacedSlots & kModes);
 }
 
-void StaticRecords::forget()
-{
-    m_blockVersions.clear();
-    m_knownRows = 0;
-}
-
 void StaticRecords::update(const Request& request)
 {
     const Population& population = request.frame.population;

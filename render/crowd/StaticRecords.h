@@ -69,8 +69,6 @@ public:
     };
     /// Brings the records up to date and lists the rows that changed.
     void update(const Request& request);
-    /// The next update() lists every row.
-    void forget();
 
     /// Ascending, apart from each other. Up to kJoinedGap unchanged rows between changed ones are
     /// taken along: a call costs more than they do.

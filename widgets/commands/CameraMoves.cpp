@@ -183,11 +183,4 @@ Camera withOtherProjection(const Camera& camera)
     return bounded(result);
 }
 
-Camera withPivotAt(const Camera& camera, const glm::vec3& point)
-{
-    Camera result = camera;
-    result.pivotDistance = std::clamp(depthOf(camera, point), kNearest, kFarthest);
-    return result;
-}
-
 } // namespace crowd::widgets

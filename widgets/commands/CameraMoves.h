@@ -37,8 +37,6 @@ enum class ViewDirection : unsigned char { Top, Front, Side };
 [[nodiscard]] model::Camera lookingFrom(const model::Camera& camera, ViewDirection direction);
 /// The other projection; what is at the pivot keeps its size in the picture.
 [[nodiscard]] model::Camera withOtherProjection(const model::Camera& camera);
-/// Sets the pivot to the depth of a point, which dragging then takes as its measure.
-[[nodiscard]] model::Camera withPivotAt(const model::Camera& camera, const glm::vec3& point);
 
 /// Depth of a point along the camera's axis, at least a hand's breadth.
 [[nodiscard]] float depthOf(const model::Camera& camera, const glm::vec3& point);

@@ -58,11 +58,6 @@ QString RangeSlider::numbers() const
                : low + QStringLiteral(" – ") + text(m_value.high) + m_range.suffix;
 }
 
-bool RangeSlider::showsAll() const
-{
-    return fitsValueBar(*this, m_label, numbers());
-}
-
 void RangeSlider::paintEvent(QPaintEvent*)
 {
     // An empty range is still seen.

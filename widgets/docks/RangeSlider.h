@@ -19,7 +19,6 @@ public:
 
     [[nodiscard]] const model::ValueRange& value() const { return m_value; }
     void setValue(const model::ValueRange& value); ///< without signal
-    [[nodiscard]] bool showsAll() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

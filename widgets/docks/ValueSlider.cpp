@@ -40,13 +40,6 @@ double barValue(const ValueSlider::Range& range, double value)
     return std::clamp(std::round(value * unit) / unit, range.low, range.high);
 }
 
-bool fitsValueBar(const QWidget& slider, const QString& label, const QString& number)
-{
-    const QFontMetrics metrics = slider.fontMetrics();
-    return metrics.horizontalAdvance(label) + metrics.horizontalAdvance(number) + 3 * kPadding <=
-           slider.width();
-}
-
 void drawValueBar(const QWidget& slider, double from, double to, const QString& label,
                   const QString& number)
 {
@@ -138,14 +131,6 @@ ValueSlider::ValueSlider(const QString& label, const Range& range, QWidget* pare
     setAccessibleName(label);
 }
 
-void ValueSlider::setRange(const QString& label, const Range& range)
-{
-    m_label = label;
-    m_range = range;
-    setAccessibleName(label);
-    update();
-}
-
 QSize ValueSlider::sizeHint() const
 {
     return {180, fontMetrics().height() + 10};
@@ -171,11 +156,6 @@ QString ValueSlider::number() const
     const double smallest = 0.5 * std::pow(10.0, -m_range.decimals);
     const double value = std::abs(m_value) < smallest ? 0.0 : m_value; // no "-0.0"
     return QLocale().toString(value, 'f', m_range.decimals) + m_range.suffix;
-}
-
-bool ValueSlider::showsAll() const
-{
-    return fitsValueBar(*this, m_label, number());
 }
 
 void ValueSlider::setValue(double value)

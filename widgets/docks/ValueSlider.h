@@ -29,11 +29,8 @@ public:
 
     ValueSlider(const QString& label, const Range& range, QWidget* parent);
 
-    /// Name and value have room beside each other.
-    [[nodiscard]] bool showsAll() const;
     [[nodiscard]] double value() const { return m_value; }
     void setValue(double value); ///< without signal
-    void setRange(const QString& label, const Range& range);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -66,8 +63,6 @@ private:
 /// The bar that sliders are drawn as: filled between two shares (0..1) of its width.
 void drawValueBar(const QWidget& slider, double from, double to, const QString& label,
                   const QString& number);
-/// Whether both texts fit the bar.
-[[nodiscard]] bool fitsValueBar(const QWidget& slider, const QString& label, const QString& number);
 
 /// A field over the whole slider to type into, until Return or until the focus goes elsewhere;
 /// `typed` gets the text. No second one while there is one.

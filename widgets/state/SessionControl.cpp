@@ -352,11 +352,6 @@ double SessionControl::availableSeconds() const
     return m_player->available();
 }
 
-double SessionControl::stepMs() const
-{
-    return m_player->report().stepMs;
-}
-
 bool SessionControl::keepPose()
 {
     if (!isRunning() || m_document.isEditOpen()) {

@@ -68,8 +68,6 @@ public:
     [[nodiscard]] std::size_t goneCount() const;
     /// Time of the last step that is done, of the transport.
     [[nodiscard]] double availableSeconds() const;
-    /// Milliseconds that the last step took.
-    [[nodiscard]] double stepMs() const;
 
     /// Share of the walkable surface that is built; below 0: nothing is being built.
     [[nodiscard]] double surfaceProgress() const;
