@@ -283,11 +283,6 @@ const PointerInput& Stroke::current() const
     return m_private->recording.inputs.back();
 }
 
-const RecordedStroke& Stroke::recording() const
-{
-    return m_private->recording;
-}
-
 StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const StageRays& stage,
                      const RecordedStroke& recording, WalkableGroundSource ground,
                      ScriptChange* script)

@@ -100,7 +100,6 @@ public:
     [[nodiscard]] int affected() const;
     [[nodiscard]] const BrushSettings& settings() const;
     [[nodiscard]] const PointerInput& current() const;
-    [[nodiscard]] const RecordedStroke& recording() const;
 
 private:
     struct Private;

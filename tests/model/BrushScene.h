@@ -168,6 +168,10 @@ struct BrushScene
         scene.templates.push_back(boxManEntry(1, man));
         scene.stages = std::move(stages);
         document.replaceScene(std::move(scene), {});
+        QObject::connect(&document, &SceneDocument::stepCommitted,
+                         [this](const StepCommitted& step) {
+                             recorded = step.stroke == nullptr ? RecordedStroke{} : *step.stroke;
+                         });
         rays.setStages(document.scene().stages);
         for (int clip = 0; clip < 3; ++clip) {
             (void)keyframes.clip(man, clip);
@@ -219,6 +223,7 @@ struct BrushScene
     SceneDocument document;
     KeyframeStore keyframes;
     StageRays rays;
+    RecordedStroke recorded; ///< that made the last step
 };
 
 inline BrushSettings brush(BrushKind kind, BrushSelection selection)

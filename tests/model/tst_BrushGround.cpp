@@ -56,7 +56,6 @@ struct GroundScene : BrushScene
         const auto stroke = Stroke::begin(document, onGround(fromAbove()), settings, 7,
                                           PointerInput::at(from, 0.0));
         stroke->move(PointerInput::at(to, 0.5));
-        recorded = stroke->recording();
         return stroke->finish();
     }
     [[nodiscard]] float leastX() const
@@ -69,7 +68,6 @@ struct GroundScene : BrushScene
     }
 
     int asked = 0;
-    RecordedStroke recorded;
 };
 
 const glm::dvec2 kLeft(200.0, 200.0);

@@ -154,10 +154,10 @@ void tst_BrushStroke::isUndoneRedoneAndReplayedToTheSameBytes()
     for (std::size_t i = 1; i < way.size(); ++i) {
         stroke->move(way[i]);
     }
-    const RecordedStroke recording = stroke->recording();
     const StrokeOutcome outcome = stroke->finish();
     QVERIFY(outcome.isCommitted);
     QVERIFY(outcome.affected > 0);
+    const RecordedStroke recording = scene.recorded;
     const Population after = scene.people();
     QVERIFY(!(after == before));
     QCOMPARE(scene.document.undoStack().count(), 2);
