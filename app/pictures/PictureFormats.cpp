@@ -36,11 +36,6 @@ constexpr PictureFormat kFormats[] = {
 
 } // namespace
 
-std::span<const PictureFormat> pictureFormats()
-{
-    return kFormats;
-}
-
 const PictureFormat* pictureFormatOf(const QString& path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();

@@ -23,7 +23,6 @@ struct PictureFormat
     model::Result<QByteArray> (*encode)(const QImage& image);
 };
 
-[[nodiscard]] std::span<const PictureFormat> pictureFormats();
 /// By the ending of a file's name; null where there is none of that ending.
 [[nodiscard]] const PictureFormat* pictureFormatOf(const QString& path);
 /// ".png, .jpg, .jpeg".

@@ -85,14 +85,6 @@ QString ShortcutsPage::nameOf(int row) const
     return m_table->item(row, 0)->text();
 }
 
-int ShortcutsPage::rowOf(const std::string& id) const
-{
-    const auto& specs = m_actions.specs();
-    const auto found =
-        std::ranges::find_if(specs, [&](const widgets::ActionSpec& item) { return id == item.id; });
-    return found == specs.end() ? -1 : static_cast<int>(found - specs.begin());
-}
-
 void ShortcutsPage::setKeys(int row, const QKeySequence& typed)
 {
     const QKeySequence keys = firstOf(typed);

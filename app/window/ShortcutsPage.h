@@ -27,12 +27,10 @@ public:
 
     /// Gives the registry what was changed.
     void apply();
-    /// As if the artist had typed them into the row of this action.
-    void setKeys(int row, const QKeySequence& keys);
-    [[nodiscard]] int rowOf(const std::string& id) const; ///< -1: unknown
 
 private:
     void addRow(int row);
+    void setKeys(int row, const QKeySequence& typed);
     void filter(const QString& text);
     void takeKeys();
     void resetAll();

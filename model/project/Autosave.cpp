@@ -125,7 +125,7 @@ Result<void> writeAutosave(const Scene& scene, const QString& projectPath)
 
 void removeAutosave(const QString& projectPath)
 {
-    QFile::remove(placeBeside(projectPath).fileOf(ownProcessName()));
+    QFile::remove(autosavePath(projectPath));
     if (!projectPath.isEmpty()) {
         QFile::remove(placeElsewhere(projectPath).fileOf(ownProcessName()));
     }

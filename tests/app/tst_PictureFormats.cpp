@@ -25,19 +25,19 @@ void TestPictureFormats::everyFormatIsWrittenAndReadBack()
         pixels[i] = 200; // one colour, which compression keeps
         pixels[i + 2] = 40;
     }
-    for (const crowd::app::PictureFormat& format : crowd::app::pictureFormats()) {
-        for (const char* ending : format.endings) {
-            const QString path =
-                folder.filePath(QStringLiteral("picture.") + QLatin1String(ending));
-            QVERIFY(crowd::app::pictureFormatOf(path.toUpper()) == &format);
-            const auto written = crowd::app::writePicture(path, pixels, {64, 32});
-            QVERIFY2(written, written ? "" : written.error().message.c_str());
-            const QImage read(path);
-            QCOMPARE(read.size(), QSize(64, 32));
-            const QColor color = read.pixelColor(30, 20);
-            QVERIFY2(std::abs(color.red() - 200) < 4 && std::abs(color.blue() - 40) < 4,
-                     qPrintable(path + color.name()));
-        }
+    const QStringList endings =
+        QString::fromStdString(crowd::app::pictureEndings()).split(QStringLiteral(", "));
+    QVERIFY(endings.size() >= 4);
+    for (const QString& ending : endings) {
+        const QString path = folder.filePath(QStringLiteral("picture") + ending);
+        QVERIFY(crowd::app::pictureFormatOf(path.toUpper()) != nullptr);
+        const auto written = crowd::app::writePicture(path, pixels, {64, 32});
+        QVERIFY2(written, written ? "" : written.error().message.c_str());
+        const QImage read(path);
+        QCOMPARE(read.size(), QSize(64, 32));
+        const QColor color = read.pixelColor(30, 20);
+        QVERIFY2(std::abs(color.red() - 200) < 4 && std::abs(color.blue() - 40) < 4,
+                 qPrintable(path + color.name()));
     }
 }
 
