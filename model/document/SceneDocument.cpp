@@ -10,7 +10,8 @@
 
 namespace crowd::model {
 
-SceneDocument::SceneDocument(QObject* parent) : QObject(parent)
+SceneDocument::SceneDocument(UndoLimits limits, QObject* parent)
+    : QObject(parent), m_undoMemory(std::move(limits))
 {
     qRegisterMetaType<SceneChange>();
     connect(&m_undoStack, &QUndoStack::cleanChanged, this,
@@ -25,11 +26,11 @@ SceneDocument::~SceneDocument()
     m_undoStack.blockSignals(true);
 }
 
-void SceneDocument::setUndoLimits(const UndoLimits& limits)
+void SceneDocument::setUndoBudget(std::size_t bytes)
 {
-    m_undoStack.clear();
-    m_undoMemory.setLimits(limits);
-    m_isMemoryExceeded = false;
+    m_undoMemory.setBudget(bytes);
+    watchUndoMemory();
+    Q_EMIT undoBudgetChanged();
 }
 
 void SceneDocument::interruptEdit()

@@ -36,7 +36,7 @@ class SceneDocument : public QObject
     Q_OBJECT
 
 public:
-    explicit SceneDocument(QObject* parent = nullptr);
+    explicit SceneDocument(UndoLimits limits = {}, QObject* parent = nullptr);
     ~SceneDocument() override;
 
     [[nodiscard]] const Scene& scene() const { return m_scene; }
@@ -47,8 +47,8 @@ public:
     /// Grows with every change of the scene; never the same for two states.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
     [[nodiscard]] const UndoMemory& undoMemory() const { return m_undoMemory; }
-    /// Forgets all undo steps.
-    void setUndoLimits(const UndoLimits& limits);
+    /// Takes effect at once; all steps are kept.
+    void setUndoBudget(std::size_t bytes);
 
     /// Takes another scene (New, Open); clears the undo stack and interrupts an open edit.
     void replaceScene(Scene scene, const QString& path);
@@ -76,6 +76,7 @@ Q_SIGNALS:
     void editInterrupted();
     /// An undo or redo could not be done; `why` is for the artist. Nothing has changed.
     void undoRefused(const QString& why);
+    void undoBudgetChanged();
     /// Undo steps cannot go to disk any more and take more memory than they should; said once.
     void undoMemoryExceeded(const QString& why);
 

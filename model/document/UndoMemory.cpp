@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/UndoMemory.h"
 
-#include <cassert>
 #include <utility>
 
 #include "model/document/DeltaBytes.h"
@@ -9,16 +8,14 @@
 namespace crowd::model {
 
 UndoMemory::UndoMemory(UndoLimits limits)
-    : m_limits(std::move(limits)),
-      m_file(std::make_unique<SpillFile>(m_limits.folder, m_limits.diskReserve))
+    : m_limits(std::move(limits)), m_file(m_limits.folder, m_limits.diskReserve)
 {
 }
 
-void UndoMemory::setLimits(const UndoLimits& limits)
+void UndoMemory::setBudget(std::size_t bytes)
 {
-    assert(m_bytes == 0);
-    m_limits = limits;
-    m_file = std::make_unique<SpillFile>(m_limits.folder, m_limits.diskReserve);
+    m_limits.bytes = bytes;
+    keepWithinBudget();
 }
 
 void UndoMemory::keepWithinBudget()
@@ -48,7 +45,7 @@ StoredDelta::~StoredDelta()
     }
     m_memory.m_bytes -= m_bytes - m_bulkBytes;
     if (m_extent) {
-        m_memory.m_file->release(*m_extent);
+        m_memory.m_file.release(*m_extent);
     }
 }
 
@@ -60,7 +57,7 @@ Result<const SceneDelta*> StoredDelta::use()
         }
         return &m_delta;
     }
-    const Result<std::vector<std::byte>> bytes = m_memory.m_file->read(*m_extent);
+    const Result<std::vector<std::byte>> bytes = m_memory.m_file.read(*m_extent);
     if (!bytes) {
         return bytes.error();
     }
@@ -75,7 +72,7 @@ Result<const SceneDelta*> StoredDelta::use()
 Result<void> StoredDelta::leaveMemory()
 {
     if (!m_extent) { // a delta never changes: what was written once stays good
-        const Result<SpillFile::Extent> extent = m_memory.m_file->write(bulkBytesOf(m_delta));
+        const Result<SpillFile::Extent> extent = m_memory.m_file.write(bulkBytesOf(m_delta));
         if (!extent) {
             return extent.error();
         }

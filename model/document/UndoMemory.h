@@ -2,7 +2,6 @@
 #pragma once
 
 #include <list>
-#include <memory>
 #include <optional>
 
 #include <QtCore/QString>
@@ -33,11 +32,11 @@ class UndoMemory
 public:
     explicit UndoMemory(UndoLimits limits = {});
 
-    /// Only while no delta is stored.
-    void setLimits(const UndoLimits& limits);
+    /// What exceeds it now goes to disk at once.
+    void setBudget(std::size_t bytes);
     /// Held in memory by all deltas, without assets (they are shared).
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-    [[nodiscard]] std::uint64_t bytesOnDisk() const { return m_file->bytes(); }
+    [[nodiscard]] std::uint64_t bytesOnDisk() const { return m_file.bytes(); }
     /// Why the budget is exceeded; empty while it is kept.
     [[nodiscard]] const Message& problem() const { return m_problem; }
 
@@ -47,7 +46,7 @@ private:
     void keepWithinBudget();
 
     UndoLimits m_limits;
-    std::unique_ptr<SpillFile> m_file;
+    SpillFile m_file;
     std::list<StoredDelta*> m_recent; ///< in memory and able to leave it; used last at the end
     std::size_t m_bytes = 0;
     Message m_problem;

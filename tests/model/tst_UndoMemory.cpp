@@ -75,6 +75,7 @@ private Q_SLOTS:
     void init();
     void undoesTenThousandRandomEditsWhileSpilling();
     void keepsTheBudget();
+    void anotherBudgetTakesEffectAtOnce();
     void countsSceneLevelEntries();
     void hasNoNameThatCouldStayBehind();
     void usesTheFileAgain();
@@ -97,8 +98,7 @@ void tst_UndoMemory::init()
 
 void tst_UndoMemory::undoesTenThousandRandomEditsWhileSpilling()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     const std::string first = stateOf(document);
     std::map<int, std::string> states;
     for (std::uint64_t key = 0; key < 10000; ++key) {
@@ -120,8 +120,7 @@ void tst_UndoMemory::undoesTenThousandRandomEditsWhileSpilling()
 
 void tst_UndoMemory::keepsTheBudget()
 {
-    SceneDocument document;
-    document.setUndoLimits({100000, m_folder->path(), 0});
+    SceneDocument document({100000, m_folder->path(), 0});
     addPeople(document, 1000); // about 110 bytes each
     for (int i = 1; i <= 50; ++i) {
         turnEverybody(document, static_cast<float>(i));
@@ -130,6 +129,32 @@ void tst_UndoMemory::keepsTheBudget()
     document.undoStack().setIndex(0);
     document.undoStack().setIndex(51);
     QVERIFY(document.undoMemory().bytes() < 100000 + 10000); // each keeps a little
+}
+
+void tst_UndoMemory::anotherBudgetTakesEffectAtOnce()
+{
+    SceneDocument document({std::size_t{1} << 30U, m_folder->path(), 0});
+    int changes = 0;
+    connect(&document, &SceneDocument::undoBudgetChanged, this, [&changes] { ++changes; });
+    const std::string first = stateOf(document);
+    addPeople(document, 1000);
+    for (int i = 1; i <= 10; ++i) {
+        turnEverybody(document, static_cast<float>(i));
+    }
+    const std::string last = stateOf(document);
+    const std::size_t all = document.undoMemory().bytes();
+    QCOMPARE(document.undoMemory().bytesOnDisk(), std::uint64_t{0});
+    document.setUndoBudget(all / 4);
+    QCOMPARE(changes, 1);
+    QVERIFY(document.undoMemory().bytes() < all / 4 + 10000); // each keeps a little
+    QVERIFY(document.undoMemory().bytesOnDisk() > all / 2);
+    QCOMPARE(document.undoStack().count(), 11);
+    document.setUndoBudget(std::size_t{1} << 30U);
+    document.undoStack().setIndex(0);
+    QCOMPARE(stateOf(document), first);
+    document.undoStack().setIndex(11);
+    QCOMPARE(stateOf(document), last);
+    QCOMPARE(document.undoMemory().bytes(), all); // what was read back stays now
 }
 
 void tst_UndoMemory::countsSceneLevelEntries()
@@ -149,8 +174,7 @@ void tst_UndoMemory::countsSceneLevelEntries()
 
 void tst_UndoMemory::hasNoNameThatCouldStayBehind()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     addPeople(document, 1000);
     turnEverybody(document, 1.0F);
     QVERIFY(document.undoMemory().bytesOnDisk() > 0);
@@ -159,8 +183,7 @@ void tst_UndoMemory::hasNoNameThatCouldStayBehind()
 
 void tst_UndoMemory::usesTheFileAgain()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     for (int round = 0; round < 20; ++round) {
         addPeople(document, 1000);
         turnEverybody(document, 1.0F);
@@ -190,8 +213,7 @@ void tst_UndoMemory::keepsInMemoryWhatCannotBeWritten()
         folder = m_folder->path();
         disk.emplace(static_cast<rlim_t>(diskBytes));
     }
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(folder));
+    SceneDocument document(tinyLimits(folder));
     QStringList complaints;
     connect(&document, &SceneDocument::undoMemoryExceeded, this,
             [&complaints](const QString& why) { complaints << why; });
@@ -211,8 +233,7 @@ void tst_UndoMemory::keepsInMemoryWhatCannotBeWritten()
 
 void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     {
         const FullDisk disk(0);
         addPeople(document, 4000);
@@ -227,8 +248,7 @@ void tst_UndoMemory::goesOnSpillingWhenThereIsRoomAgain()
 
 void tst_UndoMemory::leavesRoomOnTheDisk()
 {
-    SceneDocument document;
-    document.setUndoLimits({0, m_folder->path(), std::uint64_t{1} << 62U});
+    SceneDocument document({0, m_folder->path(), std::uint64_t{1} << 62U});
     addPeople(document, 1000);
     turnEverybody(document, 1.0F);
     QCOMPARE(document.undoMemory().bytesOnDisk(), std::uint64_t{0});
@@ -238,8 +258,7 @@ void tst_UndoMemory::leavesRoomOnTheDisk()
 
 void tst_UndoMemory::refusesUndoThatCannotBeReadBack()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     QString refusal;
     connect(&document, &SceneDocument::undoRefused, this,
             [&refusal](const QString& why) { refusal = why; });
@@ -267,8 +286,7 @@ void tst_UndoMemory::refusesUndoThatCannotBeReadBack()
 
 void tst_UndoMemory::refusesRedoThatCannotBeReadBack()
 {
-    SceneDocument document;
-    document.setUndoLimits(tinyLimits(m_folder->path()));
+    SceneDocument document(tinyLimits(m_folder->path()));
     addPeople(document, 1000);
     turnEverybody(document, 1.0F);
     const std::string last = stateOf(document);
@@ -288,8 +306,7 @@ void tst_UndoMemory::refusesRedoThatCannotBeReadBack()
 
 void tst_UndoMemory::stopsWhereALongMoveFails()
 {
-    SceneDocument document;
-    document.setUndoLimits({120000, m_folder->path(), 0});
+    SceneDocument document({120000, m_folder->path(), 0});
     std::vector<std::string> states{stateOf(document)};
     for (int i = 0; i < 40; ++i) {
         i == 0 ? (void)addPeople(document, 1000) : turnEverybody(document, static_cast<float>(i));
