@@ -5846,6 +5846,14 @@ Verworfen ist sie fort.</translation>
         <source>The language changes when this page closes.</source>
         <translation>Die Sprache wechselt, wenn diese Seite schließt.</translation>
     </message>
+    <message>
+        <source>What exceeds it is kept in a temporary file on disk.</source>
+        <translation>Was darüber hinausgeht, kommt in eine temporäre Datei auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>Speicher für Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -6725,6 +6733,18 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on disk</source>
+        <translation>%1 im Speicher, %2 auf der Platte</translation>
+    </message>
+    <message>
+        <source>%1 in memory</source>
+        <translation>%1 im Speicher</translation>
+    </message>
+    <message>
+        <source>%1 in memory: %2</source>
+        <translation>%1 im Speicher: %2</translation>
     </message>
 </context>
 <context>

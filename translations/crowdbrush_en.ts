@@ -5841,6 +5841,14 @@ Thrown away, it is gone.</source>
         <source>The language changes when this page closes.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What exceeds it is kept in a temporary file on disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::RecordPanel</name>
@@ -6717,6 +6725,18 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>As opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in memory: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

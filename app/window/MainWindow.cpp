@@ -305,6 +305,7 @@ void MainWindow::applyPreferences(const Preferences& preferences)
     widgets::applyTheme(preferences.theme);
     m_files.setAutosaveSeconds(preferences.autosaveSeconds);
     m_state.keyframes().setBudget(static_cast<std::size_t>(preferences.keyframeMegabytes) << 20U);
+    m_document.setUndoBudget(static_cast<std::size_t>(preferences.undoMegabytes) << 20U);
     auto options = m_state.viewOptions();
     options.buttons = preferences.buttons;
     m_state.setViewOptions(options);

@@ -25,6 +25,7 @@ const QString kTheme = QStringLiteral("preferences/theme");
 const QString kButtons = QStringLiteral("preferences/paperMouse");
 const QString kAutosave = QStringLiteral("preferences/autosaveSeconds");
 const QString kMemory = QStringLiteral("preferences/keyframeMegabytes");
+const QString kUndoMemory = QStringLiteral("preferences/undoMegabytes");
 const QString kLanguage = QStringLiteral("preferences/language");
 const QString kWelcome = QStringLiteral("preferences/showsWelcome");
 
@@ -41,6 +42,7 @@ Preferences Preferences::load()
                                                             : widgets::ButtonMapping::Standard;
     preferences.autosaveSeconds = settings.value(kAutosave, preferences.autosaveSeconds).toInt();
     preferences.keyframeMegabytes = settings.value(kMemory, preferences.keyframeMegabytes).toInt();
+    preferences.undoMegabytes = settings.value(kUndoMemory, preferences.undoMegabytes).toInt();
     preferences.language = settings.value(kLanguage).toString();
     preferences.showsWelcome = settings.value(kWelcome, true).toBool();
     return preferences;
@@ -53,6 +55,7 @@ void Preferences::save() const
     settings.setValue(kButtons, buttons == widgets::ButtonMapping::Paper);
     settings.setValue(kAutosave, autosaveSeconds);
     settings.setValue(kMemory, keyframeMegabytes);
+    settings.setValue(kUndoMemory, undoMegabytes);
     settings.setValue(kLanguage, language);
     settings.setValue(kWelcome, showsWelcome);
 }
@@ -61,7 +64,8 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
     : QDialog(parent), m_before(Preferences::load()), m_shortcuts(new ShortcutsPage(actions, this)),
       m_theme(new QComboBox(this)), m_buttons(new QComboBox(this)), m_language(new QComboBox(this)),
       m_autosave(new QDoubleSpinBox(this)), m_memory(new QSpinBox(this)),
-      m_languageNote(new QLabel(this)), m_welcome(new QCheckBox(this))
+      m_undoMemory(new QSpinBox(this)), m_languageNote(new QLabel(this)),
+      m_welcome(new QCheckBox(this))
 {
     setWindowTitle(tr("Preferences"));
     fill();
@@ -79,7 +83,9 @@ PreferencesDialog::PreferencesDialog(widgets::ActionRegistry& actions, QWidget* 
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::choose);
     }
     connect(m_autosave, &QDoubleSpinBox::valueChanged, this, &PreferencesDialog::choose);
-    connect(m_memory, &QSpinBox::valueChanged, this, &PreferencesDialog::choose);
+    for (QSpinBox* box : {m_memory, m_undoMemory}) {
+        connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::choose);
+    }
     connect(m_welcome, &QCheckBox::toggled, this, &PreferencesDialog::choose);
 }
 
@@ -104,14 +110,21 @@ void PreferencesDialog::fill()
     m_autosave->setSuffix(tr(" min"));
     m_autosave->setSpecialValueText(tr("Never"));
     m_autosave->setValue(m_before.autosaveSeconds / kSecondsInAMinute);
-    m_memory->setRange(64, 65536);
-    m_memory->setSingleStep(64);
-    m_memory->setSuffix(tr(" MB"));
-    m_memory->setValue(m_before.keyframeMegabytes);
+    fillMemory(*m_memory, 64, m_before.keyframeMegabytes);
     m_memory->setToolTip(tr("Whose animation finds no room stands still."));
-    m_memory->setKeyboardTracking(false);
+    fillMemory(*m_undoMemory, 16, m_before.undoMegabytes);
+    m_undoMemory->setToolTip(tr("What exceeds it is kept in a temporary file on disk."));
     m_welcome->setText(tr("Show the welcome page"));
     m_welcome->setChecked(m_before.showsWelcome);
+}
+
+void PreferencesDialog::fillMemory(QSpinBox& box, int least, int megabytes)
+{
+    box.setRange(least, 65536);
+    box.setSingleStep(least);
+    box.setSuffix(tr(" MB"));
+    box.setValue(megabytes);
+    box.setKeyboardTracking(false); // not at every digit
 }
 
 QWidget* PreferencesDialog::generalPage()
@@ -124,6 +137,7 @@ QWidget* PreferencesDialog::generalPage()
     form->addRow(tr("Mouse buttons of the brushes"), m_buttons);
     form->addRow(tr("Keep unsaved work every"), m_autosave);
     form->addRow(tr("Memory for baked animations"), m_memory);
+    form->addRow(tr("Memory for undo"), m_undoMemory);
     form->addRow(tr("Language"), m_language);
     form->addRow(QString(), m_languageNote);
     form->addRow(tr("At start"), m_welcome);
@@ -138,6 +152,7 @@ Preferences PreferencesDialog::chosen() const
                                                          : widgets::ButtonMapping::Standard;
     preferences.autosaveSeconds = qRound(m_autosave->value() * kSecondsInAMinute);
     preferences.keyframeMegabytes = m_memory->value();
+    preferences.undoMegabytes = m_undoMemory->value();
     preferences.language = m_language->currentData().toString();
     preferences.showsWelcome = m_welcome->isChecked();
     return preferences;

@@ -24,6 +24,7 @@ struct Preferences
     widgets::ButtonMapping buttons = widgets::ButtonMapping::Standard;
     int autosaveSeconds = 60; ///< 0: off
     int keyframeMegabytes = 512;
+    int undoMegabytes = 256;
     QString language;         ///< "de"; empty: the system's
     bool showsWelcome = true; ///< at a start without a file
     friend bool operator==(const Preferences&, const Preferences&) = default;
@@ -54,6 +55,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QWidget* generalPage();
     void fill();
+    static void fillMemory(QSpinBox& box, int least, int megabytes);
     void choose();
     [[nodiscard]] Preferences chosen() const;
 
@@ -63,7 +65,8 @@ private:
     QComboBox* m_buttons;
     QComboBox* m_language;
     QDoubleSpinBox* m_autosave; ///< minutes
-    QSpinBox* m_memory;
+    QSpinBox* m_memory;         ///< of baked animations, MB
+    QSpinBox* m_undoMemory;     ///< MB
     QLabel* m_languageNote;
     QCheckBox* m_welcome;
 };

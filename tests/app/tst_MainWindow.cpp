@@ -90,6 +90,7 @@ private Q_SLOTS:
     void changedShortcutFreesItsOldKeys();
     void shortcutConflictsAreNamed();
     void preferencesTakeEffectAndCanBeTakenBack();
+    void memoryForUndoIsAPreference();
     void statusBarCounts();
     void statusBarCountsWhoIsThere();
     void aRemarkGoesWithItsTool();
@@ -651,6 +652,35 @@ void MainWindowTest::preferencesTakeEffectAndCanBeTakenBack()
     dialog->reject();
     QCOMPARE(m_window->state().keyframes().progress().budgetBytes, before);
     QCOMPARE(m_window->state().viewOptions().buttons, widgets::ButtonMapping::Standard);
+}
+
+void MainWindowTest::memoryForUndoIsAPreference()
+{
+    openScene(plainScene(2000), QStringLiteral("a.crowd"));
+    const std::vector<model::IndividualId> ids(document().scene().population.ids().begin(),
+                                               document().scene().population.ids().end());
+    for (const float radians : {1.0F, 2.0F}) {
+        const auto edit = document().beginEdit();
+        edit->setColumn(model::columns::heading, ids, std::span<const float>(&radians, 1));
+        QVERIFY(edit->commit(QStringLiteral("Turn")));
+    }
+    QCOMPARE(document().undoMemory().bytesOnDisk(), std::uint64_t{0});
+    m_window->showPreferences();
+    auto* dialog = m_window->findChild<app::PreferencesDialog*>();
+    app::Preferences wanted = app::Preferences::load();
+    QCOMPARE(wanted.undoMegabytes, 256);
+    wanted.undoMegabytes = 0;
+    Q_EMIT dialog->changed(wanted);
+    QVERIFY(document().undoMemory().bytesOnDisk() > 0);
+    for (auto* box : dialog->findChildren<QSpinBox*>()) {
+        if (box->toolTip().contains(QStringLiteral("temporary file"))) {
+            box->setValue(32);
+        }
+    }
+    dialog->accept();
+    QCOMPARE(app::Preferences::load().undoMegabytes, 32);
+    document().undoStack().clear();
+    document().undoStack().setClean();
 }
 
 void MainWindowTest::statusBarCounts()

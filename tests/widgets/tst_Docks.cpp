@@ -10,6 +10,7 @@
 #include <QtWidgets/QTreeWidget>
 #include <QtWidgets/QUndoView>
 
+#include "tests/model/FullDisk.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/docks/Docks.h"
@@ -41,6 +42,7 @@ private Q_SLOTS:
     void templatesShowTheirShareOfTheMix();
     void sectionsStayFolded();
     void historyGoesBack();
+    void historySaysWhatItTakes();
     void theTagBrushShowsNameAndColour();
 };
 
@@ -257,6 +259,29 @@ void DocksTest::historyGoesBack()
     QCOMPARE(view->model()->rowCount(), 3);
     view->setCurrentIndex(view->model()->index(0, 0));
     QTRY_COMPARE(desk.document.scene().population.size(), std::size_t{0});
+}
+
+void DocksTest::historySaysWhatItTakes()
+{
+    Desk<HistoryDock> desk;
+    QVERIFY(desk.isReady());
+    const auto* said = desk.dock->findChild<QLabel*>(QStringLiteral("undoMemory"));
+    QVERIFY(!said->isVisible());
+    testing::addPeople(desk.document, 2000);
+    QVERIFY(said->isVisible());
+    QVERIFY2(said->text().endsWith(QStringLiteral("kB in memory")), qPrintable(said->text()));
+    testing::addPeople(desk.document, 2000, 6.0F);
+    desk.document.setUndoBudget(1000);
+    QVERIFY2(said->text().endsWith(QStringLiteral("kB on disk")), qPrintable(said->text()));
+    {
+        const testing::FullDisk disk(0);
+        testing::addPeople(desk.document, 2000, 12.0F);
+    }
+    QVERIFY2(said->text().contains(QStringLiteral("temporary file")), qPrintable(said->text()));
+    testing::addPeople(desk.document, 2);
+    QVERIFY2(said->text().endsWith(QStringLiteral("kB on disk")), qPrintable(said->text()));
+    desk.document.undoStack().clear();
+    QVERIFY(!said->isVisible());
 }
 
 void DocksTest::theTagBrushShowsNameAndColour()
