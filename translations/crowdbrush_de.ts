@@ -2186,6 +2186,30 @@
         <source>&amp;Select</source>
         <translation>&amp;Auswahl</translation>
     </message>
+    <message>
+        <source>&amp;Crowd</source>
+        <translation>&amp;Menge</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;Ways and Places</source>
+        <translation>&amp;Wege und Orte</translation>
+    </message>
+    <message>
+        <source>&amp;Behaviour and Groups</source>
+        <translation>&amp;Verhalten und Gruppen</translation>
+    </message>
+    <message>
+        <source>&amp;Values and Scripts</source>
+        <translation>Werte und &amp;Skripte</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -5762,6 +5786,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>The language changes when what is going on has ended.</source>
         <translation>Die Sprache wechselt, sobald zu Ende ist, was gerade läuft.</translation>
+    </message>
+    <message>
+        <source>Tool Bar</source>
+        <translation>Werkzeugleiste</translation>
     </message>
 </context>
 <context>

@@ -2186,6 +2186,30 @@
         <source>&amp;Select</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Crowd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Ways and Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Behaviour and Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Values and Scripts</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -5756,6 +5780,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>The language changes when what is going on has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool Bar</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

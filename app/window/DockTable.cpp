@@ -27,7 +27,7 @@ constexpr auto kRight = Qt::RightDockWidgetArea;
 // Two groups of tabs at the right, so that their names fit the tabs of a small screen. Templates
 // have room for two rows, with tabs, title and weight.
 constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
-    {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 130},
+    {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 165},
     {DockId::BrushSettings, &make<widgets::BrushSettingsDock>, kLeft, 500, 280},
     {DockId::Templates, &make<widgets::TemplatesDock>, kRight, 320},
     {DockId::Colour, &make<widgets::ColourDock>, kRight, 266},

@@ -109,7 +109,7 @@ void MainWindow::buildAround()
     new ScriptGuard(m_interpreter, m_state, *this, console(), *m_actions.action("script-cancel"));
     buildStatusBar();
     buildMenus();
-    fillToolBar(*addToolBar(tr("Tools")), m_actions, m_state, *m_viewport);
+    fillToolBar(*addToolBar(tr("Tool Bar")), m_actions, m_state, *m_viewport);
 }
 
 /// In the language of now. The old panels go when the new ones know what those knew.
@@ -195,9 +195,6 @@ void MainWindow::buildMenus()
     fillStepMenu(*submenus.at("@step-length"), m_state);
     fillLanguageMenu(*submenus.at("@language"),
                      [this](const QString& code) { chooseLanguage(code); });
-    for (const char* id : {"path-of-places", "path-round-places", "path-jump-places"}) {
-        submenus.at("@path-of-places")->addAction(m_actions.action(id));
-    }
 }
 
 void MainWindow::connectParts()

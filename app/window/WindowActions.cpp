@@ -350,54 +350,72 @@ constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
 constexpr const char* kHelpMenu[] = {"welcome", "keys", "about"};
 
-/// Brushes that change how people look and what they do come before those that say where they go.
-constexpr int kFirstWalkingBrush = 80;
+constexpr const char* kBrushMenu[] = {"select",
+                                      "navigate",
+                                      "",
+                                      "@brushes-crowd",
+                                      "@brushes-look",
+                                      "@brushes-motion",
+                                      "@brushes-way",
+                                      "@brushes-mind",
+                                      "@brushes-any",
+                                      "",
+                                      "brush-larger",
+                                      "brush-smaller",
+                                      "brush-reset",
+                                      "",
+                                      "seat-grid"};
+constexpr const char* kPathsOfPlaces[] = {"path-of-places", "path-round-places",
+                                          "path-jump-places"};
 
-void appendBrushes(std::vector<const char*>& ids, bool isWalking)
+std::vector<const char*> brushesOf(model::BrushSection section)
 {
+    std::vector<const char*> ids;
     for (const model::BrushKind kind : model::shownBrushes()) {
-        const bool isLate = model::brushType(kind).info.order >= kFirstWalkingBrush;
-        if (isLate == isWalking && kind != model::BrushKind::Script) {
+        if (model::brushType(kind).info.section == section) {
             ids.push_back(widgets::toolInfo(widgets::toolOf(kind)).stableId);
         }
     }
+    return ids;
 }
 
-std::span<const char* const> brushMenu()
+/// By section.
+const std::vector<std::vector<const char*>>& brushLists()
 {
-    static const std::vector<const char*> kIds = [] {
-        std::vector<const char*> ids{"select", "navigate", ""};
-        appendBrushes(ids, false);
-        ids.insert(ids.end(), {"brush-script", ""});
-        appendBrushes(ids, true);
-        ids.insert(ids.end(),
-                   {"", "brush-larger", "brush-smaller", "brush-reset", "", "seat-grid"});
-        return ids;
+    static const std::vector<std::vector<const char*>> kLists = [] {
+        std::vector<std::vector<const char*>> lists;
+        for (int i = 0; i < model::kBrushSectionCount; ++i) {
+            lists.push_back(brushesOf(static_cast<model::BrushSection>(i)));
+        }
+        return lists;
     }();
-    return kIds;
+    return kLists;
 }
 
-struct Submenu
+const std::vector<SubmenuSpec>& submenus()
 {
-    std::string_view id;
-    const char* title;
-};
+    static const std::vector<SubmenuSpec> kAll{
+        {"@recent", QT_TRANSLATE_NOOP("Menus", "Open &Recent"), {}},
+        {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example"), {}},
+        {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera"), {}},
+        {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera"), {}},
+        {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places"), kPathsOfPlaces},
+        {"@looks", QT_TRANSLATE_NOOP("Menus", "Dra&wn As"), {}},
+        {"@language", QT_TRANSLATE_NOOP("Menus", "&Language"), {}},
+        {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step"), {}},
+        {"@brushes-crowd", QT_TRANSLATE_NOOP("Menus", "&Crowd"), brushLists()[0]},
+        {"@brushes-look", QT_TRANSLATE_NOOP("Menus", "&Appearance"), brushLists()[1]},
+        {"@brushes-motion", QT_TRANSLATE_NOOP("Menus", "&Motion"), brushLists()[2]},
+        {"@brushes-way", QT_TRANSLATE_NOOP("Menus", "&Ways and Places"), brushLists()[3]},
+        {"@brushes-mind", QT_TRANSLATE_NOOP("Menus", "&Behaviour and Groups"), brushLists()[4]},
+        {"@brushes-any", QT_TRANSLATE_NOOP("Menus", "&Values and Scripts"), brushLists()[5]},
+    };
+    return kAll;
+}
 
-constexpr Submenu kSubmenus[] = {
-    {"@recent", QT_TRANSLATE_NOOP("Menus", "Open &Recent")},
-    {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example")},
-    {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera")},
-    {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera")},
-    {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places")},
-    {"@looks", QT_TRANSLATE_NOOP("Menus", "Dra&wn As")},
-    {"@language", QT_TRANSLATE_NOOP("Menus", "&Language")},
-    {"@step-length", QT_TRANSLATE_NOOP("Menus", "Len&gth of a Step")},
-};
-
-constexpr const char* kToolBarHead[] = {"new-theatre", "open", "save",   "",        "undo",
-                                        "redo",        "",     "select", "navigate"};
-constexpr const char* kToolBarTail[] = {"", "seat-grid", "ground-grid", "look-lit", "frame-all",
-                                        "", "stop",      "play",        "step",     "keep-pose"};
+constexpr const char* kToolBar[] = {
+    "new-theatre", "open",     "save",      "", "undo", "redo", "",     "seat-grid",
+    "ground-grid", "look-lit", "frame-all", "", "stop", "play", "step", "keep-pose"};
 
 void addTool(MainWindow& window, widgets::ToolId id, const char* text, const char* tip)
 {
@@ -481,7 +499,7 @@ std::span<const MenuSpec> menuTable()
         {QT_TRANSLATE_NOOP("Menus", "&File"), kFileMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Edit"), kEditMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Select"), kSelectMenu},
-        {QT_TRANSLATE_NOOP("Menus", "&Brush"), brushMenu()},
+        {QT_TRANSLATE_NOOP("Menus", "&Brush"), kBrushMenu},
         {QT_TRANSLATE_NOOP("Menus", "&View"), kViewMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Play"), kPlayMenu},
         {QT_TRANSLATE_NOOP("Menus", "&Script"), kScriptMenu},
@@ -491,21 +509,14 @@ std::span<const MenuSpec> menuTable()
     return kMenus;
 }
 
-const char* submenuTitle(std::string_view id)
+const SubmenuSpec& submenuSpec(std::string_view id)
 {
-    return std::ranges::find(kSubmenus, id, &Submenu::id)->title;
+    return *std::ranges::find(submenus(), id, &SubmenuSpec::id);
 }
 
 std::span<const char* const> toolBarTable()
 {
-    static const std::vector<const char*> kIds = [] {
-        std::vector<const char*> ids(std::begin(kToolBarHead), std::end(kToolBarHead));
-        appendBrushes(ids, false);
-        appendBrushes(ids, true);
-        ids.insert(ids.end(), std::begin(kToolBarTail), std::end(kToolBarTail));
-        return ids;
-    }();
-    return kIds;
+    return kToolBar;
 }
 
 } // namespace crowd::app

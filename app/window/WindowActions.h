@@ -22,8 +22,15 @@ struct MenuSpec
 };
 
 [[nodiscard]] std::span<const MenuSpec> menuTable();
-/// Of an id that begins with @, to be translated in the context "Menus".
-[[nodiscard]] const char* submenuTitle(std::string_view id);
+/// A menu in a menu: its title, to be translated in the context "Menus", and the ids of its
+/// actions; none: the window fills it.
+struct SubmenuSpec
+{
+    std::string_view id; ///< begins with @
+    const char* title;
+    std::span<const char* const> ids;
+};
+[[nodiscard]] const SubmenuSpec& submenuSpec(std::string_view id);
 /// Ids on the tool bar; an empty id is a separator.
 [[nodiscard]] std::span<const char* const> toolBarTable();
 

@@ -11,6 +11,7 @@
 #include <QtWidgets/QToolBar>
 
 #include "app/window/MainWindow.h"
+#include "app/window/Mnemonics.h"
 #include "app/window/WindowActions.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -46,6 +47,14 @@ void addSpeedField(QToolBar& bar, widgets::EditorState& state, QWidget& picture)
                      });
 }
 
+void addActions(QMenu& menu, std::span<const char* const> ids,
+                const widgets::ActionRegistry& actions)
+{
+    for (const char* id : ids) {
+        menu.addAction(actions.action(id));
+    }
+}
+
 } // namespace
 
 Submenus fillMenuBar(QMenuBar& bar, const widgets::ActionRegistry& actions,
@@ -62,13 +71,15 @@ Submenus fillMenuBar(QMenuBar& bar, const widgets::ActionRegistry& actions,
                     menu->addAction(dock->toggleViewAction());
                 }
             } else if (id.front() == '@') {
-                submenus[id] =
-                    menu->addMenu(QCoreApplication::translate("Menus", submenuTitle(id)));
+                const SubmenuSpec& inside = submenuSpec(id);
+                submenus[id] = menu->addMenu(QCoreApplication::translate("Menus", inside.title));
+                addActions(*submenus[id], inside.ids, actions);
             } else {
                 menu->addAction(actions.action(id));
             }
         }
     }
+    setMnemonicsApart(bar.actions());
     return submenus;
 }
 

@@ -19,7 +19,8 @@ class EditorState;
 /// The menu bar and the tool bar, from their tables.
 namespace crowd::app {
 
-/// Menus in menus by their id, "@recent"; what is in them is for others to say.
+/// Menus in menus by their id, "@recent"; what is in those without actions is for others to say. Of
+/// two entries of a menu with the same mnemonic the later one gets a free letter.
 using Submenus = std::map<std::string, QMenu*>;
 [[nodiscard]] Submenus fillMenuBar(QMenuBar& bar, const widgets::ActionRegistry& actions,
                                    const std::vector<QDockWidget*>& docks);

@@ -19,6 +19,10 @@ enum class StrokeFamily : std::uint8_t {
 /// What Ctrl+click takes from under the cursor for the brush.
 enum class Dropper : std::uint8_t { None, Template, Colour, Point, Clip };
 
+/// What a brush is for, in the order of palette and menus.
+enum class BrushSection : std::uint8_t { Crowd, Look, Motion, Way, Mind, Any };
+inline constexpr int kBrushSectionCount = 6;
+
 /// A control of the form that stands after the fields.
 enum class OperatorPlace : std::uint8_t {
     None,
@@ -37,7 +41,8 @@ struct BrushInfo
     const char* menu;     ///< the same, short and with a mnemonic
     const char* tip;      ///< of the menu and the tool bar
     const char* shortcut; ///< default key, portable text
-    int order = 0;        ///< of palettes, menus and tool bars, ascending
+    int order = 0;        ///< in its section of palette and menus, ascending
+    BrushSection section = BrushSection::Any;
     StrokeFamily family = StrokeFamily::People;
 
     const char* scriptKind = "";  ///< member of crowdbrush.BrushKind; empty: no strokes in scripts

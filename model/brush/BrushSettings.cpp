@@ -177,8 +177,9 @@ std::span<const BrushKind> shownBrushes()
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             kinds[i] = static_cast<BrushKind>(i);
         }
-        std::ranges::stable_sort(kinds, {},
-                                 [](BrushKind kind) { return brushType(kind).info.order; });
+        std::ranges::stable_sort(kinds, {}, [](BrushKind kind) {
+            return std::pair(brushType(kind).info.section, brushType(kind).info.order);
+        });
         return kinds;
     }();
     return kShown;

@@ -19,8 +19,10 @@
 #include <QtWidgets/QStatusBar>
 #include <QtWidgets/QStyleOptionComboBox>
 #include <QtWidgets/QToolBar>
+#include <QtWidgets/QToolButton>
 
 #include "app/window/MainWindow.h"
+#include "app/window/Mnemonics.h"
 #include "model/pick/StageRays.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
@@ -187,6 +189,7 @@ private Q_SLOTS:
     void viewIsRememberedUntilTheLayoutIsReset();
     void mnemonicsOfAMenuAreUnique_data();
     void mnemonicsOfAMenuAreUnique();
+    void mnemonicsThatAreTakenGoToFreeLetters();
     void rulesFitANarrowPanel_data();
     void rulesFitANarrowPanel();
     void placesFitANarrowPanel_data();
@@ -416,6 +419,21 @@ void PanelsTest::mnemonicsOfAMenuAreUnique()
     QVERIFY2(shared.isEmpty(), qPrintable(shared.join(QStringLiteral("; "))));
 }
 
+void PanelsTest::mnemonicsThatAreTakenGoToFreeLetters()
+{
+    QMenu menu;
+    const auto* first = menu.addAction(QStringLiteral("&Group"));
+    const auto* second = menu.addAction(QStringLiteral("&Grow && Go"));
+    const auto* third = menu.addAction(QStringLiteral("&G"));
+    QMenu* inside = menu.addMenu(QStringLiteral("&More"));
+    const auto* fourth = inside->addAction(QStringLiteral("&Grow"));
+    app::setMnemonicsApart(menu.actions());
+    QCOMPARE(first->text(), QStringLiteral("&Group"));
+    QCOMPARE(second->text(), QStringLiteral("G&row && Go"));
+    QCOMPARE(third->text(), QStringLiteral("G"));
+    QCOMPARE(fourth->text(), QStringLiteral("&Grow")); // another menu
+}
+
 void PanelsTest::rulesFitANarrowPanel_data()
 {
     mnemonicsOfAMenuAreUnique_data();
@@ -519,6 +537,15 @@ void PanelsTest::smallWindowCutsNothingOff()
     const auto* speed = bar->findChild<QWidget*>(QStringLiteral("playSpeed"));
     QVERIFY(speed->isVisible());
     QVERIFY(bar->rect().contains(speed->geometry()));
+    const auto* palette = m_window->dockLayout().dock(app::DockId::Brushes);
+    for (const QToolButton* button : palette->findChildren<QToolButton*>()) {
+        const QRect place(button->mapTo(palette, QPoint()), button->size());
+        const bool isElsewhere = button->objectName().isEmpty() || // of the title
+                                 button->objectName() == QLatin1String("brush-script") ||
+                                 button->objectName().startsWith(QLatin1String("qt_"));
+        QVERIFY2(isElsewhere || (button->isVisible() && palette->rect().contains(place)),
+                 qPrintable(button->objectName()));
+    }
     const auto* hint = m_window->viewport().findChild<QWidget*>(QStringLiteral("welcomeHint"));
     QVERIFY2(m_window->viewport().rect().contains(hint->geometry()),
              qPrintable(QString::number(m_window->viewport().width())));

@@ -34,6 +34,7 @@ inline constexpr BrushInfo AnimationSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Give the characters under the brush another animation"),
     .shortcut = "A",
     .order = 50,
+    .section = BrushSection::Motion,
     .scriptKind = "ANIMATION",
     .scriptName = "animation",
     .scriptClass = "AnimationSettings",

@@ -39,6 +39,7 @@ inline constexpr BrushInfo ColourSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Recolour the characters under the brush"),
     .shortcut = "B",
     .order = 30,
+    .section = BrushSection::Look,
     .scriptKind = "COLOUR",
     .scriptName = "colour",
     .scriptClass = "ColourSettings",

@@ -61,6 +61,7 @@ inline constexpr BrushInfo CreateSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Spray new characters into the scene"),
     .shortcut = "C",
     .order = 10,
+    .section = BrushSection::Crowd,
     .family = StrokeFamily::Creation,
     .scriptKind = "CREATE",
     .scriptName = "create",

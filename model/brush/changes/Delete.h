@@ -26,6 +26,7 @@ inline constexpr BrushInfo DeleteSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Spray characters away"),
     .shortcut = "X",
     .order = 20,
+    .section = BrushSection::Crowd,
     .scriptKind = "DELETE",
     .scriptName = "removal",
     .scriptClass = "DeleteSettings",

@@ -26,6 +26,7 @@ inline constexpr BrushInfo EventSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Let an event happen to the characters under the brush"),
     .shortcut = "E",
     .order = 120,
+    .section = BrushSection::Mind,
     .hint =
         QT_TRANSLATE_NOOP("BrushTool", "Drag: let an event happen to characters · + −: its number"),
     .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters heard it"),

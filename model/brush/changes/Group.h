@@ -28,6 +28,7 @@ inline constexpr BrushInfo GroupSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Take the characters under the brush into a group"),
     .shortcut = "Shift+G",
     .order = 150,
+    .section = BrushSection::Mind,
     .scriptKind = "GROUP",
     .scriptName = "group",
     .scriptClass = "GroupSettings",

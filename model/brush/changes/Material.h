@@ -37,6 +37,7 @@ inline constexpr BrushInfo MaterialSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Give the characters under the brush other materials"),
     .shortcut = "M",
     .order = 34,
+    .section = BrushSection::Look,
     .scriptKind = "MATERIAL",
     .scriptName = "material",
     .scriptClass = "MaterialSettings",

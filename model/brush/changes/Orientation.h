@@ -29,6 +29,7 @@ inline constexpr BrushInfo OrientationSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Turn the characters under the brush"),
     .shortcut = "O",
     .order = 40,
+    .section = BrushSection::Motion,
     .scriptKind = "ORIENTATION",
     .scriptName = "orientation",
     .scriptClass = "OrientationSettings",

@@ -46,6 +46,7 @@ inline constexpr BrushInfo PathSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Paint places on the ground that make a path"),
     .shortcut = "P",
     .order = 80,
+    .section = BrushSection::Way,
     .family = StrokeFamily::Places,
     .note =
         QT_TRANSLATE_NOOP("Fields", "Each click adds a place, Enter ends the path; a click on its "
@@ -59,6 +60,7 @@ inline constexpr BrushInfo EnvironmentSettings::kInfo{
         "Actions", "Paint obstacles, attractors, exits, slow, forbidden and liked ground"),
     .shortcut = "I",
     .order = 110,
+    .section = BrushSection::Way,
     .family = StrokeFamily::Places};
 
 inline constexpr FieldChoice kPathKinds[] = {

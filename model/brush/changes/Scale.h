@@ -49,6 +49,7 @@ inline constexpr BrushInfo ScaleSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Make the characters under the brush taller or stouter"),
     .shortcut = "H",
     .order = 32,
+    .section = BrushSection::Look,
     .scriptKind = "SCALE",
     .scriptName = "scale",
     .scriptClass = "ScaleSettings",

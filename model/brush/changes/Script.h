@@ -36,6 +36,7 @@ inline constexpr BrushInfo ScriptSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Paint with a brush that a script brought along"),
     .shortcut = "S",
     .order = 150,
+    .section = BrushSection::Any,
     .scriptKind = "SCRIPT",
     .hint = QT_TRANSLATE_NOOP("BrushTool",
                               "Drag: let the script change characters · Escape: take it back"),

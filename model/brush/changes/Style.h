@@ -33,6 +33,7 @@ inline constexpr BrushInfo StyleSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Set with which clip and how fast characters walk"),
     .shortcut = "R",
     .order = 100,
+    .section = BrushSection::Motion,
     .scriptKind = "STYLE",
     .scriptName = "style",
     .scriptClass = "StyleSettings",

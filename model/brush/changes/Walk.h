@@ -33,6 +33,7 @@ inline constexpr BrushInfo WalkSettings::kInfo{
     .tip = QT_TRANSLATE_NOOP("Actions", "Let the characters under the brush walk along a path"),
     .shortcut = "W",
     .order = 90,
+    .section = BrushSection::Way,
     .scriptKind = "WALK",
     .scriptName = "walk",
     .scriptClass = "WalkSettings",
