@@ -711,6 +711,30 @@
         <source>Draw a line round those to select; else a rectangle</source>
         <translation>Eine Linie um die Auszuwählenden ziehen; sonst ein Rechteck</translation>
     </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush back what their template has</source>
+        <translation>Den Figuren unter dem Pinsel zurückgeben, was ihre Vorlage hat</translation>
+    </message>
+    <message>
+        <source>Shu&amp;ffle</source>
+        <translation>&amp;Mischen</translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush exchange what they have</source>
+        <translation>Die Figuren unter dem Pinsel untereinander tauschen lassen, was sie haben</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation>&amp;Vorlage</translation>
+    </message>
+    <message>
+        <source>Exchange who the characters under the brush are</source>
+        <translation>Austauschen, wer die Figuren unter dem Pinsel sind</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1045,6 +1069,39 @@
             <numerusform>%n Figuren in die Gruppe genommen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag: restore what the template has</source>
+        <translation>Ziehen: wiederherstellen, was die Vorlage hat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters restored</source>
+        <translation>
+            <numerusform>%n Figur wiederhergestellt</numerusform>
+            <numerusform>%n Figuren wiederhergestellt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let characters exchange what they have</source>
+        <translation>Ziehen: Figuren untereinander tauschen lassen, was sie haben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters shuffled</source>
+        <translation>
+            <numerusform>%n Figur gemischt</numerusform>
+            <numerusform>%n Figuren gemischt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give characters another template</source>
+        <translation>Ziehen: Figuren eine andere Vorlage geben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given another template</source>
+        <translation>
+            <numerusform>%n Figur hat eine andere Vorlage</numerusform>
+            <numerusform>%n Figuren haben eine andere Vorlage</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1268,6 +1325,39 @@
     <message>
         <source>The group is locked or hidden: the Groups panel shows it</source>
         <translation>Die Gruppe ist gesperrt oder ausgeblendet: Das Bedienfeld „Gruppen“ zeigt es</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restore %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur wiederherstellen</numerusform>
+            <numerusform>%n Figuren wiederherstellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are as their template has it</source>
+        <translation>Alle sind schon so, wie ihre Vorlage es hat</translation>
+    </message>
+    <message numerus="yes">
+        <source>Shuffle %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur mischen</numerusform>
+            <numerusform>%n Figuren mischen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them have the same</source>
+        <translation>Alle haben dasselbe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Give %n character(s) another template</source>
+        <translation>
+            <numerusform>%n Figur eine andere Vorlage geben</numerusform>
+            <numerusform>%n Figuren eine andere Vorlage geben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this template</source>
+        <translation>Alle haben diese Vorlage schon</translation>
     </message>
 </context>
 <context>
@@ -1953,6 +2043,50 @@
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>What suits standing or sitting, at the usual speed</source>
+        <translation>Was zum Stehen oder Sitzen passt, im üblichen Tempo</translation>
+    </message>
+    <message>
+        <source>Colours and materials</source>
+        <translation>Farben und Materialien</translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>Phase and speed of their clips</source>
+        <translation>Phase und Tempo ihrer Clips</translation>
+    </message>
+    <message>
+        <source>Clips, colours, materials and parts of the same names stay.</source>
+        <translation>Clips, Farben, Materialien und Teile mit denselben Namen bleiben.</translation>
+    </message>
+    <message>
+        <source>From the first to the last template along the line.</source>
+        <translation>Von der ersten zur letzten Vorlage entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>Who they become, by the operator</source>
+        <translation>Wer sie werden, nach dem Operator</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>keine gewählt</translation>
     </message>
 </context>
 <context>
@@ -5118,6 +5252,18 @@
         <source>Group Brush</source>
         <translation>Gruppenpinsel</translation>
     </message>
+    <message>
+        <source>Restore Brush</source>
+        <translation>Wiederherstellungspinsel</translation>
+    </message>
+    <message>
+        <source>Shuffle Brush</source>
+        <translation>Mischpinsel</translation>
+    </message>
+    <message>
+        <source>Template Brush</source>
+        <translation>Vorlagenpinsel</translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -5728,10 +5874,6 @@ Verworfen ist sie fort.</translation>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
-    <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
     <message>
         <source>%1[*] – Crowdbrush</source>
         <translation>%1[*] – Crowdbrush</translation>
@@ -7473,6 +7615,41 @@ Verworfen ist sie fort.</translation>
             <numerusform>Die Haltung einer Figur behalten</numerusform>
             <numerusform>Die Haltung von %n Figuren behalten</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::StrokesDock</name>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Draw everything random about this stroke anew</source>
+        <translation>Alles Zufällige an diesem Strich neu ziehen</translation>
+    </message>
+    <message>
+        <source>Lay this stroke with the brush as it is set now</source>
+        <translation>Diesen Strich mit dem Pinsel legen, wie er jetzt eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Set the brush as it is set for this stroke</source>
+        <translation>Den Pinsel einstellen wie für diesen Strich</translation>
+    </message>
+    <message>
+        <source>%1: nobody now</source>
+        <translation>%1: jetzt niemand</translation>
+    </message>
+    <message>
+        <source>The last strokes are listed here. Their settings can be changed until something else is edited.</source>
+        <translation>Hier stehen die letzten Striche. Ihre Einstellungen lassen sich ändern, bis etwas anderes bearbeitet wird.</translation>
+    </message>
+    <message>
+        <source>People were elsewhere when this was painted. Whom it meant then stays, until its area is changed.</source>
+        <translation>Die Figuren waren woanders, als dies gemalt wurde. Wen der Strich meinte, bleibt gemeint, bis seine Fläche geändert wird.</translation>
+    </message>
+    <message>
+        <source>Laid anew: %1</source>
+        <translation>Neu gelegt: %1</translation>
     </message>
 </context>
 <context>

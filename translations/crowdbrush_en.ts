@@ -711,6 +711,30 @@
         <source>Draw a line round those to select; else a rectangle</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush back what their template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shu&amp;ffle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush exchange what they have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange who the characters under the brush are</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1045,6 +1069,39 @@
             <numerusform>%n characters taken into the group</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag: restore what the template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters restored</source>
+        <translation>
+            <numerusform>%n character restored</numerusform>
+            <numerusform>%n characters restored</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let characters exchange what they have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters shuffled</source>
+        <translation>
+            <numerusform>%n character shuffled</numerusform>
+            <numerusform>%n characters shuffled</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give characters another template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given another template</source>
+        <translation>
+            <numerusform>%n character given another template</numerusform>
+            <numerusform>%n characters given another template</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1267,6 +1324,39 @@
     </message>
     <message>
         <source>The group is locked or hidden: the Groups panel shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Restore %n character(s)</source>
+        <translation>
+            <numerusform>Restore %n character</numerusform>
+            <numerusform>Restore %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are as their template has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Shuffle %n character(s)</source>
+        <translation>
+            <numerusform>Shuffle %n character</numerusform>
+            <numerusform>Shuffle %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them have the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Give %n character(s) another template</source>
+        <translation>
+            <numerusform>Give %n character another template</numerusform>
+            <numerusform>Give %n characters another template</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already have this template</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1952,6 +2042,50 @@
     </message>
     <message>
         <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What suits standing or sitting, at the usual speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours and materials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase and speed of their clips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips, colours, materials and parts of the same names stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the first to the last template along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who they become, by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none chosen</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5118,6 +5252,18 @@
         <source>Group Brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Restore Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shuffle Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -5723,10 +5869,6 @@ Thrown away, it is gone.</source>
 </context>
 <context>
     <name>crowd::app::MainWindow</name>
-    <message>
-        <source>Tools</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>%1[*] – Crowdbrush</source>
         <translation type="unfinished"></translation>
@@ -7466,6 +7608,41 @@ Thrown away, it is gone.</source>
             <numerusform>Keep the pose of %n character</numerusform>
             <numerusform>Keep the pose of %n characters</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::StrokesDock</name>
+    <message>
+        <source>Strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw everything random about this stroke anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay this stroke with the brush as it is set now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the brush as it is set for this stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: nobody now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last strokes are listed here. Their settings can be changed until something else is edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People were elsewhere when this was painted. Whom it meant then stays, until its area is changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laid anew: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -133,14 +133,17 @@ class BrushKind:
     COLOUR: ClassVar[BrushKind]
     SCALE: ClassVar[BrushKind]
     MATERIAL: ClassVar[BrushKind]
+    TEMPLATE: ClassVar[BrushKind]
     ORIENTATION: ClassVar[BrushKind]
     ANIMATION: ClassVar[BrushKind]
-    WALK: ClassVar[BrushKind]
     STYLE: ClassVar[BrushKind]
+    WALK: ClassVar[BrushKind]
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
-    SCRIPT: ClassVar[BrushKind]
     GROUP: ClassVar[BrushKind]
+    SHUFFLE: ClassVar[BrushKind]
+    RESTORE: ClassVar[BrushKind]
+    SCRIPT: ClassVar[BrushKind]
     name: str
     value: int
 
@@ -613,6 +616,84 @@ class GroupSettings:
         ...
 
 
+class TemplateSettings:
+    """Who people become; what fits the new template stays."""
+    @property
+    def templates(self) -> List[int]:
+        """Ids of templates. Assign a whole list."""
+    @templates.setter
+    def templates(self, value: List[int]) -> None:
+        ...
+
+
+class ShuffleSettings:
+    """What people of the same template exchange."""
+    @property
+    def colours(self) -> bool:
+        ...
+    @colours.setter
+    def colours(self, value: bool) -> None:
+        ...
+    @property
+    def size(self) -> bool:
+        ...
+    @size.setter
+    def size(self, value: bool) -> None:
+        ...
+    @property
+    def heading(self) -> bool:
+        ...
+    @heading.setter
+    def heading(self, value: bool) -> None:
+        ...
+    @property
+    def timing(self) -> bool:
+        ...
+    @timing.setter
+    def timing(self, value: bool) -> None:
+        ...
+    @property
+    def clips(self) -> bool:
+        ...
+    @clips.setter
+    def clips(self, value: bool) -> None:
+        ...
+
+
+class RestoreSettings:
+    """What people get back from their template."""
+    @property
+    def colours(self) -> bool:
+        ...
+    @colours.setter
+    def colours(self, value: bool) -> None:
+        ...
+    @property
+    def materials(self) -> bool:
+        ...
+    @materials.setter
+    def materials(self, value: bool) -> None:
+        ...
+    @property
+    def parts(self) -> bool:
+        ...
+    @parts.setter
+    def parts(self, value: bool) -> None:
+        ...
+    @property
+    def size(self) -> bool:
+        ...
+    @size.setter
+    def size(self, value: bool) -> None:
+        ...
+    @property
+    def clips(self) -> bool:
+        ...
+    @clips.setter
+    def clips(self, value: bool) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -752,6 +833,24 @@ class Brush:
         ...
     @group.setter
     def group(self, value: GroupSettings) -> None:
+        ...
+    @property
+    def template(self) -> TemplateSettings:
+        ...
+    @template.setter
+    def template(self, value: TemplateSettings) -> None:
+        ...
+    @property
+    def shuffle(self) -> ShuffleSettings:
+        ...
+    @shuffle.setter
+    def shuffle(self, value: ShuffleSettings) -> None:
+        ...
+    @property
+    def restore(self) -> RestoreSettings:
+        ...
+    @restore.setter
+    def restore(self, value: RestoreSettings) -> None:
         ...
     @property
     def tag(self) -> int:

@@ -61,6 +61,8 @@ struct BrushInfo
     const char* gradientNote = ""; ///< what the gradient operator does
     bool buildsUp = false;         ///< dabs may change again whom they touch
     bool flows = false;            ///< and go a share of the way
+    bool isTogether = false;       ///< changes all whom the stroke has touched together, anew with
+                                   ///< each that comes
     Dropper dropper = Dropper::None;
 };
 

@@ -153,7 +153,7 @@ bool BrushSettings::isReevaluated() const
 {
     const bool asksLine = followsLine() && infoOf(*this).family == StrokeFamily::People &&
                           !find<DeleteSettings>() && !find<EventSettings>();
-    return hasWholeArea() || asksLine;
+    return hasWholeArea() || asksLine || infoOf(*this).isTogether;
 }
 
 std::span<const BrushType> brushTypes()

@@ -13,10 +13,13 @@
 #include "model/brush/changes/Material.h"
 #include "model/brush/changes/Orientation.h"
 #include "model/brush/changes/Place.h"
+#include "model/brush/changes/Restore.h"
 #include "model/brush/changes/Scale.h"
 #include "model/brush/changes/Script.h"
+#include "model/brush/changes/Shuffle.h"
 #include "model/brush/changes/Style.h"
 #include "model/brush/changes/Tag.h"
+#include "model/brush/changes/Template.h"
 #include "model/brush/changes/Walk.h"
 
 /// The one list of brushes: name, settings. New ones come last, since the numbers of the others key
@@ -37,7 +40,10 @@
     BRUSH(Style, StyleSettings)                                                                    \
     BRUSH(Scale, ScaleSettings)                                                                    \
     BRUSH(Material, MaterialSettings)                                                              \
-    BRUSH(Group, GroupSettings)
+    BRUSH(Group, GroupSettings)                                                                    \
+    BRUSH(Template, TemplateSettings)                                                              \
+    BRUSH(Shuffle, ShuffleSettings)                                                                \
+    BRUSH(Restore, RestoreSettings)
 
 namespace crowd::model {
 

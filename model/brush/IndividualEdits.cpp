@@ -50,7 +50,38 @@ std::uint16_t styleInOther(const TemplateEntry* before, const TemplateEntry& aft
                : static_cast<std::uint16_t>(found - after.clipNames.begin() + 1);
 }
 
-/// Tints and choices of one row, from the slots of one template to those of another.
+/// Index of what has that name; -1 where nothing has.
+template<class Named>
+int indexOf(const std::vector<Named>& all, const std::string& name)
+{
+    const auto found = std::ranges::find(all, name, &Named::name);
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+/// The choice of that name; of a slot without such a one, the first.
+std::uint8_t choiceInOther(const Slot& before, const Slot& after, std::uint8_t choice)
+{
+    const int found = choice == 0 || choice >= before.choices.size()
+                          ? 0
+                          : indexOf(after.choices, before.choices[choice].name);
+    return static_cast<std::uint8_t>(std::max(found, 0));
+}
+
+/// Parts that both have stay shown or hidden, the others are as usual.
+std::uint32_t partsInOther(const Template* before, const Template& after, std::uint32_t parts)
+{
+    std::uint32_t shown = defaultParts(after);
+    for (std::size_t i = 0; before != nullptr && i < after.parts.size(); ++i) {
+        const int old = indexOf(before->parts, after.parts[i].name);
+        if (old >= 0) {
+            const std::uint32_t bit = std::uint32_t{1} << i;
+            shown = (parts >> old & 1U) != 0 ? shown | bit : shown & ~bit;
+        }
+    }
+    return shown;
+}
+
+/// Tints, choices and parts of one row, from the slots of one template to those of another.
 void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
                 const Template& after)
 {
@@ -68,14 +99,16 @@ void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
         modes = static_cast<std::uint16_t>(modes | ((oldModes >> old & 1U) << slot));
         const std::uint8_t choice =
             rows.column(columns::materialChoices)[row][static_cast<std::size_t>(old)];
-        choices[slot] = choice < after.slots[slot].choices.size() ? choice : std::uint8_t{0};
+        choices[slot] =
+            choiceInOther(before->slots[static_cast<std::size_t>(old)], after.slots[slot], choice);
     }
     for (int slot = 0; slot < kMaxTintSlots; ++slot) {
         rows.column(columns::tint(slot))[row] = tints[static_cast<std::size_t>(slot)];
     }
     rows.column(columns::tintReplaces)[row] = modes;
     rows.column(columns::materialChoices)[row] = choices;
-    rows.column(columns::parts)[row] = defaultParts(after);
+    std::uint32_t& parts = rows.column(columns::parts)[row];
+    parts = partsInOther(before, after, parts);
 }
 
 } // namespace

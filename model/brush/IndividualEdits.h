@@ -10,9 +10,9 @@
 /// Ids ascending, all present.
 namespace crowd::model {
 
-/// Makes them copies of another template of the scene, where they stand. Clip, tints and material
-/// choices go over by name of clip and slot; who did what is usual, or something that the new
-/// template lacks, does what is usual there. Parts are those that the new template shows.
+/// Makes them copies of another template of the scene, where they stand. Clips, tints, material
+/// choices and parts go over by the names of clips, slots, choices and parts; who did what is
+/// usual, or something that the new template lacks, does what is usual there.
 void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, TemplateId id);
 
 enum class SitResult : std::uint8_t { Done, NoSuchSeat, SeatIsTaken };

@@ -7,6 +7,7 @@ crowd_add_tests(ROOM model
     tst_BrushAnimation
     tst_BrushColour
     tst_BrushCreate
+    tst_BrushExchange
     tst_BrushGround
     tst_BrushIndividuals
     tst_BrushOrientation

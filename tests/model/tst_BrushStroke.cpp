@@ -7,7 +7,7 @@
 #include <QtTest/QTest>
 
 #include "model/base/Random.h"
-#include "tests/model/BrushScene.h"
+#include "tests/model/LivelyBrush.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::test;
@@ -52,48 +52,19 @@ StrokeOutcome paintInputs(BrushScene& scene, const BrushSettings& settings,
     return stroke->finish();
 }
 
-/// A brush of each kind that changes much, with all that is random about it.
-BrushSettings livelyBrush(BrushKind kind, BrushSelection selection, BrushOperator op)
-{
-    BrushSettings settings = brush(kind, selection);
-    settings.op = op;
-    settings.ratePerSecond = 60.0F;
-    if (auto* create = settings.find<CreateSettings>()) {
-        create->minimalDistance = 0.3F;
-        create->palette = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
-    }
-    if (auto* colour = settings.find<ColourSettings>()) {
-        colour->blends = true;
-    }
-    if (auto* turning = settings.find<OrientationSettings>()) {
-        turning->heading.mode =
-            op == BrushOperator::Random ? HeadingMode::Random : HeadingMode::AlongStroke;
-    }
-    if (auto* animation = settings.find<AnimationSettings>()) {
-        animation->clips = {{"sit", 1.0F}, {"cheer", 2.0F}};
-        animation->setsSpeed = true;
-        animation->speed = {0.5F, 2.0F};
-    }
-    return settings;
-}
-
+/// Every brush by every selection and operator.
 void addStrokeRows()
 {
     QTest::addColumn<int>("kind");
     QTest::addColumn<int>("selection");
     QTest::addColumn<int>("op");
-    constexpr std::array<const char*, 5> kKinds{"create", "delete", "colour", "orientation",
-                                                "animation"};
-    constexpr std::array<const char*, 5> kSelections{"point", "spray", "circle", "rectangle",
-                                                     "lasso"};
-    constexpr std::array<const char*, 3> kOperators{"uniform", "random", "gradient"};
-    for (int kind = 0; kind < 5; ++kind) {
-        for (int selection = 0; selection < 5; ++selection) {
-            for (int op = 0; op < 3; ++op) {
-                QTest::addRow("%s by %s, %s", kKinds[static_cast<std::size_t>(kind)],
-                              kSelections[static_cast<std::size_t>(selection)],
-                              kOperators[static_cast<std::size_t>(op)])
-                    << kind << selection << op;
+    for (const BrushKind kind : paintingBrushes()) {
+        for (std::size_t selection = 0; selection < std::size(kSelections); ++selection) {
+            for (std::size_t op = 0; op < std::size(kOperatorChoices); ++op) {
+                QTest::addRow("%s by %s, %s", brushType(kind).info.id, kSelections[selection].key,
+                              kOperatorChoices[op].key)
+                    << static_cast<int>(kind) << static_cast<int>(selection)
+                    << static_cast<int>(op);
             }
         }
     }
@@ -131,10 +102,10 @@ void tst_BrushStroke::doesNotDependOnHowEventsAreSplit()
     const std::vector<PointerInput> way = wavyWay();
     const std::vector<PointerInput> more = split(way);
     QVERIFY(more.size() > 5 * way.size());
-    BrushScene whole;
-    BrushScene pieces;
-    whole.addPeople(crowdGrid());
-    pieces.addPeople(crowdGrid());
+    LivelyScene whole;
+    LivelyScene pieces;
+    whole.addCrowd();
+    pieces.addCrowd();
     const StrokeOutcome outcome = paintInputs(whole, settings, way, 11);
     QVERIFY2(outcome.isCommitted, qPrintable(outcome.message));
     QVERIFY(paintInputs(pieces, settings, more, 11).isCommitted);
@@ -145,8 +116,8 @@ void tst_BrushStroke::doesNotDependOnHowEventsAreSplit()
 void tst_BrushStroke::isUndoneRedoneAndReplayedToTheSameBytes()
 {
     const BrushSettings settings = fetchedBrush();
-    BrushScene scene;
-    scene.addPeople(crowdGrid());
+    LivelyScene scene;
+    scene.addCrowd();
     const Population before = scene.people();
     const std::vector<PointerInput> way = wavyWay();
     const auto stroke =
@@ -160,7 +131,7 @@ void tst_BrushStroke::isUndoneRedoneAndReplayedToTheSameBytes()
     const RecordedStroke recording = scene.recorded;
     const Population after = scene.people();
     QVERIFY(!(after == before));
-    QCOMPARE(scene.document.undoStack().count(), 2);
+    QCOMPARE(scene.document.undoStack().count(), 3);
     scene.document.undoStack().undo();
     QVERIFY(scene.people() == before);
     scene.document.undoStack().redo();
@@ -186,8 +157,8 @@ void tst_BrushStroke::anotherSeedGivesAnotherResult()
 void tst_BrushStroke::escapePutsEverythingBack()
 {
     const BrushSettings settings = fetchedBrush();
-    BrushScene scene;
-    scene.addPeople(crowdGrid());
+    LivelyScene scene;
+    scene.addCrowd();
     const Population before = scene.people();
     const IndividualId nextId = scene.document.scene().nextId;
     for (const bool isDestroyed : {false, true}) {
@@ -204,7 +175,7 @@ void tst_BrushStroke::escapePutsEverythingBack()
         }
         QVERIFY(scene.people() == before);
         QCOMPARE(scene.document.scene().nextId, nextId);
-        QCOMPARE(scene.document.undoStack().count(), 1);
+        QCOMPARE(scene.document.undoStack().count(), 2);
         QVERIFY(!scene.document.isEditOpen());
     }
 }

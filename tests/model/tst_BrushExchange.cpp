@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <ranges>
+
+#include <QtTest/QTest>
+
+#include "tests/model/LivelyBrush.h"
+#include "tests/program/Test.h"
+
+using namespace crowd::test;
+
+namespace {
+
+constexpr auto kAll = BrushSelection::Rectangle;
+
+/// A rectangle over the whole crowd.
+StrokeOutcome paintAll(LivelyScene& scene, const BrushSettings& settings, std::uint64_t seed = 7)
+{
+    return scene.paint(fromAbove(), settings, {{200, 100}, {1100, 700}}, seed);
+}
+
+template<class T>
+std::vector<T> sortedOf(const LivelyScene& scene, ColumnKey<T> key, TemplateId id)
+{
+    std::vector<T> values;
+    for (std::size_t row = 0; row < scene.people().size(); ++row) {
+        if (scene.people().column(columns::templateId)[row] == id) {
+            values.push_back(scene.people().column(key)[row]);
+        }
+    }
+    std::ranges::sort(values);
+    return values;
+}
+
+} // namespace
+
+/// Brushes that exchange who people are and what they have, or give it back.
+class tst_BrushExchange : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void templatesKeepWhatFitsByName();
+    void templatesByTheLine();
+    void missingTemplatesAreSaid();
+    void shuffleGivesEachValueOnOnce();
+    void shuffleKeepsWhatIsNotChosen();
+    void restoreIsAsTheTemplateHasIt();
+    void nothingChosenIsSaid();
+};
+
+void tst_BrushExchange::templatesKeepWhatFitsByName()
+{
+    LivelyScene scene;
+    const Ids ids = scene.addCrowd();
+    const Population before = scene.people();
+    BrushSettings settings = brush(BrushKind::Template, kAll);
+    settings.as<TemplateSettings>().templates = {kOtherMan};
+    const StrokeOutcome outcome = paintAll(scene, settings);
+    QCOMPARE(outcome.affected, 30);
+    const Population& after = scene.people();
+    for (const IndividualId id : ids) {
+        const std::size_t row = after.rowOf(id);
+        QCOMPARE(after.column(columns::templateId)[row], kOtherMan);
+        const bool isNew = before.column(columns::templateId)[row] == 1;
+        const auto choices = after.column(columns::materialChoices)[row];
+        const auto had = before.column(columns::materialChoices)[row];
+        QCOMPARE(choices[0], isNew ? had[2] : had[0]); // "bottom" is the other man's first slot
+        QCOMPARE(choices[2], isNew ? had[0] : had[2]);
+        QCOMPARE(after.column(columns::parts)[row] & 3U, before.column(columns::parts)[row] & 3U);
+        QVERIFY(after.column(columns::tint(1))[row] == before.column(columns::tint(1))[row]);
+        QCOMPARE(after.column(columns::height)[row], before.column(columns::height)[row]);
+        QVERIFY(after.column(columns::position)[row] == before.column(columns::position)[row]);
+    }
+    QCOMPARE(paintAll(scene, settings).reason, StrokeReason::Unchanged);
+}
+
+void tst_BrushExchange::templatesByTheLine()
+{
+    LivelyScene scene;
+    scene.addCrowd();
+    BrushSettings settings = brush(BrushKind::Template, kAll);
+    settings.op = BrushOperator::Gradient;
+    settings.as<TemplateSettings>().templates = {1, kOtherMan};
+    QVERIFY(scene.paint(fromAbove(), settings, {{200, 100}, {1100, 700}}).isCommitted);
+    const auto positions = scene.people().column(columns::position);
+    const auto templates = scene.people().column(columns::templateId);
+    for (std::size_t row = 0; row < positions.size(); ++row) {
+        if (positions[row].x < -4.0F && positions[row].z < -2.0F) {
+            QCOMPARE(templates[row], TemplateId{1});
+        } else if (positions[row].x > 4.0F && positions[row].z > 2.0F) {
+            QCOMPARE(templates[row], kOtherMan);
+        }
+    }
+}
+
+void tst_BrushExchange::missingTemplatesAreSaid()
+{
+    LivelyScene scene;
+    scene.addCrowd();
+    BrushSettings settings = brush(BrushKind::Template, kAll);
+    QCOMPARE(paintAll(scene, settings).reason, StrokeReason::NothingChosen);
+    settings.as<TemplateSettings>().templates = {77};
+    QCOMPARE(paintAll(scene, settings).reason, StrokeReason::TemplateNotLoaded);
+}
+
+void tst_BrushExchange::shuffleGivesEachValueOnOnce()
+{
+    LivelyScene scene;
+    scene.addCrowd();
+    const Population before = scene.people();
+    BrushSettings settings = brush(BrushKind::Shuffle, kAll);
+    settings.as<ShuffleSettings>() = {true, true, true, true, true};
+    for (const TemplateId id : {TemplateId{1}, kOtherMan}) {
+        const auto heights = sortedOf(scene, columns::height, id);
+        const auto phases = sortedOf(scene, columns::phase, id);
+        QVERIFY(paintAll(scene, settings).isCommitted);
+        QVERIFY(sortedOf(scene, columns::height, id) == heights);
+        QVERIFY(sortedOf(scene, columns::phase, id) == phases);
+    }
+    const auto now = scene.people().column(columns::phase);
+    const auto had = before.column(columns::phase);
+    const auto moved =
+        static_cast<int>(now.size()) - static_cast<int>(std::ranges::count_if(
+                                           std::views::iota(0U, now.size()),
+                                           [&](std::size_t row) { return now[row] == had[row]; }));
+    QVERIFY2(moved > 40, qPrintable(QString::number(moved)));
+}
+
+void tst_BrushExchange::shuffleKeepsWhatIsNotChosen()
+{
+    LivelyScene scene;
+    scene.addCrowd();
+    const Population before = scene.people();
+    BrushSettings settings = brush(BrushKind::Shuffle, kAll);
+    settings.as<ShuffleSettings>() = {false, true, false, false, false};
+    QVERIFY(paintAll(scene, settings).isCommitted);
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+        const auto column = static_cast<ColumnId>(c);
+        const bool isSize = column == ColumnId::Height || column == ColumnId::Girth;
+        const auto now = scene.people().columnBytes(column);
+        const auto had = before.columnBytes(column);
+        QCOMPARE(!std::ranges::equal(now, had), isSize);
+    }
+    // Height and girth of one go on together.
+    std::map<float, float> girths;
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        girths[before.column(columns::height)[row]] = before.column(columns::girth)[row];
+    }
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        QCOMPARE(scene.people().column(columns::girth)[row],
+                 girths.at(scene.people().column(columns::height)[row]));
+    }
+}
+
+void tst_BrushExchange::restoreIsAsTheTemplateHasIt()
+{
+    LivelyScene scene;
+    const Ids ids = scene.addCrowd();
+    const auto edit = scene.document.beginEdit();
+    const std::vector<std::uint16_t> cheering(ids.size(), 2);
+    edit->setColumn(columns::clip, ids, std::span<const std::uint16_t>(cheering));
+    edit->commit(QStringLiteral("Cheer"));
+    BrushSettings settings = brush(BrushKind::Restore, kAll);
+    settings.as<RestoreSettings>() = {true, true, true, true, true};
+    QVERIFY(paintAll(scene, settings).isCommitted);
+    const Population& people = scene.people();
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        QVERIFY(people.column(columns::tint(1))[row] == Tint());
+        QVERIFY(people.column(columns::materialChoices)[row] == MaterialChoices());
+        QCOMPARE(people.column(columns::parts)[row] & 3U, 1U); // the hat, as by default
+        QCOMPARE(people.column(columns::height)[row], 1.0F);
+        QCOMPARE(people.column(columns::girth)[row], 1.0F);
+        QCOMPARE(people.column(columns::playbackSpeed)[row], 1.0F);
+        const bool isOther = people.column(columns::templateId)[row] == kOtherMan;
+        QCOMPARE(people.column(columns::clip)[row], std::uint16_t(isOther ? 2 : 0)); // idle
+    }
+    QCOMPARE(paintAll(scene, settings).reason, StrokeReason::Unchanged);
+}
+
+void tst_BrushExchange::nothingChosenIsSaid()
+{
+    LivelyScene scene;
+    scene.addCrowd();
+    BrushSettings restore = brush(BrushKind::Restore, kAll);
+    restore.as<RestoreSettings>() = {false, false, false, false, false};
+    QCOMPARE(paintAll(scene, restore).reason, StrokeReason::NothingChosen);
+    BrushSettings shuffle = brush(BrushKind::Shuffle, kAll);
+    shuffle.as<ShuffleSettings>() = {false, false, false, false, false};
+    QCOMPARE(paintAll(scene, shuffle).reason, StrokeReason::NothingChosen);
+}
+
+CROWD_TEST(tst_BrushExchange)
+#include "tst_BrushExchange.moc"
