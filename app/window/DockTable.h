@@ -32,6 +32,7 @@ enum class DockId : std::uint8_t {
     Environment,
     Rules,
     History,
+    Strokes,
     Groups,
     Console,
     Count

@@ -8,6 +8,13 @@
 
 namespace crowd::model {
 
+namespace {
+
+/// A stroke of more selects anew when it is laid again.
+constexpr std::size_t kMostKept = 4'000'000;
+
+} // namespace
+
 SelectionEffect::SelectionEffect(StrokeContext& ground)
     : m_ground(ground), m_mask(ground.document.scene(), ground.settings.mask),
       m_picker(ground.context.keyframes, ground.context.stage), m_frame(ground.document.frame(0.0)),
@@ -52,6 +59,29 @@ std::vector<IndividualId> SelectionEffect::selected(const Dab& dab) const
     }
     std::ranges::sort(ids);
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
+}
+
+std::vector<IndividualId>
+SelectionEffect::remembered(const std::function<std::vector<IndividualId>()>& select)
+{
+    std::vector<IndividualId> ids;
+    const RecordedStroke* before = m_ground.before;
+    if (before == nullptr) {
+        ids = select();
+    } else if (m_selections < before->selected.size()) {
+        ids = before->selected[m_selections];
+        std::erase_if(ids, [this](IndividualId id) {
+            return m_frame->population.rowOf(id) == Population::npos;
+        });
+    }
+    ++m_selections;
+    m_selected += ids.size();
+    if (m_selected <= kMostKept) {
+        m_ground.selected.push_back(ids);
+    } else {
+        m_ground.selected.clear();
+    }
     return ids;
 }
 
@@ -153,7 +183,8 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
     std::vector<IndividualId> gone;
     for (const StrokeDab& dab : dabs) {
         showTime(dab.dab.shownSeconds);
-        std::vector<IndividualId> ids = untouched(unmasked(selected(dab.dab)));
+        std::vector<IndividualId> ids =
+            untouched(unmasked(remembered([&] { return selected(dab.dab); })));
         if (ids.empty()) {
             continue;
         }
@@ -199,8 +230,12 @@ void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
     m_reason = StrokeReason::NobodyUnderBrush;
     if (settings.hasWholeArea()) {
         showTime(shownSeconds);
-        m_touched = unmasked(m_picker.individualsInArea(
-            wholeArea(m_ground, line), settings.through ? AreaMode::Through : AreaMode::Visible));
+        m_selections = 0;
+        m_selected = 0;
+        m_ground.selected.clear();
+        const AreaMode mode = settings.through ? AreaMode::Through : AreaMode::Visible;
+        m_touched = unmasked(remembered(
+            [&] { return m_picker.individualsInArea(wholeArea(m_ground, line), mode); }));
     }
     if (m_touched.empty()) {
         return;

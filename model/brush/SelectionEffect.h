@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,9 @@ public:
 private:
     void showTime(double seconds);
     [[nodiscard]] std::vector<IndividualId> selected(const Dab& dab) const;
+    /// Whom `select` says, or whom the stroke before selected there; they are recorded.
+    [[nodiscard]] std::vector<IndividualId>
+    remembered(const std::function<std::vector<IndividualId>()>& select);
     /// Those of the ids on whom the brush may work; says why there is none.
     [[nodiscard]] std::vector<IndividualId> unmasked(std::vector<IndividualId> ids);
     /// Those of the ids that this stroke may still change; they are touched from now on.
@@ -45,6 +49,8 @@ private:
     std::vector<char> m_isTouched;       ///< by row of the frame
     std::vector<char> m_isChanged;       ///< by row of the frame
     std::vector<IndividualId> m_touched; ///< ascending
+    std::size_t m_selections = 0;        ///< asked for so far
+    std::size_t m_selected = 0;          ///< ids in all of them
     int m_affected = 0;
     StrokeReason m_reason = StrokeReason::NobodyUnderBrush;
 };

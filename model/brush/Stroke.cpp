@@ -93,6 +93,7 @@ ScreenArea wholeArea(const StrokeContext& ground, const StrokeLine& line)
 struct Stroke::Private
 {
     Private(StrokeContext strokeGround, const PointerInput& press);
+    void endRecording();
 
     StrokeContext ground;
     Sampler sampler;
@@ -134,6 +135,14 @@ Stroke::Private::Private(StrokeContext strokeGround, const PointerInput& press)
     bakedBefore = ground.context.keyframes.version();
     recording.isExact = !seesStandIns();
     add(press);
+}
+
+void Stroke::Private::endRecording()
+{
+    recording.affected = work->affected();
+    recording.isExact =
+        ground.before != nullptr ? ground.before->isExact : recording.isExact && !seesStandIns();
+    recording.selected = std::move(ground.selected);
 }
 
 /// Whether there may be clips on screen that are not all there, or people elsewhere.
@@ -207,10 +216,11 @@ Stroke::~Stroke() = default;
 
 std::unique_ptr<Stroke> Stroke::begin(SceneDocument& document, const BrushContext& context,
                                       const BrushSettings& settings, std::uint64_t seed,
-                                      const PointerInput& press)
+                                      const PointerInput& press, const RecordedStroke* before)
 {
-    return std::unique_ptr<Stroke>(new Stroke(std::make_unique<Private>(
-        StrokeContext{document, context, settings, seed, nullptr, {}}, press)));
+    StrokeContext ground{document, context, settings, seed, nullptr, {}};
+    ground.before = before != nullptr && !before->selected.empty() ? before : nullptr;
+    return std::unique_ptr<Stroke>(new Stroke(std::make_unique<Private>(std::move(ground), press)));
 }
 
 void Stroke::move(const PointerInput& input)
@@ -249,7 +259,7 @@ StrokeOutcome Stroke::finish()
     settle();
     d.isOver = true;
     outcome.affected = affected();
-    d.recording.isExact = d.recording.isExact && !d.seesStandIns();
+    d.endRecording();
     outcome.isCommitted =
         d.ground.edit->commit(strokeText(d.ground.settings, outcome.affected), &d.recording);
     d.ground.edit.reset();
@@ -294,7 +304,7 @@ StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const St
     context.ground = std::move(ground);
     context.script = script;
     const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
-                                      recording.inputs.front());
+                                      recording.inputs.front(), &recording);
     for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
         i + 1 < recording.inputs.size() ? stroke->pass(recording.inputs[i])
                                         : stroke->move(recording.inputs[i]);

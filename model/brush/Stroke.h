@@ -66,6 +66,10 @@ struct RecordedStroke
     /// False where it may have seen what the scene does not say: clips as they stood in while they
     /// were baked, people where a session has them.
     bool isExact = true;
+    int affected = 0; ///< as it was painted
+    /// Whom each dab selected, or the whole area in the end. A stroke that is replayed with them
+    /// takes these, as far as they are still there; empty: it selects anew.
+    std::vector<std::vector<IndividualId>> selected;
 };
 
 /// Everything between press and release: applied to the document dab by dab and seen at once.
@@ -74,10 +78,11 @@ struct RecordedStroke
 class Stroke
 {
 public:
-    /// Applies the first dab. `seed` keys all randomness of the stroke.
+    /// Applies the first dab. `seed` keys all randomness of the stroke. `before`: a stroke of the
+    /// same way whose selection it takes, where that has one.
     [[nodiscard]] static std::unique_ptr<Stroke>
     begin(SceneDocument& document, const BrushContext& context, const BrushSettings& settings,
-          std::uint64_t seed, const PointerInput& press);
+          std::uint64_t seed, const PointerInput& press, const RecordedStroke* before = nullptr);
     ~Stroke();
     Stroke(const Stroke&) = delete;
     Stroke& operator=(const Stroke&) = delete;

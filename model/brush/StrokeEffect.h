@@ -22,8 +22,10 @@ struct StrokeContext
     BrushSettings settings;
     std::uint64_t seed = 0;
     std::unique_ptr<SceneEdit> edit;
-    std::vector<WorldSeat> seats;  ///< ascending by id
-    std::vector<glm::ivec2> way{}; ///< of the pointer, grid points, bends alone
+    std::vector<WorldSeat> seats;                      ///< ascending by id
+    std::vector<glm::ivec2> way{};                     ///< of the pointer, grid points, bends alone
+    std::vector<std::vector<IndividualId>> selected{}; ///< so far, as RecordedStroke has it
+    const RecordedStroke* before = nullptr; ///< whose selection is taken; null: it selects itself
 };
 
 /// Goes on to a grid point; what lies straight between two bends is left out, so that the way is

@@ -35,6 +35,7 @@ crowd_add_tests(ROOM model
     tst_Groups
     tst_ImportProposal
     tst_Lasso
+    tst_LastStrokes
     tst_Message
     tst_Neighbours
     tst_PickScene

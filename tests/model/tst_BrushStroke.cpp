@@ -128,7 +128,8 @@ void tst_BrushStroke::isUndoneRedoneAndReplayedToTheSameBytes()
     const StrokeOutcome outcome = stroke->finish();
     QVERIFY(outcome.isCommitted);
     QVERIFY(outcome.affected > 0);
-    const RecordedStroke recording = scene.recorded;
+    RecordedStroke recording = scene.recorded;
+    QCOMPARE(recording.affected, outcome.affected);
     const Population after = scene.people();
     QVERIFY(!(after == before));
     QCOMPARE(scene.document.undoStack().count(), 3);
@@ -137,6 +138,11 @@ void tst_BrushStroke::isUndoneRedoneAndReplayedToTheSameBytes()
     scene.document.undoStack().redo();
     QVERIFY(scene.people() == after);
     scene.document.undoStack().undo();
+    // By the same people as then, and by those whom it selects once more.
+    QVERIFY(replay(scene.document, scene.keyframes, scene.rays, recording).isCommitted);
+    QVERIFY(scene.people() == after);
+    scene.document.undoStack().undo();
+    recording.selected.clear();
     QVERIFY(replay(scene.document, scene.keyframes, scene.rays, recording).isCommitted);
     QVERIFY(scene.people() == after);
 }

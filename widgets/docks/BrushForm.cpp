@@ -14,16 +14,16 @@ using model::BrushSettings;
 
 namespace {
 
-FormTarget targetOf(EditorState& state, BrushKind kind)
+FormTarget targetOf(EditorState& state, const BrushTarget& target)
 {
-    return {[&state, kind] { return static_cast<const void*>(&state.brush(kind)); },
-            [&state, kind](const std::function<void(void*)>& apply) {
-                BrushSettings brush = state.brush(kind);
+    return {[read = target.read] { return static_cast<const void*>(&read()); },
+            [target](const std::function<void(void*)>& apply) {
+                BrushSettings brush = target.read();
                 apply(&brush);
-                state.setBrush(brush);
+                target.write(brush);
             },
-            [&state, kind] {
-                return model::FieldContext{&state.scene(), &state.brush(kind)};
+            [&state, read = target.read] {
+                return model::FieldContext{&state.scene(), &read()};
             }};
 }
 
@@ -50,16 +50,16 @@ std::span<const model::FieldInfo> areaFields()
     return kFields;
 }
 
-void addOperator(FieldForm& form, EditorState& state, BrushKind kind)
+void addOperator(FieldForm& form, const BrushTarget& brush)
 {
-    const auto opOf = [&state, kind]() -> const model::OperatorInfo& {
-        return model::operatorInfo(state.brush(kind).op);
+    const auto opOf = [read = brush.read]() -> const model::OperatorInfo& {
+        return model::operatorInfo(read().op);
     };
     form.beginSection(fieldText(QT_TRANSLATE_NOOP("Fields", "Operator")),
                       QStringLiteral("operator"));
     form.addField(commonField("operator"), {}, {});
     form.addField(commonField("distribution"), {}, [opOf] { return opOf().usesDistribution; });
-    form.addNote(fieldText(model::brushType(kind).info.gradientNote),
+    form.addNote(fieldText(model::brushType(brush.read().kind()).info.gradientNote),
                  [opOf] { return opOf().followsLine; });
 }
 
@@ -121,21 +121,25 @@ void addScriptFields(FieldForm& form, const EditorState& state)
 
 } // namespace
 
-FieldForm* makeBrushForm(EditorState& state, BrushKind kind, QWidget* parent)
+namespace {
+
+FieldForm* brushForm(EditorState& state, const BrushTarget& brush, EditorState* picking,
+                     QWidget* parent)
 {
+    const BrushKind kind = brush.read().kind();
     const model::BrushType& type = model::brushType(kind);
-    auto* form = new FieldForm(targetOf(state, kind),
+    auto* form = new FieldForm(targetOf(state, brush),
                                QStringLiteral("brushForm/%1").arg(QLatin1String(type.info.id)),
-                               &state, parent);
+                               picking, parent);
     if (type.info.family != model::StrokeFamily::Places) {
         form->addFields(areaFields());
     }
     if (type.info.operatorPlace == model::OperatorPlace::First) {
-        addOperator(*form, state, kind);
+        addOperator(*form, brush);
     }
     addOwnFields(*form, type);
     if (type.info.operatorPlace == model::OperatorPlace::Last) {
-        addOperator(*form, state, kind);
+        addOperator(*form, brush);
     }
     if (type.info.operatorPlace == model::OperatorPlace::CurveOnly) {
         form->addField(commonField("distribution"), {}, {});
@@ -149,6 +153,20 @@ FieldForm* makeBrushForm(EditorState& state, BrushKind kind, QWidget* parent)
     }
     form->finish();
     return form;
+}
+
+} // namespace
+
+FieldForm* makeBrushForm(EditorState& state, BrushKind kind, QWidget* parent)
+{
+    const BrushTarget brush{[&state, kind]() -> const BrushSettings& { return state.brush(kind); },
+                            [&state](const BrushSettings& settings) { state.setBrush(settings); }};
+    return brushForm(state, brush, &state, parent);
+}
+
+FieldForm* makeBrushForm(EditorState& state, const BrushTarget& brush, QWidget* parent)
+{
+    return brushForm(state, brush, nullptr, parent);
 }
 
 } // namespace crowd::widgets

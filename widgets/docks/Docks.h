@@ -12,4 +12,5 @@
 #include "widgets/docks/IndividualDock.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/docks/SceneDock.h"
+#include "widgets/docks/StrokesDock.h"
 #include "widgets/docks/TemplatesDock.h"

@@ -12,6 +12,7 @@
 
 #include "model/bake/KeyframeStore.h"
 #include "model/brush/BrushSettings.h"
+#include "model/brush/LastStrokes.h"
 #include "model/document/SceneDocument.h"
 #include "model/view/View.h"
 #include "render/RenderInput.h"
@@ -91,6 +92,8 @@ public:
     [[nodiscard]] const Transport& transport() const { return m_transport; }
     [[nodiscard]] PathFocus& paths() { return m_paths; }
     [[nodiscard]] const PathFocus& paths() const { return m_paths; }
+    /// The strokes that can be laid anew.
+    [[nodiscard]] model::LastStrokes& strokes() { return m_strokes; }
     /// Where people can walk.
     [[nodiscard]] GroundFinder& ground() { return m_ground; }
     [[nodiscard]] SessionControl& session() { return m_session; }
@@ -186,6 +189,7 @@ private:
     Selection m_selection;
     Transport m_transport;
     PathFocus m_paths;
+    model::LastStrokes m_strokes;
     SessionControl m_session;
     GroundFinder m_ground;
     std::array<model::BrushSettings, model::kBrushCount> m_brushes;

@@ -24,6 +24,7 @@ constexpr double kRepetitionSeconds = 0.004; ///< shorter than any hand between 
 ToolController::ToolController(EditorState& state) : m_state(state), m_queries(state)
 {
     const ToolContext context{m_state, m_queries};
+    m_state.strokes().setContext([this] { return m_queries.brushContext(); });
     for (const ToolInfo& info : toolTable()) {
         std::unique_ptr<Tool>& tool = m_tools[static_cast<std::size_t>(info.id)];
         if (info.brush && model::BrushSettings(*info.brush).addsPlaces()) {
@@ -57,7 +58,10 @@ ToolController::ToolController(EditorState& state) : m_state(state), m_queries(s
     refreshHint();
 }
 
-ToolController::~ToolController() = default;
+ToolController::~ToolController()
+{
+    m_state.strokes().setContext({});
+}
 
 Tool& ToolController::activeTool() const
 {

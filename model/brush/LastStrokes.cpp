@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "model/brush/LastStrokes.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+namespace crowd::model {
+
+namespace {
+
+constexpr std::size_t kMostStrokes = 50; ///< further back they are kept no longer
+
+bool canBeLaidAgain(const RecordedStroke* stroke)
+{
+    return stroke != nullptr && stroke->settings.kind() != BrushKind::Script;
+}
+
+auto areaOf(const BrushSettings& brush)
+{
+    return std::tie(brush.selection, brush.radiusPixels, brush.ratePerSecond, brush.through,
+                    brush.pressureSize, brush.pressureRate);
+}
+
+} // namespace
+
+bool selectAlike(const BrushSettings& a, const BrushSettings& b)
+{
+    // Who is removed makes room for those behind.
+    return a.kind() == b.kind() && a.kind() != BrushKind::Delete && areaOf(a) == areaOf(b) &&
+           a.isReevaluated() == b.isReevaluated();
+}
+
+LastStrokes::LastStrokes(SceneDocument& document) : m_document(document)
+{
+    connect(&document, &SceneDocument::stepCommitted, this, &LastStrokes::note);
+    connect(&document, &SceneDocument::changed, this, [this](const SceneChange& change) {
+        if (std::holds_alternative<SceneReplaced>(change)) {
+            m_entries.clear();
+            Q_EMIT changed();
+        }
+    });
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+        if (!m_isLaying) {
+            Q_EMIT changed();
+        }
+    });
+}
+
+void LastStrokes::note(const StepCommitted& step)
+{
+    if (m_isLaying) {
+        return;
+    }
+    const int index = m_document.undoStack().index();
+    const auto gone = std::ranges::find_if(
+        m_entries, [index](const Entry& entry) { return entry.step.value_or(-1) >= index; });
+    m_entries.erase(gone, m_entries.end());
+    Entry& entry = m_entries.emplace_back();
+    entry.step = index;
+    entry.isBarrier = !canBeLaidAgain(step.stroke);
+    if (!entry.isBarrier) {
+        entry.stroke = *step.stroke;
+        entry.affected = step.stroke->affected;
+    }
+    if (m_entries.size() > kMostStrokes) {
+        m_entries.erase(m_entries.begin());
+    }
+}
+
+/// Behind the last of the strokes that are done.
+std::size_t LastStrokes::tailEnd() const
+{
+    const int index = m_document.undoStack().index();
+    const auto undone = std::ranges::find_if(
+        m_entries, [index](const Entry& entry) { return entry.step.value_or(-1) >= index; });
+    return static_cast<std::size_t>(undone - m_entries.begin());
+}
+
+std::size_t LastStrokes::tailBegin() const
+{
+    std::size_t begin = tailEnd();
+    while (begin > 0 && !m_entries[begin - 1].isBarrier) {
+        --begin;
+    }
+    return begin;
+}
+
+std::vector<LastStrokes::Entry> LastStrokes::tail() const
+{
+    return {m_entries.begin() + static_cast<std::ptrdiff_t>(tailBegin()),
+            m_entries.begin() + static_cast<std::ptrdiff_t>(tailEnd())};
+}
+
+/// The undo stack's index before an entry.
+int LastStrokes::stepOf(std::size_t entry) const
+{
+    const auto later = std::find_if(m_entries.begin() + static_cast<std::ptrdiff_t>(entry),
+                                    m_entries.end(), [](const Entry& each) { return each.step; });
+    return later == m_entries.end() ? m_document.undoStack().index() : *later->step;
+}
+
+StrokeOutcome LastStrokes::lay(Entry& entry, const BrushContext& context)
+{
+    const int step = m_document.undoStack().index();
+    const auto connection = connect(&m_document, &SceneDocument::stepCommitted, this,
+                                    [&entry](const StepCommitted& committed) {
+                                        if (committed.stroke != nullptr) {
+                                            entry.stroke = *committed.stroke;
+                                        }
+                                    });
+    const StrokeOutcome outcome =
+        replay(m_document, context.keyframes, context.stage, entry.stroke, context.ground, nullptr);
+    disconnect(connection);
+    entry.step = outcome.isCommitted ? std::optional(step) : std::nullopt;
+    entry.affected = outcome.affected;
+    return outcome;
+}
+
+StrokeOutcome LastStrokes::layAnew(std::size_t index, const BrushSettings& settings,
+                                   std::uint64_t seed)
+{
+    const std::size_t entry = tailBegin() + index;
+    StrokeOutcome outcome;
+    outcome.reason = StrokeReason::Cancelled;
+    if (entry >= tailEnd() || !m_context || m_document.isEditOpen()) {
+        return outcome;
+    }
+    Entry fresh = m_entries[entry];
+    if (!selectAlike(fresh.stroke.settings, settings)) {
+        fresh.stroke.selected.clear();
+    }
+    fresh.stroke.settings = settings;
+    fresh.stroke.seed = seed;
+    m_isLaying = true;
+    outcome = replace(entry, std::move(fresh));
+    m_isLaying = false;
+    Q_EMIT changed();
+    return outcome;
+}
+
+StrokeOutcome LastStrokes::replace(std::size_t index, Entry fresh)
+{
+    QUndoStack& stack = m_document.undoStack();
+    const std::size_t end = tailEnd();
+    const int before = stack.index();
+    const int start = stepOf(index);
+    stack.setIndex(start);
+    if (stack.index() != start) { // a step was refused, and the document has said why
+        stack.setIndex(before);
+        return {false, false, 0, StrokeReason::Cancelled, {}};
+    }
+    const BrushContext context = m_context();
+    const StrokeOutcome outcome = lay(fresh, context);
+    if (!outcome.isCommitted) {
+        stack.setIndex(before);
+        return outcome;
+    }
+    m_entries.erase(m_entries.begin() + static_cast<std::ptrdiff_t>(end), m_entries.end());
+    m_entries[index] = std::move(fresh);
+    for (std::size_t later = index + 1; later < end; ++later) {
+        if (m_entries[later].stroke.isExact) {
+            m_entries[later].stroke.selected.clear(); // on whom there is now
+        }
+        (void)lay(m_entries[later], context);
+    }
+    return outcome;
+}
+
+} // namespace crowd::model
