@@ -735,6 +735,46 @@
         <source>Exchange who the characters under the brush are</source>
         <translation>Austauschen, wer die Figuren unter dem Pinsel sind</translation>
     </message>
+    <message>
+        <source>&amp;Clone</source>
+        <translation>&amp;Klonen</translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush what another one has</source>
+        <translation>Den Figuren unter dem Pinsel geben, was eine andere hat</translation>
+    </message>
+    <message>
+        <source>&amp;Parts</source>
+        <translation>&amp;Teile</translation>
+    </message>
+    <message>
+        <source>Show or hide hats, bags and other parts</source>
+        <translation>Hüte, Taschen und andere Teile zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Push</source>
+        <translation>&amp;Schieben</translation>
+    </message>
+    <message>
+        <source>Push, gather, spread or comb the characters</source>
+        <translation>Figuren schieben, sammeln, verteilen oder kämmen</translation>
+    </message>
+    <message>
+        <source>Sm&amp;ooth</source>
+        <translation>&amp;Glätten</translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush become like their neighbours</source>
+        <translation>Die Figuren unter dem Pinsel ihren Nachbarn angleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Time</source>
+        <translation>&amp;Zeit</translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush begin sooner or later: waves</source>
+        <translation>Die Figuren unter dem Pinsel früher oder später beginnen lassen: Wellen</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -861,6 +901,22 @@
         <source>Height: × %1</source>
         <translation>Höhe: × %1</translation>
     </message>
+    <message>
+        <source>Speed of the wave, m/s</source>
+        <translation>Tempo der Welle, m/s</translation>
+    </message>
+    <message>
+        <source>Wave: %1 m/s</source>
+        <translation>Welle: %1 m/s</translation>
+    </message>
+    <message>
+        <source>Delay, s</source>
+        <translation>Verzögerung, s</translation>
+    </message>
+    <message>
+        <source>Delay: %1 s</source>
+        <translation>Verzögerung: %1 s</translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -887,14 +943,6 @@
     <message>
         <source>Click the point to face · Escape: not now</source>
         <translation>Den Punkt anklicken, zu dem sie sehen · Esc: jetzt nicht</translation>
-    </message>
-    <message>
-        <source>Click somebody to create more of the kind · Escape: not now</source>
-        <translation>Jemanden anklicken, um mehr von dieser Art zu erschaffen · Esc: jetzt nicht</translation>
-    </message>
-    <message>
-        <source>Click somebody to take what is done there · Escape: not now</source>
-        <translation>Jemanden anklicken, um dessen Clip zu nehmen · Esc: jetzt nicht</translation>
     </message>
     <message>
         <source>Nobody under the cursor</source>
@@ -1101,6 +1149,73 @@
             <numerusform>%n Figur hat eine andere Vorlage</numerusform>
             <numerusform>%n Figuren haben eine andere Vorlage</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ctrl+click: whom to clone · Drag: give characters what that one has</source>
+        <translation>Strg+Klick: wen klonen · Ziehen: Figuren geben, was diese hat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters made alike</source>
+        <translation>
+            <numerusform>%n Figur angeglichen</numerusform>
+            <numerusform>%n Figuren angeglichen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: show or hide parts of characters</source>
+        <translation>Ziehen: Teile von Figuren zeigen oder verbergen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given other parts</source>
+        <translation>
+            <numerusform>%n Figur hat andere Teile</numerusform>
+            <numerusform>%n Figuren haben andere Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: push characters about</source>
+        <translation>Ziehen: Figuren umherschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters pushed</source>
+        <translation>
+            <numerusform>%n Figur verschoben</numerusform>
+            <numerusform>%n Figuren verschoben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let characters become like their neighbours</source>
+        <translation>Ziehen: Figuren ihren Nachbarn angleichen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters smoothed</source>
+        <translation>
+            <numerusform>%n Figur geglättet</numerusform>
+            <numerusform>%n Figuren geglättet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: set when characters begin · + −: seconds, or the wave&apos;s speed</source>
+        <translation>Ziehen: bestimmen, wann Figuren beginnen · + −: Sekunden oder das Tempo der Welle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters begin at another time</source>
+        <translation>
+            <numerusform>%n Figur beginnt zu anderer Zeit</numerusform>
+            <numerusform>%n Figuren beginnen zu anderer Zeit</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · Ctrl+click: take it from somebody</source>
+        <translation>%1 · Strg+Klick: von jemandem übernehmen</translation>
+    </message>
+    <message>
+        <source>Click somebody to set the brush by · Escape: not now</source>
+        <translation>Auf jemanden klicken, um den Pinsel danach einzustellen · Escape: jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Nothing to take there for this brush</source>
+        <translation>Dort gibt es für diesen Pinsel nichts zu übernehmen</translation>
     </message>
 </context>
 <context>
@@ -1358,6 +1473,73 @@
     <message>
         <source>All of them already have this template</source>
         <translation>Alle haben diese Vorlage schon</translation>
+    </message>
+    <message numerus="yes">
+        <source>Make %n character(s) alike</source>
+        <translation>
+            <numerusform>%n Figur angleichen</numerusform>
+            <numerusform>%n Figuren angleichen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are like that already</source>
+        <translation>Alle sind schon so</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the parts of %n character(s)</source>
+        <translation>
+            <numerusform>Teile von %n Figur ändern</numerusform>
+            <numerusform>Teile von %n Figuren ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are like that</source>
+        <translation>Alle sind schon so</translation>
+    </message>
+    <message numerus="yes">
+        <source>Push %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur verschieben</numerusform>
+            <numerusform>%n Figuren verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no room to push them</source>
+        <translation>Es ist kein Platz, sie zu verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Smooth %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur glätten</numerusform>
+            <numerusform>%n Figuren glätten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are like their neighbours</source>
+        <translation>Alle sind schon wie ihre Nachbarn</translation>
+    </message>
+    <message numerus="yes">
+        <source>Set the time of %n character(s)</source>
+        <translation>
+            <numerusform>Zeit von %n Figur setzen</numerusform>
+            <numerusform>Zeit von %n Figuren setzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already begin then</source>
+        <translation>Alle beginnen schon dann</translation>
+    </message>
+    <message>
+        <source>Ctrl+click somebody to choose first</source>
+        <translation>Erst jemanden mit Strg+Klick wählen</translation>
+    </message>
+    <message>
+        <source>None of them has the chosen part</source>
+        <translation>Keine von ihnen hat das gewählte Teil</translation>
+    </message>
+    <message>
+        <source>All of them sit: who sits keeps the seat</source>
+        <translation>Alle sitzen: Wer sitzt, behält den Platz</translation>
     </message>
 </context>
 <context>
@@ -2087,6 +2269,118 @@
     <message>
         <source>none chosen</source>
         <translation>keine gewählt</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Figur</translation>
+    </message>
+    <message>
+        <source>Ctrl+click somebody to choose</source>
+        <translation>Mit Strg+Klick jemanden wählen</translation>
+    </message>
+    <message>
+        <source>Clone</source>
+        <translation>Klonen</translation>
+    </message>
+    <message>
+        <source>Parts too</source>
+        <translation>Auch Teile</translation>
+    </message>
+    <message>
+        <source>Path, speed and way of walking</source>
+        <translation>Weg, Tempo und Gangart</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Else it is hidden</source>
+        <translation>Sonst wird es verborgen</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Wie viele</translation>
+    </message>
+    <message>
+        <source>Push along</source>
+        <translation>Entlangschieben</translation>
+    </message>
+    <message>
+        <source>Gather</source>
+        <translation>Sammeln</translation>
+    </message>
+    <message>
+        <source>Spread apart</source>
+        <translation>Verteilen</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kämmen</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Schieben</translation>
+    </message>
+    <message>
+        <source>Neighbours within</source>
+        <translation>Nachbarn im Umkreis von</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Of those of the same template</source>
+        <translation>Von denen derselben Vorlage</translation>
+    </message>
+    <message>
+        <source>Within a range</source>
+        <translation>In einem Bereich</translation>
+    </message>
+    <message>
+        <source>Wave along the stroke</source>
+        <translation>Welle entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Ripple from the press</source>
+        <translation>Ringe vom Ansatz aus</translation>
+    </message>
+    <message>
+        <source>All in step</source>
+        <translation>Alle im Takt</translation>
+    </message>
+    <message>
+        <source>From the shortest to the longest delay along the line that is drawn.</source>
+        <translation>Von der kürzesten zur längsten Verzögerung entlang der gezogenen Linie.</translation>
+    </message>
+    <message>
+        <source>They begin</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Speed of the wave</source>
+        <translation>Tempo der Welle</translation>
     </message>
 </context>
 <context>
@@ -3566,6 +3860,46 @@
     <message>
         <source>The environment must be an object with lists of places, paths, groups, tags, rules, numbers and cues.</source>
         <translation>Die Umgebung muss ein Objekt mit Listen von places, paths, groups, tags, rules, numbers und cues sein.</translation>
+    </message>
+    <message>
+        <source>%1 is no brush preset.</source>
+        <translation>%1 ist keine Pinselvorgabe.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version; update to use it.</source>
+        <translation>%1 wurde von einer neueren Version geschrieben; aktualisieren Sie, um sie zu benutzen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1 kann nicht benutzt werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no name.</source>
+        <translation>%1 hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Eine Vorgabe braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There already is a preset %1.</source>
+        <translation>Es gibt schon eine Vorgabe %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed: %2</source>
+        <translation>%1 kann nicht entfernt werden: %2</translation>
     </message>
 </context>
 <context>
@@ -5264,6 +5598,26 @@
         <source>Template Brush</source>
         <translation>Vorlagenpinsel</translation>
     </message>
+    <message>
+        <source>Clone Brush</source>
+        <translation>Klonpinsel</translation>
+    </message>
+    <message>
+        <source>Parts Brush</source>
+        <translation>Teilepinsel</translation>
+    </message>
+    <message>
+        <source>Push Brush</source>
+        <translation>Schiebepinsel</translation>
+    </message>
+    <message>
+        <source>Smooth Brush</source>
+        <translation>Glättpinsel</translation>
+    </message>
+    <message>
+        <source>Time Brush</source>
+        <translation>Zeitpinsel</translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -6786,6 +7140,10 @@ Verworfen ist sie fort.</translation>
         <source>In no group</source>
         <translation>In keiner Gruppe</translation>
     </message>
+    <message>
+        <source>All parts</source>
+        <translation>Alle Teile</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::GroupsDock</name>
@@ -7278,6 +7636,69 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>mixed</source>
         <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::PresetsDock</name>
+    <message>
+        <source>Brush presets (*.brush)</source>
+        <translation>Pinselvorgaben (*.brush)</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Search names and #tags</source>
+        <translation>Namen und #Stichwörter suchen</translation>
+    </message>
+    <message>
+        <source>Keep the brush as it is set now</source>
+        <translation>Den Pinsel behalten, wie er jetzt eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Take presets from files</source>
+        <translation>Vorgaben aus Dateien übernehmen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen preset</source>
+        <translation>Die gewählte Vorgabe entfernen</translation>
+    </message>
+    <message>
+        <source>%1: a click sets it so. F2 gives another name; words with # are tags.</source>
+        <translation>%1: Ein Klick stellt ihn so ein. F2 gibt einen anderen Namen; Wörter mit # sind Stichwörter.</translation>
+    </message>
+    <message>
+        <source>Brushes that you set well can be kept here.</source>
+        <translation>Gut eingestellte Pinsel können hier behalten werden.</translation>
+    </message>
+    <message>
+        <source>Choose a brush first: presets keep how it is set.</source>
+        <translation>Erst einen Pinsel wählen: Vorgaben behalten, wie er eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Set to the brush of now</source>
+        <translation>Auf den Pinsel von jetzt setzen</translation>
+    </message>
+    <message>
+        <source>Save as a file…</source>
+        <translation>Als Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take Presets</source>
+        <translation>Vorgaben übernehmen</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>Vorgabe speichern</translation>
     </message>
 </context>
 <context>

@@ -735,6 +735,46 @@
         <source>Exchange who the characters under the brush are</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Clone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush what another one has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide hats, bags and other parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Push</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push, gather, spread or comb the characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sm&amp;ooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush become like their neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the characters under the brush begin sooner or later: waves</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -861,6 +901,22 @@
         <source>Height: × %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Speed of the wave, m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wave: %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay: %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushTool</name>
@@ -886,14 +942,6 @@
     </message>
     <message>
         <source>Click the point to face · Escape: not now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click somebody to create more of the kind · Escape: not now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click somebody to take what is done there · Escape: not now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1101,6 +1149,73 @@
             <numerusform>%n character given another template</numerusform>
             <numerusform>%n characters given another template</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ctrl+click: whom to clone · Drag: give characters what that one has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters made alike</source>
+        <translation>
+            <numerusform>%n character made alike</numerusform>
+            <numerusform>%n characters made alike</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: show or hide parts of characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters given other parts</source>
+        <translation>
+            <numerusform>%n character given other parts</numerusform>
+            <numerusform>%n characters given other parts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: push characters about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters pushed</source>
+        <translation>
+            <numerusform>%n character pushed</numerusform>
+            <numerusform>%n characters pushed</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: let characters become like their neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters smoothed</source>
+        <translation>
+            <numerusform>%n character smoothed</numerusform>
+            <numerusform>%n characters smoothed</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: set when characters begin · + −: seconds, or the wave&apos;s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters begin at another time</source>
+        <translation>
+            <numerusform>%n character begin at another time</numerusform>
+            <numerusform>%n characters begin at another time</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · Ctrl+click: take it from somebody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click somebody to set the brush by · Escape: not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to take there for this brush</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1357,6 +1472,73 @@
     </message>
     <message>
         <source>All of them already have this template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Make %n character(s) alike</source>
+        <translation>
+            <numerusform>Make %n character alike</numerusform>
+            <numerusform>Make %n characters alike</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are like that already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change the parts of %n character(s)</source>
+        <translation>
+            <numerusform>Change the parts of %n character</numerusform>
+            <numerusform>Change the parts of %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Push %n character(s)</source>
+        <translation>
+            <numerusform>Push %n character</numerusform>
+            <numerusform>Push %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no room to push them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Smooth %n character(s)</source>
+        <translation>
+            <numerusform>Smooth %n character</numerusform>
+            <numerusform>Smooth %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them are like their neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Set the time of %n character(s)</source>
+        <translation>
+            <numerusform>Set the time of %n character</numerusform>
+            <numerusform>Set the time of %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already begin then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+click somebody to choose first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them has the chosen part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them sit: who sits keeps the seat</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2086,6 +2268,118 @@
     </message>
     <message>
         <source>none chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+click somebody to choose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path, speed and way of walking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else it is hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gather</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neighbours within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of those of the same template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within a range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wave along the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple from the press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All in step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the shortest to the longest delay along the line that is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the wave</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3565,6 +3859,46 @@
     </message>
     <message>
         <source>The environment must be an object with lists of places, paths, groups, tags, rules, numbers and cues.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no brush preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version; update to use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There already is a preset %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5264,6 +5598,26 @@
         <source>Template Brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Clone Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ViewCommands</name>
@@ -6779,6 +7133,10 @@ Thrown away, it is gone.</source>
         <source>In no group</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All parts</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::GroupsDock</name>
@@ -7270,6 +7628,69 @@ Thrown away, it is gone.</source>
     <name>crowd::widgets::NumberField</name>
     <message>
         <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::PresetsDock</name>
+    <message>
+        <source>Brush presets (*.brush)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search names and #tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the brush as it is set now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take presets from files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a click sets it so. F2 gives another name; words with # are tags.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brushes that you set well can be kept here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a brush first: presets keep how it is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set to the brush of now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

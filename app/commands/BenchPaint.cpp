@@ -38,6 +38,14 @@ constexpr int kFrames = 4;
 constexpr int kAreaQueries = 25;
 constexpr int kPeopleInArea = 400;
 
+/// With the settings of its struct.
+model::BrushSettings brushOf(model::BrushKind kind)
+{
+    model::BrushSettings settings;
+    settings.setKind(kind);
+    return settings;
+}
+
 double since(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -144,7 +152,7 @@ public:
         m_keyframes.waitForAll();
     }
 
-    [[nodiscard]] StrokeTimes paint(model::BrushKind kind);
+    [[nodiscard]] StrokeTimes paint(model::BrushSettings settings);
     [[nodiscard]] double medianUndo();
     [[nodiscard]] std::optional<double> medianFrame();
     [[nodiscard]] AreaQueries queryArea(model::AreaMode mode);
@@ -158,10 +166,8 @@ private:
 };
 
 /// A stroke over everyone visible in the circle; each move is one dab.
-StrokeTimes PaintBench::paint(model::BrushKind kind)
+StrokeTimes PaintBench::paint(model::BrushSettings settings)
 {
-    model::BrushSettings settings;
-    settings.setKind(kind);
     settings.selection = model::BrushSelection::AllInCircle;
     settings.op = model::BrushOperator::Random;
     settings.radiusPixels = kRadiusPixels;
@@ -271,6 +277,27 @@ std::vector<glm::vec3> clumpAmong(int others)
     return places;
 }
 
+/// A dab of each other brush that changes people, as a multiple of one that colours.
+void measureBrushes(PaintBench& bench, double colourMs, QJsonObject& report)
+{
+    for (const model::BrushKind kind : model::shownBrushes()) {
+        const model::BrushType& type = model::brushType(kind);
+        if (type.change == nullptr || kind == model::BrushKind::Colour) {
+            continue;
+        }
+        model::BrushSettings settings = model::initialBrush(kind);
+        if (auto* swap = settings.find<model::TemplateSettings>()) {
+            swap->templates = {1, 2};
+        }
+        if (auto* clone = settings.find<model::CloneSettings>()) {
+            clone->source = 1;
+        }
+        const double dabMs = percentile(bench.paint(settings).dabMs, 0.5);
+        report[QLatin1String(type.info.id) + QStringLiteral("_dab_ratio")] =
+            rounded(dabMs / colourMs);
+    }
+}
+
 /// What queries of an area cost among 100 000 and among 10 000, the same people inside.
 void measureAreas(const std::vector<model::TemplateEntry>& cast, QJsonObject& report)
 {
@@ -299,9 +326,9 @@ int runBenchPaint(const BenchPaintOptions& options)
         return 1;
     }
     PaintBench bench(cast.value(), fieldOf(options.count));
-    const StrokeTimes colour = bench.paint(model::BrushKind::Colour);
-    const StrokeTimes removal = bench.paint(model::BrushKind::Delete);
-    const StrokeTimes creation = bench.paint(model::BrushKind::Create);
+    const StrokeTimes colour = bench.paint(brushOf(model::BrushKind::Colour));
+    const StrokeTimes removal = bench.paint(brushOf(model::BrushKind::Delete));
+    const StrokeTimes creation = bench.paint(brushOf(model::BrushKind::Create));
     const double undoMs = bench.medianUndo();
     const std::optional<double> frameMs = bench.medianFrame();
     QJsonObject report{{QStringLiteral("count"), options.count}};
@@ -314,6 +341,7 @@ int runBenchPaint(const BenchPaintOptions& options)
     report[QStringLiteral("created")] = creation.painted;
     report[QStringLiteral("undo_ms")] = rounded(undoMs);
     report[QStringLiteral("frame_ms")] = frameMs ? QJsonValue(rounded(*frameMs)) : QJsonValue();
+    measureBrushes(bench, percentile(colour.dabMs, 0.5), report);
     measureAreas(cast.value(), report);
     printReport(report, options.json);
     return 0;

@@ -130,17 +130,22 @@ class BrushKind:
     """What a brush does."""
     CREATE: ClassVar[BrushKind]
     DELETE: ClassVar[BrushKind]
+    PUSH: ClassVar[BrushKind]
     COLOUR: ClassVar[BrushKind]
     SCALE: ClassVar[BrushKind]
     MATERIAL: ClassVar[BrushKind]
+    PARTS: ClassVar[BrushKind]
     TEMPLATE: ClassVar[BrushKind]
     ORIENTATION: ClassVar[BrushKind]
     ANIMATION: ClassVar[BrushKind]
+    TIME: ClassVar[BrushKind]
     STYLE: ClassVar[BrushKind]
     WALK: ClassVar[BrushKind]
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
     GROUP: ClassVar[BrushKind]
+    CLONE: ClassVar[BrushKind]
+    SMOOTH: ClassVar[BrushKind]
     SHUFFLE: ClassVar[BrushKind]
     RESTORE: ClassVar[BrushKind]
     SCRIPT: ClassVar[BrushKind]
@@ -694,6 +699,176 @@ class RestoreSettings:
         ...
 
 
+class TimeSettings:
+    """When people begin their clips."""
+    @property
+    def mode(self) -> str:
+        ...
+    @mode.setter
+    def mode(self, value: str) -> None:
+        ...
+    @property
+    def delay(self) -> Tuple[float, float]:
+        """Seconds, (shortest, longest)."""
+    @delay.setter
+    def delay(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def wave_speed(self) -> float:
+        """Metres a second."""
+    @wave_speed.setter
+    def wave_speed(self, value: float) -> None:
+        ...
+
+
+class CloneSettings:
+    """What people get of one of them."""
+    @property
+    def source(self) -> int:
+        """Id of an individual; 0: none chosen."""
+    @source.setter
+    def source(self, value: int) -> None:
+        ...
+    @property
+    def template_too(self) -> bool:
+        ...
+    @template_too.setter
+    def template_too(self, value: bool) -> None:
+        ...
+    @property
+    def looks(self) -> bool:
+        ...
+    @looks.setter
+    def looks(self, value: bool) -> None:
+        ...
+    @property
+    def size(self) -> bool:
+        ...
+    @size.setter
+    def size(self, value: bool) -> None:
+        ...
+    @property
+    def heading(self) -> bool:
+        ...
+    @heading.setter
+    def heading(self, value: bool) -> None:
+        ...
+    @property
+    def clips(self) -> bool:
+        ...
+    @clips.setter
+    def clips(self, value: bool) -> None:
+        ...
+    @property
+    def timing(self) -> bool:
+        ...
+    @timing.setter
+    def timing(self, value: bool) -> None:
+        ...
+    @property
+    def walking(self) -> bool:
+        ...
+    @walking.setter
+    def walking(self, value: bool) -> None:
+        ...
+    @property
+    def tags(self) -> bool:
+        ...
+    @tags.setter
+    def tags(self, value: bool) -> None:
+        ...
+    @property
+    def group(self) -> bool:
+        ...
+    @group.setter
+    def group(self, value: bool) -> None:
+        ...
+
+
+class SmoothSettings:
+    """What becomes like the neighbours' values."""
+    @property
+    def distance(self) -> float:
+        """Metres."""
+    @distance.setter
+    def distance(self, value: float) -> None:
+        ...
+    @property
+    def size(self) -> bool:
+        ...
+    @size.setter
+    def size(self, value: bool) -> None:
+        ...
+    @property
+    def heading(self) -> bool:
+        ...
+    @heading.setter
+    def heading(self, value: bool) -> None:
+        ...
+    @property
+    def timing(self) -> bool:
+        ...
+    @timing.setter
+    def timing(self, value: bool) -> None:
+        ...
+    @property
+    def walk_speed(self) -> bool:
+        ...
+    @walk_speed.setter
+    def walk_speed(self, value: bool) -> None:
+        ...
+    @property
+    def colours(self) -> bool:
+        ...
+    @colours.setter
+    def colours(self, value: bool) -> None:
+        ...
+
+
+class PushSettings:
+    """How people are moved on the ground."""
+    @property
+    def mode(self) -> str:
+        ...
+    @mode.setter
+    def mode(self, value: str) -> None:
+        ...
+    @property
+    def strength(self) -> float:
+        ...
+    @strength.setter
+    def strength(self, value: float) -> None:
+        ...
+    @property
+    def distance(self) -> float:
+        """Metres."""
+    @distance.setter
+    def distance(self, value: float) -> None:
+        ...
+
+
+class PartsSettings:
+    """Which parts people show."""
+    @property
+    def part(self) -> str:
+        """By name; empty: all."""
+    @part.setter
+    def part(self, value: str) -> None:
+        ...
+    @property
+    def is_shown(self) -> bool:
+        ...
+    @is_shown.setter
+    def is_shown(self, value: bool) -> None:
+        ...
+    @property
+    def percent(self) -> float:
+        """Percent of those under the brush."""
+    @percent.setter
+    def percent(self, value: float) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -851,6 +1026,36 @@ class Brush:
         ...
     @restore.setter
     def restore(self, value: RestoreSettings) -> None:
+        ...
+    @property
+    def time(self) -> TimeSettings:
+        ...
+    @time.setter
+    def time(self, value: TimeSettings) -> None:
+        ...
+    @property
+    def clone(self) -> CloneSettings:
+        ...
+    @clone.setter
+    def clone(self, value: CloneSettings) -> None:
+        ...
+    @property
+    def smooth(self) -> SmoothSettings:
+        ...
+    @smooth.setter
+    def smooth(self, value: SmoothSettings) -> None:
+        ...
+    @property
+    def push(self) -> PushSettings:
+        ...
+    @push.setter
+    def push(self, value: PushSettings) -> None:
+        ...
+    @property
+    def parts(self) -> PartsSettings:
+        ...
+    @parts.setter
+    def parts(self, value: PartsSettings) -> None:
         ...
     @property
     def tag(self) -> int:

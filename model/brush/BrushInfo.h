@@ -16,8 +16,9 @@ enum class StrokeFamily : std::uint8_t {
     Places    ///< spots of the ground, where places come: no stroke of the document
 };
 
-/// What Ctrl+click takes from under the cursor for the brush.
-enum class Dropper : std::uint8_t { None, Template, Colour, Point, Clip };
+/// What Ctrl+click takes from under the cursor for the brush, besides what the settings' take()
+/// takes from a person.
+enum class Dropper : std::uint8_t { None, Colour, Point };
 
 /// What a brush is for, in the order of palette and menus.
 enum class BrushSection : std::uint8_t { Crowd, Look, Motion, Way, Mind, Any };
@@ -63,6 +64,7 @@ struct BrushInfo
     bool flows = false;            ///< and go a share of the way
     bool isTogether = false;       ///< changes all whom the stroke has touched together, anew with
                                    ///< each that comes
+    bool movesPeople = false;      ///< dabs find people where those before have put them
     Dropper dropper = Dropper::None;
 };
 

@@ -23,6 +23,7 @@ BrushType typeOf()
                    nullptr,
                    &rateOf,
                    [](BrushSettings& brush, float value) { brush.ratePerSecond = value; },
+                   nullptr,
                    [](const BrushSettings& brush) { return operatorInfo(brush.op).followsLine; },
                    [](const BrushSettings& brush) -> const void* { return &brush.as<Settings>(); },
                    [](BrushSettings& brush) -> void* { return &brush.as<Settings>(); }};
@@ -39,8 +40,18 @@ BrushType typeOf()
                 return settings.*range.isOn && operatorInfo(settings.*range.op).followsLine;
             });
         };
+        type.take = [](BrushSettings& brush, const TakenFrom& from) {
+            return takeRanges(brush.as<Settings>(), from);
+        };
     } else if constexpr (requires(const ChangeRequest& request) { Settings::change(request); }) {
         type.change = [](const ChangeRequest& request) { return Settings::change(request); };
+    }
+    if constexpr (requires(BrushSettings & brush, const TakenFrom& from) {
+                      Settings::take(brush, from);
+                  }) {
+        type.take = [](BrushSettings& brush, const TakenFrom& from) {
+            return Settings::take(brush, from);
+        };
     }
     if constexpr (requires(BrushSettings & brush) { Settings::mainNumber(brush); }) {
         type.mainNumber = [](const BrushSettings& brush) { return Settings::mainNumber(brush); };

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <span>
+#include <string>
 
 #include "model/brush/Brushes.h"
 #include "model/brush/Mask.h"
@@ -116,6 +117,7 @@ struct BrushSettings
 
 struct ChangeRequest;
 struct ChangeResult;
+struct TakenFrom;
 
 /// What there is to know of a kind of brush, without its type.
 struct BrushType
@@ -129,7 +131,10 @@ struct BrushType
     /// Null: it changes no properties by itself (creation, deletion, events, places, scripts).
     ChangeResult (*change)(const ChangeRequest&);
     MainNumber (*mainNumber)(const BrushSettings&);
-    void (*setMainNumber)(BrushSettings&, float);  ///< of the value as shown, within its limits
+    void (*setMainNumber)(BrushSettings&, float); ///< of the value as shown, within its limits
+    /// Sets it by somebody; says what was taken, for the artist: empty, nothing. Null: takes
+    /// nothing.
+    std::string (*take)(BrushSettings&, const TakenFrom&);
     bool (*followsLine)(const BrushSettings&);     ///< whether an operator of it does
     const void* (*settings)(const BrushSettings&); ///< what the fields are of
     void* (*editable)(BrushSettings&);

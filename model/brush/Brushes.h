@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "model/brush/changes/Animation.h"
+#include "model/brush/changes/Clone.h"
 #include "model/brush/changes/Colour.h"
 #include "model/brush/changes/Create.h"
 #include "model/brush/changes/Delete.h"
@@ -12,14 +13,18 @@
 #include "model/brush/changes/Group.h"
 #include "model/brush/changes/Material.h"
 #include "model/brush/changes/Orientation.h"
+#include "model/brush/changes/Parts.h"
 #include "model/brush/changes/Place.h"
+#include "model/brush/changes/Push.h"
 #include "model/brush/changes/Restore.h"
 #include "model/brush/changes/Scale.h"
 #include "model/brush/changes/Script.h"
 #include "model/brush/changes/Shuffle.h"
+#include "model/brush/changes/Smooth.h"
 #include "model/brush/changes/Style.h"
 #include "model/brush/changes/Tag.h"
 #include "model/brush/changes/Template.h"
+#include "model/brush/changes/Time.h"
 #include "model/brush/changes/Walk.h"
 
 /// The one list of brushes: name, settings. New ones come last, since the numbers of the others key
@@ -43,7 +48,12 @@
     BRUSH(Group, GroupSettings)                                                                    \
     BRUSH(Template, TemplateSettings)                                                              \
     BRUSH(Shuffle, ShuffleSettings)                                                                \
-    BRUSH(Restore, RestoreSettings)
+    BRUSH(Restore, RestoreSettings)                                                                \
+    BRUSH(Time, TimeSettings)                                                                      \
+    BRUSH(Clone, CloneSettings)                                                                    \
+    BRUSH(Smooth, SmoothSettings)                                                                  \
+    BRUSH(Push, PushSettings)                                                                      \
+    BRUSH(Parts, PartsSettings)
 
 namespace crowd::model {
 

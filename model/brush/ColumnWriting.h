@@ -11,6 +11,8 @@
 #include "model/brush/Operator.h"
 #include "model/brush/PropertyChange.h"
 #include "model/brush/SlotChoice.h"
+#include "model/brush/TakenFrom.h"
+#include "model/describe/FieldChecks.h"
 
 /// What changes of properties are made of.
 namespace crowd::model {
@@ -80,6 +82,14 @@ void forEachRow(const ChangeRequest& request, Visit&& visit)
     }
 }
 
+/// Rows of the request's individuals, in their order.
+[[nodiscard]] inline std::vector<std::size_t> rowsOf(const ChangeRequest& request)
+{
+    std::vector<std::size_t> rows(request.ids.size());
+    forEachRow(request, [&rows](std::size_t i, std::size_t row, IndividualId) { rows[i] = row; });
+    return rows;
+}
+
 [[nodiscard]] inline float valueAt(const ValueRange& range, double share)
 {
     return range.low + (range.high - range.low) * static_cast<float>(share);
@@ -100,6 +110,27 @@ struct ChangeTools
         model::forEachRow(request, std::forward<Visit>(visit));
     }
 };
+
+/// The range, as wide as it is, from another value on.
+[[nodiscard]] inline ValueRange rangeFrom(float low, const ValueRange& range)
+{
+    return {low, low + range.high - range.low};
+}
+
+/// Lets the ranges that are on begin with what somebody has; says that.
+template<class Settings>
+std::string takeRanges(Settings& settings, const TakenFrom& from)
+{
+    std::string taken;
+    for (const auto& range : Settings::columnRanges()) {
+        if (settings.*range.isOn) {
+            const float value = from.value(range.column);
+            settings.*range.range = rangeFrom(value, settings.*range.range);
+            taken += (taken.empty() ? "" : " · ") + shortNumber(static_cast<double>(value));
+        }
+    }
+    return taken;
+}
 
 /// Writes the ranges that a brush's settings say, each by its own operator: see ColumnRange.
 template<class Settings>

@@ -113,27 +113,31 @@ void carryLooks(IndividualRows& rows, std::size_t row, const Template* before,
 
 } // namespace
 
-void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, TemplateId id)
+void toTemplate(const Scene& scene, IndividualRows& rows, const TemplateEntry& after)
 {
-    const Scene& scene = edit.scene();
-    const TemplateEntry* after = scene.findTemplate(id);
-    if (after == nullptr || !after->asset) {
-        return;
-    }
-    IndividualRows rows = scene.population.rows(ids);
-    for (std::size_t row = 0; row < ids.size(); ++row) {
+    for (std::size_t row = 0; row < rows.ids.size(); ++row) {
         const TemplateId old = rows.column(columns::templateId)[row];
-        if (old == id) {
+        if (old == after.id) {
             continue;
         }
         const TemplateEntry* before = scene.findTemplate(old);
         std::uint16_t& clip = rows.column(columns::clip)[row];
-        clip = clipInOther(before, *after, clip, rows.column(columns::seat)[row] != kNoSeat);
+        clip = clipInOther(before, after, clip, rows.column(columns::seat)[row] != kNoSeat);
         std::uint16_t& style = rows.column(columns::walkStyle)[row];
-        style = styleInOther(before, *after, style);
-        carryLooks(rows, row, before != nullptr ? before->asset.get() : nullptr, *after->asset);
-        rows.column(columns::templateId)[row] = id;
+        style = styleInOther(before, after, style);
+        carryLooks(rows, row, before != nullptr ? before->asset.get() : nullptr, *after.asset);
+        rows.column(columns::templateId)[row] = after.id;
     }
+}
+
+void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, TemplateId id)
+{
+    const TemplateEntry* after = edit.scene().findTemplate(id);
+    if (after == nullptr || !after->asset) {
+        return;
+    }
+    IndividualRows rows = edit.scene().population.rows(ids);
+    toTemplate(edit.scene(), rows, *after);
     writeChanges(edit, ids, rows);
 }
 

@@ -15,6 +15,9 @@ namespace crowd::model {
 /// usual, or something that the new template lacks, does what is usual there.
 void changeTemplate(SceneEdit& edit, std::span<const IndividualId> ids, TemplateId id);
 
+/// The same for rows that are in no scene yet: copies of individuals of any templates.
+void toTemplate(const Scene& scene, IndividualRows& rows, const TemplateEntry& after);
+
 enum class SitResult : std::uint8_t { Done, NoSuchSeat, SeatIsTaken };
 /// Puts somebody onto a seat, facing as it does. Clips that stand as usual become the seated one.
 [[nodiscard]] SitResult sitDown(SceneEdit& edit, IndividualId id, SeatId seat);

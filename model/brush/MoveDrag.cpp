@@ -35,7 +35,6 @@ struct MoveDrag::Private
     void findFreeSeats();
     void apply();
     [[nodiscard]] std::optional<glm::vec3> displacement() const;
-    [[nodiscard]] float heightAt(const glm::vec3& at) const;
     [[nodiscard]] const WorldSeat* nearestSeat(const glm::vec3& to,
                                                const std::vector<bool>& isTaken) const;
     void standUp(const TemplateEntry* entry, SeatId seatBefore, std::uint16_t& clip) const;
@@ -64,20 +63,6 @@ std::optional<glm::vec3> MoveDrag::Private::displacement() const
         return std::nullopt;
     }
     return target->point - grip->point;
-}
-
-float MoveDrag::Private::heightAt(const glm::vec3& at) const
-{
-    // The surface nearest to where the way leads, so that a floor below or above is not taken.
-    const Bounds& bounds = context.stage.bounds();
-    const float top = (bounds.isEmpty() ? at.y : std::max(bounds.high.y, at.y)) + 1.0F;
-    std::optional<float> nearest;
-    for (const SurfaceHit& surface : context.stage.below({at.x, top, at.z})) {
-        if (!nearest || std::abs(surface.point.y - at.y) < std::abs(*nearest - at.y)) {
-            nearest = surface.point.y;
-        }
-    }
-    return nearest.value_or(at.y);
 }
 
 const WorldSeat* MoveDrag::Private::nearestSeat(const glm::vec3& to,
@@ -129,7 +114,7 @@ void MoveDrag::Private::apply()
             position = target->seat.position;
             rows.column(columns::heading)[i] = wrappedAngle(target->seat.headingRadians);
         } else {
-            position.y = heightAt(position);
+            position.y = context.stage.heightNear(position);
             standUp(entry, seat, clip);
             seat = kNoSeat;
         }

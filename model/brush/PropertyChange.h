@@ -16,6 +16,7 @@ namespace crowd::model {
 
 /// What a change may depend on besides the individual.
 struct ChangeTools;
+class StageRays;
 
 struct ChangeRequest
 {
@@ -28,6 +29,7 @@ struct ChangeRequest
     std::optional<float> strokeHeading;
     std::span<const IndividualId> ids; ///< ascending, all present
     const Population* shown = nullptr; ///< where they are seen; null: where the scene says
+    const StageRays* stage = nullptr;  ///< what people stand on; null: nothing is known of it
 };
 
 struct ChangeResult

@@ -36,6 +36,17 @@ void SelectionEffect::showTime(double seconds)
     m_picker.update(m_shown ? m_shown : m_frame, m_ground.seats, m_ground.context.view);
 }
 
+/// Those whom a session has elsewhere are found where they are seen.
+void SelectionEffect::followMoves()
+{
+    if (!m_shown) {
+        CrowdFrame moved = *m_frame;
+        moved.population = m_ground.edit->scene().population;
+        m_frame = std::make_shared<const CrowdFrame>(std::move(moved));
+        m_picker.update(m_frame, m_ground.seats, m_ground.context.view);
+    }
+}
+
 std::vector<IndividualId> SelectionEffect::selected(const Dab& dab) const
 {
     const BrushSettings& settings = m_ground.settings;
@@ -135,7 +146,8 @@ void SelectionEffect::change(std::span<const IndividualId> ids, const StrokeLine
                                 line,
                                 heading,
                                 ids,
-                                m_shown ? &m_shown->population : nullptr};
+                                m_shown ? &m_shown->population : nullptr,
+                                &m_ground.context.stage};
     ScriptChange* script = m_ground.context.script;
     const ChangeResult result = m_ground.settings.kind() != BrushKind::Script
                                     ? changeProperties(request)
@@ -183,8 +195,13 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
     std::vector<IndividualId> gone;
     for (const StrokeDab& dab : dabs) {
         showTime(dab.dab.shownSeconds);
-        std::vector<IndividualId> ids =
-            untouched(unmasked(remembered([&] { return selected(dab.dab); })));
+        const bool isMoving = brushType(settings.kind()).info.movesPeople;
+        if (isMoving) {
+            followMoves();
+        }
+        std::vector<IndividualId> ids = remembered([&] { return selected(dab.dab); });
+        const bool isBeforeAnyWay = isMoving && dab.heading && dab.dab.index == 0;
+        ids = isBeforeAnyWay ? std::vector<IndividualId>() : untouched(unmasked(std::move(ids)));
         if (ids.empty()) {
             continue;
         }

@@ -25,6 +25,7 @@ public:
 
 private:
     void showTime(double seconds);
+    void followMoves();
     [[nodiscard]] std::vector<IndividualId> selected(const Dab& dab) const;
     /// Whom `select` says, or whom the stroke before selected there; they are recorded.
     [[nodiscard]] std::vector<IndividualId>

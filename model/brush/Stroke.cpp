@@ -31,19 +31,28 @@ Sampler samplerFor(const BrushSettings& settings)
     if (settings.selection == BrushSelection::Spray) {
         return Sampler::spray(settings.ratePerSecond, settings.pressureRate);
     }
-    return Sampler::alongWay(settings.selection == BrushSelection::AllInCircle
-                                 ? std::max(1.0, settings.radiusPixels * kCircleSpacing)
-                                 : kPointSpacing);
+    return Sampler::alongWay(dabSpacing(settings));
 }
 
 bool needsDirection(const BrushSettings& settings)
 {
+    if (const auto* push = settings.find<PushSettings>()) {
+        return !settings.isReevaluated() &&
+               (push->mode == PushMode::Push || push->mode == PushMode::Comb);
+    }
     const auto* turns = settings.find<OrientationSettings>();
     return turns != nullptr && !settings.isReevaluated() &&
            turns->heading.mode == HeadingMode::AlongStroke;
 }
 
 } // namespace
+
+double dabSpacing(const BrushSettings& settings)
+{
+    return settings.selection == BrushSelection::AllInCircle
+               ? std::max(1.0, settings.radiusPixels * kCircleSpacing)
+               : kPointSpacing;
+}
 
 double dabRadius(const BrushSettings& settings, const Dab& dab)
 {

@@ -37,9 +37,12 @@ enum class StrokeReason : std::uint8_t {
     NoSuchClip,
     NothingChosen, ///< a brush that is set to change nothing
     ScriptChangedNothing,
-    NoDirection, ///< facing along a stroke that did not go anywhere
-    Masked,      ///< the mask means none of them
-    GroupLocked  ///< their group, or the one that new ones come into, is locked or hidden
+    NoDirection,  ///< facing along a stroke that did not go anywhere
+    Masked,       ///< the mask means none of them
+    GroupLocked,  ///< their group, or the one that new ones come into, is locked or hidden
+    NobodyChosen, ///< whom to clone or to face
+    NoSuchPart,
+    OnlySeated ///< who sits is not pushed about
 };
 
 /// The reason of a brush as a sentence for the status bar; empty for None and Cancelled.

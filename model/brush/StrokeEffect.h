@@ -41,6 +41,8 @@ struct StrokeDab
     std::optional<float> heading; ///< of the way, on the ground
 };
 
+/// Logical pixels between two dabs along the way; of a spray, as of a point.
+[[nodiscard]] double dabSpacing(const BrushSettings& settings);
 /// Radius of a dab, logical pixels.
 [[nodiscard]] double dabRadius(const BrushSettings& settings, const Dab& dab);
 /// The k-th point of a spray's dab: equally spread over the circle.

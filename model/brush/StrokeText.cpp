@@ -65,9 +65,14 @@ constexpr ReasonText kReasons[] = {
      QT_TRANSLATE_NOOP("Brushes", "The mask of the brush leaves all of them out")},
     {StrokeReason::GroupLocked,
      QT_TRANSLATE_NOOP("Brushes", "The group is locked or hidden: the Groups panel shows it")},
+    {StrokeReason::NobodyChosen,
+     QT_TRANSLATE_NOOP("Brushes", "Ctrl+click somebody to choose first")},
+    {StrokeReason::NoSuchPart, QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen part")},
+    {StrokeReason::OnlySeated,
+     QT_TRANSLATE_NOOP("Brushes", "All of them sit: who sits keeps the seat")},
 };
 
-constexpr auto kLast = StrokeReason::GroupLocked;
+constexpr auto kLast = StrokeReason::OnlySeated;
 constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
 static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 

@@ -225,4 +225,16 @@ std::vector<SurfaceHit> StageRays::below(const glm::vec3& from) const
     return surfaces;
 }
 
+float StageRays::heightNear(const glm::vec3& at) const
+{
+    const float top = (bounds().isEmpty() ? at.y : std::max(bounds().high.y, at.y)) + 1.0F;
+    std::optional<float> nearest;
+    for (const SurfaceHit& surface : below({at.x, top, at.z})) {
+        if (!nearest || std::abs(surface.point.y - at.y) < std::abs(*nearest - at.y)) {
+            nearest = surface.point.y;
+        }
+    }
+    return nearest.value_or(at.y);
+}
+
 } // namespace crowd::model

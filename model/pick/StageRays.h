@@ -51,6 +51,10 @@ public:
     /// All surfaces that a vertical line meets, from the top, the ground last; at most 8.
     [[nodiscard]] std::vector<SurfaceHit> below(const glm::vec3& from) const;
 
+    /// Height of the surface nearest above or below a point, so that a floor further up or down is
+    /// not taken; the point's own where there is none.
+    [[nodiscard]] float heightNear(const glm::vec3& at) const;
+
 private:
     struct Private;
     std::unique_ptr<Private> m_private;

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <set>
 #include <string>
-#include <unordered_map>
 
-#include <glm/geometric.hpp>
+#include "model/population/FootCells.h"
 
 namespace crowd::model {
 
@@ -31,52 +29,6 @@ std::string looksOf(const Population& people, std::size_t row)
     }
     return looks;
 }
-
-/// Foot points in cells as wide as what counts as near.
-class FootCells
-{
-public:
-    FootCells(std::span<const glm::vec3> positions, float metres)
-        : m_positions(positions), m_metres(metres)
-    {
-        for (std::uint32_t row = 0; row < positions.size(); ++row) {
-            m_rows[keyOf(cellOf(positions[row]))].push_back(row);
-        }
-    }
-    /// Calls visit(row) for all that are near to a row, itself too.
-    template<class Visit>
-    void forEachNear(std::size_t row, const Visit& visit) const
-    {
-        const glm::ivec3 middle = cellOf(m_positions[row]);
-        for (int i = 0; i < 27; ++i) {
-            const auto cell =
-                m_rows.find(keyOf(middle + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
-            if (cell == m_rows.end()) {
-                continue;
-            }
-            for (const std::uint32_t other : cell->second) {
-                if (glm::distance(m_positions[row], m_positions[other]) <= m_metres) {
-                    visit(other);
-                }
-            }
-        }
-    }
-
-private:
-    [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& position) const
-    {
-        return glm::ivec3(glm::floor(glm::clamp(position / m_metres, -1.0e6F, 1.0e6F)));
-    }
-    [[nodiscard]] static std::uint64_t keyOf(const glm::ivec3& cell)
-    {
-        const auto part = [](int value) { return static_cast<std::uint64_t>(value) + 0x100000U; };
-        return part(cell.x) | part(cell.y) << 21U | part(cell.z) << 42U;
-    }
-
-    std::span<const glm::vec3> m_positions;
-    float m_metres;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_rows;
-};
 
 std::vector<char> rowsOf(const Population& people, std::span<const IndividualId> ids)
 {

@@ -120,6 +120,14 @@ inline void enliven(BrushSettings& settings)
     if (auto* swap = settings.find<TemplateSettings>()) {
         swap->templates = {kOtherMan};
     }
+    if (auto* clone = settings.find<CloneSettings>()) {
+        clone->source = 31; // in the middle
+        clone->heading = true;
+        clone->walking = true;
+    }
+    if (auto* smooth = settings.find<SmoothSettings>()) {
+        *smooth = {1.5F, true, true, true, true, true};
+    }
     if (auto* shuffle = settings.find<ShuffleSettings>()) {
         *shuffle = {true, true, true, true, true};
     }

@@ -10,6 +10,7 @@ crowd_add_tests(ROOM model
     tst_BrushExchange
     tst_BrushGround
     tst_BrushIndividuals
+    tst_BrushNeighbours
     tst_BrushOrientation
     tst_BrushReach
     tst_BrushSampler

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void anUntintedSlotHasTheColourOfItsMaterial();
     void theDropperWorksOnceAndNobodyIsSaid();
     void aKindIsTakenForTheMix();
+    void sizesAreTakenAndPainted();
     void aClipIsTaken();
     void aPointToFaceIsTakenFromTheGround();
     void escapePutsTheBrushBack();
@@ -155,6 +156,31 @@ void PickDragTest::aKindIsTakenForTheMix()
         hand.state.brush(model::BrushKind::Create).as<crowd::model::CreateSettings>().mix;
     QCOMPARE(mix, (std::vector<model::TemplateWeight>{{other.id, 1.0F}}));
     QCOMPARE(hand.document.scene().population.size(), std::size_t{1});
+}
+
+void PickDragTest::sizesAreTakenAndPainted()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 1);
+    {
+        const float tall = 1.3F;
+        const auto edit = hand.document.beginEdit();
+        edit->setColumn(model::columns::height, ids, std::span<const float>(&tall, 1));
+        edit->commit(QStringLiteral("Tall"));
+    }
+    QSignalSpy said(&hand.state, &EditorState::statusMessage);
+    hand.state.setTool(ToolId::BrushScale);
+    QVERIFY(hand.state.hint().contains(QStringLiteral("Ctrl+click")));
+    hand.modifiers = Qt::ControlModifier;
+    click(hand, hand.pixelOf(ids[0]));
+    const auto& scale = hand.state.brush(model::BrushKind::Scale).as<crowd::model::ScaleSettings>();
+    QCOMPARE(scale.height.low, 1.3F);
+    QCOMPARE(scale.girth.low, 1.0F);
+    QCOMPARE(said.count(), 0);
+    hand.state.setTool(ToolId::BrushTag);
+    click(hand, hand.pixelOf(ids[0])); // has none
+    QVERIFY(said.count() > 0);
+    QVERIFY(said.back().front().toString().contains(QStringLiteral("Nothing to take")));
 }
 
 void PickDragTest::aClipIsTaken()

@@ -100,6 +100,20 @@ void addSlot(FieldForm& form, const Bound& bound)
     form.addChoice(labelText(bound), texts, chosen, choose, bound.isShown);
 }
 
+/// A choice of names, with what is shown for each.
+void addName(FieldForm& form, const Bound& bound, const QStringList& texts,
+             const std::vector<std::string>& names)
+{
+    form.addChoice(
+        labelText(bound), texts,
+        [&form, bound, names] {
+            const auto found = std::ranges::find(names, form.valueOf<std::string>(bound));
+            return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+        },
+        [&form, bound, names](int i) { form.setValue(bound, names[static_cast<std::size_t>(i)]); },
+        bound.isShown);
+}
+
 /// Names of materials that some slot lets choose from, each once; any comes first.
 void addMaterial(FieldForm& form, const Bound& bound)
 {
@@ -116,14 +130,24 @@ void addMaterial(FieldForm& form, const Bound& bound)
             }
         }
     }
-    form.addChoice(
-        labelText(bound), texts,
-        [&form, bound, names] {
-            const auto found = std::ranges::find(names, form.valueOf<std::string>(bound));
-            return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-        },
-        [&form, bound, names](int i) { form.setValue(bound, names[static_cast<std::size_t>(i)]); },
-        bound.isShown);
+    addName(form, bound, texts, names);
+}
+
+/// Names of the parts of the scene's templates, each once; all comes first.
+void addPart(FieldForm& form, const Bound& bound)
+{
+    QStringList texts{FieldForm::tr("All parts")};
+    std::vector<std::string> names{std::string()};
+    for (const model::TemplateEntry& entry : sceneOf(form).templates) {
+        for (std::size_t i = 0; entry.asset && i < entry.asset->parts.size(); ++i) {
+            const std::string& name = entry.asset->parts[i].name;
+            if (std::ranges::find(names, name) == names.end()) {
+                names.push_back(name);
+                texts << QString::fromStdString(name);
+            }
+        }
+    }
+    addName(form, bound, texts, names);
 }
 
 /// Each once; those to walk with, or all.
@@ -372,6 +396,9 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         return true;
     case model::FieldRole::Material:
         addMaterial(form, bound);
+        return true;
+    case model::FieldRole::Part:
+        addPart(form, bound);
         return true;
     case model::FieldRole::Path:
         addPath(form, bound);

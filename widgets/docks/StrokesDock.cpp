@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kLayMs = 40; ///< changes of a slider within it are laid together
 constexpr int kListRows = 6;
-constexpr int kIconSize = 20; ///< logical pixels
+constexpr int kStrokeIcon = 20; ///< logical pixels
 
 } // namespace
 
@@ -59,7 +59,7 @@ QWidget* StrokesDock::buttons()
         button->setObjectName(QLatin1String(icon));
         button->setIcon(iconNamed(icon));
         button->setToolTip(tip);
-        button->setIconSize({kIconSize, kIconSize});
+        button->setIconSize({kStrokeIcon, kStrokeIcon});
         button->setAutoRaise(true);
         layout->addWidget(button);
         connect(button, &QToolButton::clicked, this, act);

@@ -26,7 +26,11 @@ struct BrushToolText
 
 QString whatItDoes(BrushKind kind)
 {
-    return QCoreApplication::translate("BrushTool", model::brushType(kind).info.hint);
+    const model::BrushType& type = model::brushType(kind);
+    const QString hint = QCoreApplication::translate("BrushTool", type.info.hint);
+    const bool saysAll =
+        type.take == nullptr || std::string_view(type.info.hint).find("Ctrl") != std::string::npos;
+    return saysAll ? hint : BrushToolText::tr("%1 · Ctrl+click: take it from somebody").arg(hint);
 }
 
 /// What a stroke is painted with that begins now.

@@ -8,6 +8,7 @@
 #include <QtGui/QColor>
 
 #include "model/base/Color.h"
+#include "model/brush/TakenFrom.h"
 
 namespace crowd::widgets {
 
@@ -60,19 +61,16 @@ int slotMeant(const BrushSettings& brush, const model::Template& asset, int hitS
 
 std::optional<PickKind> pickOfBrush(BrushKind kind)
 {
-    switch (model::brushType(kind).info.dropper) {
-    case model::Dropper::Template:
-        return PickKind::Template;
+    const model::BrushType& type = model::brushType(kind);
+    switch (type.info.dropper) {
     case model::Dropper::Colour:
         return PickKind::Colour;
     case model::Dropper::Point:
         return PickKind::Point;
-    case model::Dropper::Clip:
-        return PickKind::Clip;
     case model::Dropper::None:
         break;
     }
-    return std::nullopt;
+    return type.take != nullptr ? std::optional(PickKind::Person) : std::nullopt;
 }
 
 QString pickText(PickKind kind)
@@ -82,10 +80,8 @@ QString pickText(PickKind kind)
         return PickDragText::tr("Click somebody to take the colour · Escape: not now");
     case PickKind::Point:
         return PickDragText::tr("Click the point to face · Escape: not now");
-    case PickKind::Template:
-        return PickDragText::tr("Click somebody to create more of the kind · Escape: not now");
-    case PickKind::Clip:
-        return PickDragText::tr("Click somebody to take what is done there · Escape: not now");
+    case PickKind::Person:
+        return PickDragText::tr("Click somebody to set the brush by · Escape: not now");
     }
     return {};
 }
@@ -132,22 +128,16 @@ void PickDrag::pickFromPerson()
     const model::TemplateEntry* entry =
         hit ? scene.findTemplate(scene.population.column(model::columns::templateId)[row])
             : nullptr;
-    if (entry == nullptr || !entry->asset) {
+    m_isPerson = entry != nullptr && entry->asset;
+    if (!m_isPerson) {
         m_label.clear();
         return;
     }
     BrushSettings brush = m_context.state.brush(m_before.kind());
-    if (m_kind == PickKind::Template) {
-        brush.as<model::CreateSettings>().mix = {{entry->id, 1.0F}};
-        m_label = QString::fromStdString(entry->name);
+    if (m_kind == PickKind::Person) {
+        m_label = QString::fromStdString(
+            model::brushType(brush.kind()).take(brush, {scene, *entry, hit->id, row}));
         m_context.state.setBrush(brush);
-    } else if (m_kind == PickKind::Clip) {
-        const std::uint16_t clip = scene.population.column(model::columns::clip)[row];
-        if (clip < entry->clipNames.size()) {
-            brush.as<model::AnimationSettings>().clips = {{entry->clipNames[clip], 1.0F}};
-            m_label = QString::fromStdString(entry->clipNames[clip]);
-            m_context.state.setBrush(brush);
-        }
     } else {
         const int slot = slotMeant(brush, *entry->asset, hit->slot);
         const PaintColor color = colorOf(scene.population, row, *entry->asset, slot);
@@ -169,7 +159,9 @@ void PickDrag::release(const ToolInput& input)
     update(input);
     m_context.state.setPicking(Picking::None);
     if (m_label.isEmpty() && m_kind != PickKind::Point) {
-        m_context.state.showStatus(PickDragText::tr("Nobody under the cursor"));
+        m_context.state.showStatus(m_isPerson
+                                       ? PickDragText::tr("Nothing to take there for this brush")
+                                       : PickDragText::tr("Nobody under the cursor"));
     }
 }
 

@@ -11,10 +11,9 @@ namespace crowd::widgets {
 
 /// What a brush can take from the picture.
 enum class PickKind : std::uint8_t {
-    Colour,   ///< of the person's slot under the cursor
-    Point,    ///< that people are to face
-    Template, ///< for the mix of the creation brush
-    Clip      ///< for the animation brush
+    Colour, ///< of the person's slot under the cursor
+    Point,  ///< that people are to face
+    Person  ///< what the brush's settings take from somebody
 };
 
 /// What Ctrl and a click picks with a brush; nothing for those without.
@@ -43,7 +42,8 @@ private:
     model::BrushSettings m_before;
     PickKind m_kind;
     ToolInput m_current;
-    QString m_label; ///< what was taken
+    QString m_label;         ///< what was taken
+    bool m_isPerson = false; ///< somebody is under the pointer
 };
 
 } // namespace crowd::widgets

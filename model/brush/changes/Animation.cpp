@@ -70,4 +70,14 @@ void AnimationSettings::setMainNumber(BrushSettings& brush, float value)
     settings.setsSpeed = true;
 }
 
+std::string AnimationSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    const std::uint16_t clip = from.value(columns::clip);
+    if (clip >= from.entry.clipNames.size()) {
+        return {};
+    }
+    brush.as<AnimationSettings>().clips = {{from.entry.clipNames[clip], 1.0F}};
+    return from.entry.clipNames[clip];
+}
+
 } // namespace crowd::model

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
 
@@ -8,6 +10,7 @@ namespace crowd::model {
 
 struct ChangeRequest;
 struct ChangeResult;
+struct TakenFrom;
 
 /// Gives people other clips, phases and playback speeds.
 struct AnimationSettings
@@ -21,6 +24,7 @@ struct AnimationSettings
     static const BrushInfo kInfo;
     static constexpr auto fields();
     static void prepare(BrushSettings& brush);
+    static std::string take(BrushSettings& brush, const TakenFrom& from);
     static MainNumber mainNumber(const BrushSettings& brush);
     static void setMainNumber(BrushSettings& brush, float value);
     static ChangeResult change(const ChangeRequest& request);
@@ -47,8 +51,7 @@ inline constexpr BrushInfo AnimationSettings::kInfo{
     .operatorPlace = OperatorPlace::Last,
     .gradientNote =
         QT_TRANSLATE_NOOP("Fields", "From the lower to the higher values along the line."),
-    .buildsUp = true,
-    .dropper = Dropper::Clip};
+    .buildsUp = true};
 
 constexpr auto AnimationSettings::fields()
 {

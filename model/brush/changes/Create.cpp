@@ -126,4 +126,10 @@ void CreateSettings::setMainNumber(BrushSettings& brush, float value)
     }
 }
 
+std::string CreateSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    brush.as<CreateSettings>().mix = {{from.entry.id, 1.0F}};
+    return from.entry.name;
+}
+
 } // namespace crowd::model

@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "model/brush/BrushInfo.h"
 #include "model/brush/Heading.h"
 #include "model/brush/Mask.h"
 
 namespace crowd::model {
+
+struct TakenFrom;
 
 struct SeatGridSettings
 {
@@ -49,6 +52,7 @@ struct CreateSettings
     static const BrushInfo kInfo;
     static constexpr auto fields();
     static void prepare(BrushSettings& brush);
+    static std::string take(BrushSettings& brush, const TakenFrom& from);
     static MainNumber mainNumber(const BrushSettings& brush);
     static void setMainNumber(BrushSettings& brush, float value);
     friend bool operator==(const CreateSettings&, const CreateSettings&) = default;
@@ -70,8 +74,7 @@ inline constexpr BrushInfo CreateSettings::kInfo{
     .hint = QT_TRANSLATE_NOOP(
         "BrushTool", "Drag: create characters · + −: how many · Ctrl+click: more of the kind"),
     .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters created"),
-    .undo = QT_TRANSLATE_N_NOOP("Brushes", "Create %n character(s)"),
-    .dropper = Dropper::Template};
+    .undo = QT_TRANSLATE_N_NOOP("Brushes", "Create %n character(s)")};
 
 /// What a form of the scene has use for: free seats to choose from, clothes, faces and parts.
 [[nodiscard]] bool hasSeats(const FieldContext& context);

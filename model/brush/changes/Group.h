@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
@@ -18,6 +19,8 @@ struct GroupSettings
     static constexpr auto fields();
     template<class Request>
     static auto change(const Request& request);
+    template<class Brush, class From>
+    static std::string take(Brush& brush, const From& from);
     friend bool operator==(const GroupSettings&, const GroupSettings&) = default;
 };
 
@@ -51,6 +54,18 @@ constexpr auto GroupSettings::fields()
                                       .section = QT_TRANSLATE_NOOP("Fields", "Group"),
                                       .isRemembered = false,
                                       .zero = QT_TRANSLATE_NOOP("Fields", "none")}));
+}
+
+template<class Brush, class From>
+std::string GroupSettings::take(Brush& brush, const From& from)
+{
+    const auto* group =
+        from.scene.findGroup(from.scene.population.column(columns::group)[from.row]);
+    if (group == nullptr) {
+        return {};
+    }
+    brush.template as<GroupSettings>().group = group->id;
+    return group->name;
 }
 
 /// `Request` is ChangeRequest, which knows this brush: its tools are looked up when it is complete.

@@ -27,6 +27,8 @@ struct MaterialSettings
     }
     template<class Request>
     static auto change(const Request& request);
+    template<class Brush, class From>
+    static std::string take(Brush& brush, const From& from);
     friend bool operator==(const MaterialSettings&, const MaterialSettings&) = default;
 };
 
@@ -74,6 +76,25 @@ constexpr auto MaterialSettings::fields()
                .label = QT_TRANSLATE_NOOP("Fields", "Each slot its own"),
                .tip = QT_TRANSLATE_NOOP("Fields", "Another material for each slot of a character")})
             .when([](const S& s, const FieldContext&) { return s.choice.empty(); }));
+}
+
+/// The material of the chosen slot; where all are meant, of the first that has several.
+template<class Brush, class From>
+std::string MaterialSettings::take(Brush& brush, const From& from)
+{
+    auto& settings = brush.template as<MaterialSettings>();
+    const auto& choices = from.scene.population.column(columns::materialChoices)[from.row];
+    const auto& slots = from.entry.asset->slots;
+    for (std::size_t i = 0; i < std::min(choices.size(), slots.size()); ++i) {
+        const bool isMeant =
+            settings.slot.empty() ? slots[i].choices.size() > 1 : slots[i].name == settings.slot;
+        if (isMeant && choices[i] < slots[i].choices.size()) {
+            settings.slot = slots[i].name;
+            settings.choice = slots[i].choices[choices[i]].name;
+            return settings.slot + " · " + settings.choice;
+        }
+    }
+    return {};
 }
 
 /// The index of a slot's choice: the one of that name, or by the share where there is no name; as

@@ -76,4 +76,21 @@ void StyleSettings::setMainNumber(BrushSettings& brush, float value)
     settings.setsSpeed = true;
 }
 
+std::string StyleSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    auto& settings = brush.as<StyleSettings>();
+    const float speed = from.value(columns::walkSpeed);
+    const std::size_t style = from.value(columns::walkStyle);
+    std::string taken;
+    if (settings.setsStyle && style > 0 && style <= from.entry.clipNames.size()) {
+        taken = from.entry.clipNames[style - 1];
+        settings.clips = {{taken, 1.0F}};
+    }
+    if (settings.setsSpeed && speed > 0.0F) {
+        settings.speed = movedTo(speed, settings.speed);
+        taken += (taken.empty() ? "" : " · ") + shortNumber(static_cast<double>(speed)) + " m/s";
+    }
+    return taken;
+}
+
 } // namespace crowd::model

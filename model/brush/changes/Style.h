@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
 #include "model/scene/Path.h"
@@ -9,6 +11,7 @@ namespace crowd::model {
 
 struct ChangeRequest;
 struct ChangeResult;
+struct TakenFrom;
 
 /// Says with which clip and how fast people walk.
 struct StyleSettings
@@ -23,6 +26,7 @@ struct StyleSettings
     static MainNumber mainNumber(const BrushSettings& brush);
     static void setMainNumber(BrushSettings& brush, float value);
     static ChangeResult change(const ChangeRequest& request);
+    static std::string take(BrushSettings& brush, const TakenFrom& from);
     friend bool operator==(const StyleSettings&, const StyleSettings&) = default;
 };
 

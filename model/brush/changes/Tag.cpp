@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "model/brush/ColumnWriting.h"
@@ -53,6 +55,19 @@ void TagSettings::setMainNumber(BrushSettings& brush, float value)
     } else if (auto* taken = brush.find<UntagSettings>()) {
         taken->tag = tag;
     }
+}
+
+std::string TagSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    const std::uint64_t tags = from.value(columns::tags);
+    if (tags == 0) {
+        return {};
+    }
+    const int tag = std::countr_zero(tags);
+    setMainNumber(brush, static_cast<float>(tag + 1));
+    const auto named = std::ranges::find(
+        from.scene.tags, tag, [](const TagName& each) { return static_cast<int>(each.bit); });
+    return named != from.scene.tags.end() ? named->name : "#" + std::to_string(tag + 1);
 }
 
 } // namespace crowd::model

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
 
@@ -8,6 +10,7 @@ namespace crowd::model {
 
 struct ChangeRequest;
 struct ChangeResult;
+struct TakenFrom;
 
 /// Marks people with a tag that rules ask for.
 struct TagSettings
@@ -19,6 +22,7 @@ struct TagSettings
     static MainNumber mainNumber(const BrushSettings& brush);
     static void setMainNumber(BrushSettings& brush, float value);
     static ChangeResult change(const ChangeRequest& request);
+    static std::string take(BrushSettings& brush, const TakenFrom& from);
     friend bool operator==(const TagSettings&, const TagSettings&) = default;
 };
 

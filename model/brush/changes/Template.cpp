@@ -59,4 +59,10 @@ ChangeResult TemplateSettings::change(const ChangeRequest& request)
     return result;
 }
 
+std::string TemplateSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    brush.as<TemplateSettings>().templates = {static_cast<int>(from.entry.id)};
+    return from.entry.name;
+}
+
 } // namespace crowd::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 #include "model/brush/BrushInfo.h"
 #include "model/describe/Field.h"
@@ -10,6 +11,7 @@ namespace crowd::model {
 
 struct ChangeRequest;
 struct ChangeResult;
+struct TakenFrom;
 
 /// Gives people another template and keeps what fits it: the clip by its name, tints and materials
 /// by the names of slots and choices, parts by their names.
@@ -22,6 +24,7 @@ struct TemplateSettings
     static constexpr auto fields();
     static void prepare(BrushSettings& brush);
     static ChangeResult change(const ChangeRequest& request);
+    static std::string take(BrushSettings& brush, const TakenFrom& from);
     friend bool operator==(const TemplateSettings&, const TemplateSettings&) = default;
 };
 

@@ -57,4 +57,21 @@ void WalkSettings::setMainNumber(BrushSettings& brush, float value)
     settings.setsSpeed = true;
 }
 
+std::string WalkSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    auto& settings = brush.as<WalkSettings>();
+    const float speed = from.value(columns::walkSpeed);
+    const Path* path = from.scene.findPath(from.value(columns::path));
+    std::string taken;
+    if (settings.setsPath && path != nullptr) {
+        settings.path = path->id;
+        taken = path->name;
+    }
+    if (settings.setsSpeed && speed > 0.0F) {
+        settings.speed = movedTo(speed, settings.speed);
+        taken += (taken.empty() ? "" : " · ") + shortNumber(static_cast<double>(speed)) + " m/s";
+    }
+    return taken;
+}
+
 } // namespace crowd::model
