@@ -37,6 +37,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Rules, &make<widgets::RulesDock>, kRight, 0, 0, DockId::Environment},
     {DockId::History, &make<widgets::HistoryDock>, kRight, 0, 0, DockId::Scene},
     {DockId::Strokes, &make<widgets::StrokesDock>, kLeft, 0, 0, DockId::BrushSettings},
+    {DockId::Presets, &make<widgets::PresetsDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Groups, &make<widgets::GroupsDock>, kRight, 0, 0, DockId::Individual},
     {DockId::Console, &makeConsole, Qt::BottomDockWidgetArea, 170, 0, std::nullopt, false},
 }};

@@ -33,6 +33,7 @@ enum class DockId : std::uint8_t {
     Rules,
     History,
     Strokes,
+    Presets,
     Groups,
     Console,
     Count

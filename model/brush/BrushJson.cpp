@@ -16,11 +16,18 @@ namespace {
 constexpr const char* kKindKey = "brush";
 constexpr const char* kSettingsKey = "settings";
 
+bool isMeant(const FieldInfo& field, BrushFields which)
+{
+    const bool isNamed = field.is<std::string>() || field.is<std::vector<ClipWeight>>();
+    return which == BrushFields::All || field.meta.isRemembered ||
+           (which == BrushFields::Portable && isNamed);
+}
+
 std::vector<FieldInfo> fieldsMeant(std::span<const FieldInfo> fields, BrushFields which)
 {
     std::vector<FieldInfo> meant;
     for (const FieldInfo& field : fields) {
-        if (which == BrushFields::All || field.meta.isRemembered) {
+        if (isMeant(field, which)) {
             meant.push_back(field);
         }
     }
@@ -106,7 +113,7 @@ Result<BrushSettings> brushFromJson(const nlohmann::json& json)
     return brush;
 }
 
-BrushSettings withRemembered(BrushSettings brush, const nlohmann::json& json)
+BrushSettings withRemembered(BrushSettings brush, const nlohmann::json& json, BrushFields which)
 {
     if (!json.is_object()) {
         return brush;
@@ -114,7 +121,7 @@ BrushSettings withRemembered(BrushSettings brush, const nlohmann::json& json)
     Message problem;
     JsonFields source(json, {}, problem);
     BrushSettings known = brush;
-    readBrush(source, known, BrushFields::Remembered, WrongValue::Keep);
+    readBrush(source, known, which, WrongValue::Keep);
     return checkBrush(known) ? known : brush;
 }
 

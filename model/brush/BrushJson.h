@@ -11,8 +11,9 @@
 /// fields of the kind alone.
 namespace crowd::model {
 
-/// Which fields: all, or those alone that outlast a scene (FieldMeta::isRemembered).
-enum class BrushFields : std::uint8_t { All, Remembered };
+/// Which fields: all, or those alone that outlast a scene (FieldMeta::isRemembered), or these and
+/// what names something by a word, which another scene may have too.
+enum class BrushFields : std::uint8_t { All, Remembered, Portable };
 
 [[nodiscard]] nlohmann::json brushJson(const BrushSettings& brush,
                                        BrushFields which = BrushFields::All);
@@ -23,6 +24,7 @@ enum class BrushFields : std::uint8_t { All, Remembered };
 
 /// Settings that another program version may have kept: what is not there, wrong or unknown leaves
 /// `brush` as it is in that.
-[[nodiscard]] BrushSettings withRemembered(BrushSettings brush, const nlohmann::json& json);
+[[nodiscard]] BrushSettings withRemembered(BrushSettings brush, const nlohmann::json& json,
+                                           BrushFields which = BrushFields::Remembered);
 
 } // namespace crowd::model

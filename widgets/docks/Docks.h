@@ -10,6 +10,7 @@
 #include "widgets/docks/GroupsDock.h"
 #include "widgets/docks/HistoryDock.h"
 #include "widgets/docks/IndividualDock.h"
+#include "widgets/docks/PresetsDock.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/docks/SceneDock.h"
 #include "widgets/docks/StrokesDock.h"
