@@ -265,9 +265,11 @@ AreaQueries PaintBench::queryArea(model::AreaMode mode)
 std::vector<glm::vec3> clumpAmong(int others)
 {
     std::vector<glm::vec3> places;
+    places.reserve(static_cast<std::size_t>(std::max(others, kPeopleInArea)));
     for (int i = 0; i < kPeopleInArea; ++i) {
+        const int row = i / 20;
         places.emplace_back(0.6F * static_cast<float>(i % 20 - 10), 0.0F,
-                            0.6F * static_cast<float>(i / 20 - 10));
+                            0.6F * static_cast<float>(row - 10));
     }
     for (int i = kPeopleInArea; i < others; ++i) {
         const float x = 40.0F * model::unitFloat(model::hashKeys(i, 3)) + 15.0F;

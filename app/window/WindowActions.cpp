@@ -384,6 +384,7 @@ const std::vector<std::vector<const char*>>& brushLists()
 {
     static const std::vector<std::vector<const char*>> kLists = [] {
         std::vector<std::vector<const char*>> lists;
+        lists.reserve(model::kBrushSectionCount);
         for (int i = 0; i < model::kBrushSectionCount; ++i) {
             lists.push_back(brushesOf(static_cast<model::BrushSection>(i)));
         }

@@ -110,7 +110,7 @@ StrokeOutcome LastStrokes::lay(Entry& entry, const BrushContext& context)
                                             entry.stroke = *committed.stroke;
                                         }
                                     });
-    const StrokeOutcome outcome =
+    StrokeOutcome outcome =
         replay(m_document, context.keyframes, context.stage, entry.stroke, context.ground, nullptr);
     disconnect(connection);
     entry.step = outcome.isCommitted ? std::optional(step) : std::nullopt;
@@ -152,7 +152,7 @@ StrokeOutcome LastStrokes::replace(std::size_t index, Entry fresh)
         return {false, false, 0, StrokeReason::Cancelled, {}};
     }
     const BrushContext context = m_context();
-    const StrokeOutcome outcome = lay(fresh, context);
+    StrokeOutcome outcome = lay(fresh, context);
     if (!outcome.isCommitted) {
         stack.setIndex(before);
         return outcome;

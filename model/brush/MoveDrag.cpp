@@ -132,16 +132,16 @@ std::unique_ptr<MoveDrag> MoveDrag::begin(SceneDocument& document, const BrushCo
                                           std::span<const IndividualId> ids, bool ontoSeats,
                                           const PointerInput& press)
 {
-    auto data = std::unique_ptr<Private>(new Private{document,
-                                                     context,
-                                                     {ids.begin(), ids.end()},
-                                                     ontoSeats,
-                                                     press,
-                                                     press,
-                                                     document.beginEdit(),
-                                                     {},
-                                                     {},
-                                                     false});
+    auto data = std::make_unique<Private>(Private{document,
+                                                  context,
+                                                  {ids.begin(), ids.end()},
+                                                  ontoSeats,
+                                                  press,
+                                                  press,
+                                                  document.beginEdit(),
+                                                  {},
+                                                  {},
+                                                  false});
     data->grip = context.stage.hit(context.view.rayThrough(glm::vec2(press.pixels())));
     if (ontoSeats) {
         data->findFreeSeats();

@@ -3,6 +3,7 @@
 
 #include "model/brush/BrushSettings.h"
 #include "model/brush/SlotChoice.h"
+#include "model/brush/TakenFrom.h"
 #include "model/scene/Scene.h"
 
 namespace crowd::model {
