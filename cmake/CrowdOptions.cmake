@@ -10,6 +10,12 @@ if(CROWD_CCACHE)
         ${CROWD_CCACHE})
 endif()
 
+# Every program holds most of the rooms: mold links one in a second, the usual linker in many.
+find_program(CROWD_MOLD mold)
+if(CROWD_MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()
+
 add_library(crowd_options INTERFACE)
 target_compile_options(crowd_options INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -Werror
