@@ -3,6 +3,24 @@
 
 namespace crowd::model {
 
+Trigger::Trigger(const Trigger& other) = default;
+Trigger::Trigger(Trigger&& other) noexcept = default;
+Trigger& Trigger::operator=(const Trigger& other) = default;
+Trigger& Trigger::operator=(Trigger&& other) noexcept = default;
+Trigger::~Trigger() = default;
+
+Condition::Condition(const Condition& other) = default;
+Condition::Condition(Condition&& other) noexcept = default;
+Condition& Condition::operator=(const Condition& other) = default;
+Condition& Condition::operator=(Condition&& other) noexcept = default;
+Condition::~Condition() = default;
+
+Action::Action(const Action& other) = default;
+Action::Action(Action&& other) noexcept = default;
+Action& Action::operator=(const Action& other) = default;
+Action& Action::operator=(Action&& other) noexcept = default;
+Action::~Action() = default;
+
 std::vector<std::uint32_t> idsNamedIn(const Rule& rule, FieldRole role)
 {
     std::vector<std::uint32_t> ids;

@@ -14,12 +14,18 @@
 
 /// Rules as data: "when this happens, and these conditions hold, do this sequence". What they mean
 /// is behavior's affair. Metres, seconds. The parts are made of what they hold:
-/// rule.actions = {actions::Stop(), actions::SetSpeed{2.0F}}.
+/// rule.actions = {actions::Stop(), actions::SetSpeed{2.0F}}. They are copied and moved in Rule.cpp
+/// alone: a variant of many kinds takes long to compile wherever it is.
 namespace crowd::model {
 
 struct Trigger : RulePart<TriggerData>
 {
     Trigger() : RulePart(triggers::Event()) {}
+    Trigger(const Trigger& other);
+    Trigger(Trigger&& other) noexcept;
+    Trigger& operator=(const Trigger& other);
+    Trigger& operator=(Trigger&& other) noexcept;
+    ~Trigger();
     template<KindOf<TriggerData> Kind>
     Trigger(Kind kind) : RulePart(std::move(kind)) // NOLINT(google-explicit-constructor)
     {
@@ -32,6 +38,11 @@ struct Condition : RulePart<ConditionData>
     bool isNot = false;
 
     Condition() = default;
+    Condition(const Condition& other);
+    Condition(Condition&& other) noexcept;
+    Condition& operator=(const Condition& other);
+    Condition& operator=(Condition&& other) noexcept;
+    ~Condition();
     template<KindOf<ConditionData> Kind>
     Condition(Kind kind, bool isNegated = false) // NOLINT(google-explicit-constructor)
         : RulePart(std::move(kind)), isNot(isNegated)
@@ -45,6 +56,11 @@ struct Action : RulePart<ActionData>
     std::uint8_t depth = 0; ///< deeper ones belong to a Repeat or OneOf above; see RuleSequence.h
 
     Action() = default;
+    Action(const Action& other);
+    Action(Action&& other) noexcept;
+    Action& operator=(const Action& other);
+    Action& operator=(Action&& other) noexcept;
+    ~Action();
     template<KindOf<ActionData> Kind>
     Action(Kind kind, std::uint8_t howDeep = 0) // NOLINT(google-explicit-constructor)
         : RulePart(std::move(kind)), depth(howDeep)
