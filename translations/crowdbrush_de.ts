@@ -3901,6 +3901,10 @@
         <source>%1 cannot be removed: %2</source>
         <translation>%1 kann nicht entfernt werden: %2</translation>
     </message>
+    <message>
+        <source>Something else is being edited: finish or cancel (Esc) it first.</source>
+        <translation>Erst beenden oder abbrechen (Esc), was gerade bearbeitet wird.</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6287,6 +6291,10 @@ Verworfen ist sie fort.</translation>
         <source>Tool Bar</source>
         <translation>Werkzeugleiste</translation>
     </message>
+    <message>
+        <source>Time shown: minutes and seconds from the start</source>
+        <translation>Gezeigte Zeit: Minuten und Sekunden vom Anfang an</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PreferencesDialog</name>
@@ -6524,6 +6532,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Finding out where characters can walk…</source>
         <translation>Herausfinden, wo man gehen kann …</translation>
+    </message>
+    <message>
+        <source>plays at × %1</source>
+        <translation>spielt mit × %1</translation>
+    </message>
+    <message>
+        <source>This machine cannot compute what the crowd does as fast as it is to play.</source>
+        <translation>Dieser Rechner kann nicht so schnell berechnen, was die Menge tut, wie sie spielen soll.</translation>
     </message>
 </context>
 <context>

@@ -3901,6 +3901,10 @@
         <source>%1 cannot be removed: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Something else is being edited: finish or cancel (Esc) it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -6282,6 +6286,10 @@ Thrown away, it is gone.</source>
         <source>Tool Bar</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Time shown: minutes and seconds from the start</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::PreferencesDialog</name>
@@ -6516,6 +6524,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Finding out where characters can walk…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plays at × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This machine cannot compute what the crowd does as fast as it is to play.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

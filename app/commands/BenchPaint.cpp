@@ -143,9 +143,8 @@ public:
         model::Scene scene;
         scene.templates = std::move(cast);
         m_document.replaceScene(std::move(scene), {});
-        const auto edit = m_document.beginEdit();
-        edit->addIndividuals(peopleAt(places));
-        edit->commit(QStringLiteral("People"));
+        m_document.edit(QStringLiteral("People"),
+                        [&](model::SceneEdit& edit) { edit.addIndividuals(peopleAt(places)); });
         for (const model::TemplateEntry& entry : m_document.scene().templates) {
             (void)m_keyframes.clip(entry.asset, 0);
         }

@@ -133,9 +133,8 @@ std::size_t createAndRead(SceneDocument& document, std::size_t count,
     for (const auto& [column, bytes] : vectors) {
         rows.bytes[static_cast<std::size_t>(column)] = bytes;
     }
-    const auto edit = document.beginEdit();
-    edit->addIndividuals(std::move(rows));
-    edit->commit(QStringLiteral("Create"));
+    document.edit(QStringLiteral("Create"),
+                  [&](model::SceneEdit& edit) { edit.addIndividuals(std::move(rows)); });
     std::size_t read = 0;
     const Population& people = document.scene().population;
     for (std::size_t c = 0; c < kColumnCount; ++c) {

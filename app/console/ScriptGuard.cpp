@@ -2,7 +2,11 @@
 #include "app/console/ScriptGuard.h"
 
 #include <QtGui/QKeyEvent>
+#include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QSlider>
 
 #include "widgets/tools/ScriptPainter.h"
 #include "widgets/viewport/WorkBar.h"
@@ -25,10 +29,43 @@ bool isEditing(const QEvent& event)
     case QEvent::Drop:
         return true;
     case QEvent::Wheel:
-        // Plain turning moves the view; with a modifier it changes the brush.
-        return static_cast<const QInputEvent&>(event).modifiers() != Qt::NoModifier;
+        return true;
     default:
         return false;
+    }
+}
+
+/// Plain turning moves the view and scrolls; with a modifier it changes the brush, and in a field
+/// its value.
+bool isHarmlessTurn(const QWidget& widget, const QEvent& event)
+{
+    return event.type() == QEvent::Wheel &&
+           static_cast<const QInputEvent&>(event).modifiers() == Qt::NoModifier &&
+           qobject_cast<const QComboBox*>(&widget) == nullptr &&
+           qobject_cast<const QAbstractSpinBox*>(&widget) == nullptr &&
+           qobject_cast<const QSlider*>(&widget) == nullptr;
+}
+
+/// Of what hangs on the window: its panels, also those that float, and its menus. Dialogs are not:
+/// whoever is asked must be able to answer.
+bool hangsOn(const QWidget& window, const QWidget* widget)
+{
+    while (widget != nullptr && widget != &window) {
+        if (qobject_cast<const QDialog*>(widget) != nullptr) {
+            return false;
+        }
+        widget = widget->parentWidget();
+    }
+    return widget != nullptr;
+}
+
+/// What was open before is not there to be chosen from.
+void closePopups()
+{
+    while (QWidget* popup = QApplication::activePopupWidget()) {
+        if (!popup->close()) {
+            return;
+        }
     }
 }
 
@@ -38,7 +75,10 @@ ScriptGuard::ScriptGuard(Interpreter& interpreter, widgets::EditorState& state, 
                          QWidget& console, QAction& stop)
     : QObject(&console), m_state(state), m_window(window), m_console(console), m_stop(stop)
 {
-    connect(&interpreter, &Interpreter::started, this, [this] { qApp->installEventFilter(this); });
+    connect(&interpreter, &Interpreter::started, this, [this] {
+        closePopups();
+        qApp->installEventFilter(this);
+    });
     connect(&interpreter, &Interpreter::finished, this, [this] { qApp->removeEventFilter(this); });
 }
 
@@ -55,22 +95,22 @@ bool ScriptGuard::takesBack(const QEvent& event) const
     return true;
 }
 
-bool ScriptGuard::isHeldBack(QObject* watched) const
+bool ScriptGuard::isHeldBack(QObject* watched, const QEvent& event) const
 {
     const auto* widget = qobject_cast<const QWidget*>(watched);
     if (widget == nullptr) {
-        return qobject_cast<QAction*>(watched) != nullptr && watched != &m_stop;
+        return event.type() == QEvent::Shortcut && watched != &m_stop;
     }
     if (qobject_cast<const widgets::WorkBar*>(widget->parentWidget()) != nullptr) {
         return false; // its button stops the work
     }
-    const bool isOfWindow = widget == &m_window || m_window.isAncestorOf(widget);
-    return isOfWindow && widget != &m_console && !m_console.isAncestorOf(widget);
+    return hangsOn(m_window, widget) && !hangsOn(m_console, widget) &&
+           !isHarmlessTurn(*widget, event);
 }
 
 bool ScriptGuard::eventFilter(QObject* watched, QEvent* event)
 {
-    if (!isEditing(*event) || !isHeldBack(watched)) {
+    if (!isEditing(*event) || !isHeldBack(watched, *event)) {
         return false;
     }
     if (takesBack(*event)) {

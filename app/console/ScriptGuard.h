@@ -9,9 +9,10 @@
 
 namespace crowd::app {
 
-/// While a script runs, editing by hand waits: presses and keys in the window are held back, except
-/// in the console, for what stops it and for turning the wheel over the picture. The status bar
-/// says why. Owned by the console.
+/// While a script runs, editing by hand waits: presses and keys in the window, its panels that
+/// float and its menus are held back, except in the console, for what stops it and for turning the
+/// wheel over the picture. Menus that are open when it begins are closed. The status bar says why.
+/// Owned by the console.
 class ScriptGuard : public QObject
 {
     Q_OBJECT
@@ -25,7 +26,7 @@ protected:
 
 private:
     [[nodiscard]] bool takesBack(const QEvent& event) const;
-    [[nodiscard]] bool isHeldBack(QObject* watched) const;
+    [[nodiscard]] bool isHeldBack(QObject* watched, const QEvent& event) const;
 
     widgets::EditorState& m_state;
     QWidget& m_window;

@@ -43,6 +43,10 @@ bool StrokePainter::begin(const model::BrushContext& context, const model::Brush
     model::BrushContext own = context;
     own.script = link.get();
     m_stroke = model::Stroke::begin(m_state.document(), own, settings, seed, press);
+    if (!m_stroke) {
+        link->abandon();
+        return false;
+    }
     m_timer.start(kProgressMs);
     return true;
 }

@@ -53,6 +53,9 @@ Result<StrokeOutcome> scriptStroke(ScriptScene& script, const RecordedStroke& re
         context.script = link.get();
         auto stroke = Stroke::begin(script.document(), context, recording.settings, recording.seed,
                                     recording.inputs.front());
+        if (!stroke) {
+            return Error{"Something else is being edited: try again when that has ended."};
+        }
         for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
             stroke->move(recording.inputs[i]);
         }

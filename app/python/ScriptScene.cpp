@@ -241,7 +241,11 @@ Result<void> ScriptScene::beginEdit(const std::string& text)
         if (auto allowed = refuseDuringStroke(); !allowed) {
             return allowed;
         }
-        m_edit = m_host.document->beginEdit();
+        auto begun = m_host.document->beginEdit();
+        if (!begun) {
+            return begun.error();
+        }
+        m_edit = std::move(begun).value();
         m_editText = QString::fromStdString(text);
         return {};
     });
@@ -288,8 +292,11 @@ Result<void> ScriptScene::edit(const QString& text, const Work& work)
         return allowed;
     }
     const auto own = m_host.document->beginEdit();
-    work(*own);
-    own->commit(text);
+    if (!own) {
+        return own.error();
+    }
+    work(*own.value());
+    own.value()->commit(text);
     return {};
 }
 

@@ -174,13 +174,14 @@ void AssetController::addEntries(std::vector<model::TemplateEntry> entries)
         return;
     }
     m_state.document().interruptEdit();
-    const auto edit = m_state.document().beginEdit();
     std::vector<model::TemplateId> ids;
-    for (model::TemplateEntry& entry : entries) {
-        entry.id = 0; // the scene gives it one
-        ids.push_back(edit->addTemplate(entry));
-    }
-    edit->commit(tr("Add %n template(s)", nullptr, static_cast<int>(ids.size())));
+    const QString text = tr("Add %n template(s)", nullptr, static_cast<int>(entries.size()));
+    m_state.document().edit(text, [&](model::SceneEdit& edit) {
+        for (model::TemplateEntry& entry : entries) {
+            entry.id = 0; // the scene gives it one
+            ids.push_back(edit.addTemplate(entry));
+        }
+    });
     paintWith(m_state, ids);
     m_state.showStatus(tr("%n template(s) ready: the create brush paints them.", nullptr,
                           static_cast<int>(ids.size())));
@@ -315,9 +316,12 @@ void AssetController::put(model::TemplateEntry entry, const model::TemplatePtr& 
                           const QString& undoText)
 {
     model::attachAsset(entry, asset);
-    const auto edit = m_state.document().beginEdit();
-    const model::TemplateId id = edit->addTemplate(entry);
-    edit->commit(undoText);
+    model::TemplateId id = 0;
+    const auto outcome = m_state.document().edit(
+        undoText, [&](model::SceneEdit& edit) { id = edit.addTemplate(entry); });
+    if (outcome == model::EditOutcome::Refused) {
+        return;
+    }
     m_batch.push_back(id);
     paintWith(m_state, m_batch);
     m_state.showStatus(
@@ -344,18 +348,14 @@ void AssetController::addStage(const QString& path)
             entry.name = entryName(path);
             entry.path = QFileInfo(path).absoluteFilePath().toStdString();
             entry.asset = asset.value();
-            const auto edit = m_state.document().beginEdit();
-            const std::uint8_t id = edit->addStage(entry);
-            edit->commit(tr("Import stage"));
-            Q_EMIT stageAdded(id);
+            m_state.document().edit(tr("Import stage"), [&](model::SceneEdit& edit) {
+                Q_EMIT stageAdded(edit.addStage(entry));
+            });
         });
 }
 
 void AssetController::removeTemplate(model::TemplateId id)
 {
-    if (m_state.document().isEditOpen()) {
-        return; // in the middle of a stroke
-    }
     const auto used = m_state.scene().population.column(model::columns::templateId);
     const auto users = std::ranges::count(used, id);
     if (users > 0) {
@@ -363,9 +363,8 @@ void AssetController::removeTemplate(model::TemplateId id)
                               static_cast<int>(users)));
         return;
     }
-    const auto edit = m_state.document().beginEdit();
-    edit->removeTemplate(id);
-    edit->commit(tr("Remove template"));
+    m_state.document().edit(tr("Remove template"),
+                            [&](model::SceneEdit& edit) { edit.removeTemplate(id); });
 }
 
 void AssetController::editClips(model::TemplateId id)
@@ -422,9 +421,8 @@ void AssetController::setClips(model::TemplateId id, const model::TemplatePtr& a
     changed.clipRoles = dialog.clipRoles();
     model::attachAsset(changed, asset);
     m_state.document().interruptEdit();
-    const auto edit = m_state.document().beginEdit();
-    edit->changeTemplate(changed);
-    edit->commit(tr("Change clips"));
+    m_state.document().edit(tr("Change clips"),
+                            [&](model::SceneEdit& edit) { edit.changeTemplate(changed); });
 }
 
 void AssetController::locateTemplate(model::TemplateId id)
@@ -475,25 +473,25 @@ void AssetController::locateAt(const model::MissingAsset& asset, const QString& 
 /// The entries may have changed while the files were read: only paths and assets are new.
 void AssetController::take(const FoundAssets& found)
 {
-    const auto edit = m_state.document().beginEdit();
-    for (const auto& [id, path, asset] : found.templates) {
-        if (const model::TemplateEntry* entry = m_state.scene().findTemplate(id)) {
-            model::TemplateEntry whole = *entry;
-            whole.path = path;
-            model::attachAsset(whole, asset);
-            edit->changeTemplate(whole);
+    m_state.document().edit(tr("Locate assets"), [&](model::SceneEdit& edit) {
+        for (const auto& [id, path, asset] : found.templates) {
+            if (const model::TemplateEntry* entry = m_state.scene().findTemplate(id)) {
+                model::TemplateEntry whole = *entry;
+                whole.path = path;
+                model::attachAsset(whole, asset);
+                edit.changeTemplate(whole);
+            }
         }
-    }
-    for (const auto& [id, path, asset] : found.stages) {
-        if (const model::StageEntry* entry = m_state.scene().findStage(id)) {
-            model::StageEntry whole = *entry;
-            whole.path = path;
-            whole.asset = asset;
-            whole.problem = {};
-            edit->changeStage(whole);
+        for (const auto& [id, path, asset] : found.stages) {
+            if (const model::StageEntry* entry = m_state.scene().findStage(id)) {
+                model::StageEntry whole = *entry;
+                whole.path = path;
+                whole.asset = asset;
+                whole.problem = {};
+                edit.changeStage(whole);
+            }
         }
-    }
-    edit->commit(tr("Locate assets"));
+    });
     m_state.showStatus(tr("%n asset(s) found.", nullptr,
                           static_cast<int>(found.templates.size() + found.stages.size())));
 }

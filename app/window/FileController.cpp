@@ -425,14 +425,14 @@ bool FileController::collectAssets()
                       model::translated(collected.error()));
         return false;
     }
-    const auto edit = m_state.document().beginEdit();
-    for (const model::TemplateEntry& entry : collected.value().templates) {
-        edit->changeTemplate(entry);
-    }
-    for (const model::StageEntry& entry : collected.value().stages) {
-        edit->changeStage(entry);
-    }
-    edit->commit(tr("Collect assets"));
+    m_state.document().edit(tr("Collect assets"), [&](model::SceneEdit& edit) {
+        for (const model::TemplateEntry& entry : collected.value().templates) {
+            edit.changeTemplate(entry);
+        }
+        for (const model::StageEntry& entry : collected.value().stages) {
+            edit.changeStage(entry);
+        }
+    });
     if (!save()) {
         return false;
     }

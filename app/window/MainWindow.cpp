@@ -214,6 +214,8 @@ void MainWindow::connectParts()
     connect(&m_document, &model::SceneDocument::undoRefused, this, [this](const QString& why) {
         m_document.isEditOpen() ? m_state.showStatus(why) : warn(tr("Undo"), why);
     });
+    connect(&m_document, &model::SceneDocument::editRefused, &m_state,
+            &widgets::EditorState::showStatus);
     connect(&m_document, &model::SceneDocument::undoMemoryExceeded, this,
             [this](const QString& why) { warn(tr("Undo"), why); });
     connect(&m_recorder, &Recorder::remarked, &m_state, &widgets::EditorState::showStatus);

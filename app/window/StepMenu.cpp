@@ -19,13 +19,10 @@ struct StepMenuText
 
 void chooseSteps(widgets::EditorState& state, std::uint32_t steps)
 {
-    if (state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = state.document().beginEdit();
-    edit->setStepsPerSecond(steps);
-    if (edit->commit(StepMenuText::tr("Change the length of a step")) &&
-        state.session().isRunning()) {
+    const auto outcome =
+        state.document().edit(StepMenuText::tr("Change the length of a step"),
+                              [steps](model::SceneEdit& edit) { edit.setStepsPerSecond(steps); });
+    if (outcome == model::EditOutcome::Committed && state.session().isRunning()) {
         state.showStatus(StepMenuText::tr("Steps of 1/%1 s from the next Play on.").arg(steps));
     }
 }

@@ -132,13 +132,17 @@ std::unique_ptr<MoveDrag> MoveDrag::begin(SceneDocument& document, const BrushCo
                                           std::span<const IndividualId> ids, bool ontoSeats,
                                           const PointerInput& press)
 {
+    auto edit = document.beginEdit();
+    if (!edit) {
+        return nullptr;
+    }
     auto data = std::make_unique<Private>(Private{document,
                                                   context,
                                                   {ids.begin(), ids.end()},
                                                   ontoSeats,
                                                   press,
                                                   press,
-                                                  document.beginEdit(),
+                                                  std::move(edit).value(),
                                                   {},
                                                   {},
                                                   false});

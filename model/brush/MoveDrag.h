@@ -17,7 +17,8 @@ namespace crowd::model {
 class MoveDrag
 {
 public:
-    /// `ids` ascending, all present. The pixel under the press stays under the pointer.
+    /// `ids` ascending, all present. The pixel under the press stays under the pointer. Null
+    /// while something else is edited.
     [[nodiscard]] static std::unique_ptr<MoveDrag> begin(SceneDocument& document,
                                                          const BrushContext& context,
                                                          std::span<const IndividualId> ids,

@@ -135,7 +135,6 @@ Stroke::Private::Private(StrokeContext strokeGround, const PointerInput& press)
     recording.camera = ground.context.view.camera();
     recording.viewSize = ground.context.view.size();
     ground.seats = ground.document.scene().worldSeats();
-    ground.edit = ground.document.beginEdit();
     if (ground.settings.kind() == BrushKind::Create) {
         work = std::make_unique<CreationEffect>(ground);
     } else {
@@ -227,7 +226,12 @@ std::unique_ptr<Stroke> Stroke::begin(SceneDocument& document, const BrushContex
                                       const BrushSettings& settings, std::uint64_t seed,
                                       const PointerInput& press, const RecordedStroke* before)
 {
+    auto edit = document.beginEdit();
+    if (!edit) {
+        return nullptr;
+    }
     StrokeContext ground{document, context, settings, seed, nullptr, {}};
+    ground.edit = std::move(edit).value();
     ground.before = before != nullptr && !before->selected.empty() ? before : nullptr;
     return std::unique_ptr<Stroke>(new Stroke(std::make_unique<Private>(std::move(ground), press)));
 }
@@ -314,6 +318,11 @@ StrokeOutcome replay(SceneDocument& document, KeyframeStore& keyframes, const St
     context.script = script;
     const auto stroke = Stroke::begin(document, context, recording.settings, recording.seed,
                                       recording.inputs.front(), &recording);
+    if (!stroke) {
+        StrokeOutcome refused;
+        refused.reason = StrokeReason::Cancelled;
+        return refused;
+    }
     for (std::size_t i = 1; i < recording.inputs.size(); ++i) {
         i + 1 < recording.inputs.size() ? stroke->pass(recording.inputs[i])
                                         : stroke->move(recording.inputs[i]);

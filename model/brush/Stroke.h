@@ -82,7 +82,7 @@ class Stroke
 {
 public:
     /// Applies the first dab. `seed` keys all randomness of the stroke. `before`: a stroke of the
-    /// same way whose selection it takes, where that has one.
+    /// same way whose selection it takes, where that has one. Null while something else is edited.
     [[nodiscard]] static std::unique_ptr<Stroke>
     begin(SceneDocument& document, const BrushContext& context, const BrushSettings& settings,
           std::uint64_t seed, const PointerInput& press, const RecordedStroke* before = nullptr);

@@ -3,7 +3,7 @@
 
 #include <QtGui/QUndoCommand>
 
-#include "model/document/UndoMemory.h"
+#include "model/document/StoredDelta.h"
 
 namespace crowd::model {
 

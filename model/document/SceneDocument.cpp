@@ -60,9 +60,32 @@ void SceneDocument::markSaved(const QString& path)
     }
 }
 
-std::unique_ptr<SceneEdit> SceneDocument::beginEdit()
+EditOutcome SceneDocument::edit(const QString& text, const std::function<void(SceneEdit&)>& work)
 {
-    assert(!isEditOpen());
+    return edit([&](SceneEdit& edit) {
+        work(edit);
+        return text;
+    });
+}
+
+EditOutcome SceneDocument::edit(const std::function<QString(SceneEdit&)>& work)
+{
+    const auto begun = beginEdit();
+    if (!begun) {
+        return EditOutcome::Refused;
+    }
+    const QString text = work(*begun.value());
+    return begun.value()->commit(text) ? EditOutcome::Committed : EditOutcome::Unchanged;
+}
+
+Result<std::unique_ptr<SceneEdit>> SceneDocument::beginEdit()
+{
+    if (isEditOpen()) {
+        const Error refused(QT_TRANSLATE_NOOP(
+            "Messages", "Something else is being edited: finish or cancel (Esc) it first."));
+        Q_EMIT editRefused(translated(refused));
+        return refused;
+    }
     return std::unique_ptr<SceneEdit>(new SceneEdit(*this));
 }
 

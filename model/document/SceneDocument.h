@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -8,6 +10,7 @@
 #include <QtCore/QString>
 #include <QtGui/QUndoStack>
 
+#include "model/base/Result.h"
 #include "model/document/UndoMemory.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
@@ -16,8 +19,16 @@
 namespace crowd::model {
 
 class SceneEdit;
+class StoredDelta;
+enum class DeltaDirection;
 struct RecordedStroke;
 struct SceneDelta;
+
+enum class EditOutcome : std::uint8_t {
+    Committed, ///< one undo step
+    Unchanged, ///< nothing changed in the end: no step
+    Refused    ///< another edit is open: nothing was done
+};
 
 /// An edit became an undo step.
 struct StepCommitted
@@ -55,8 +66,13 @@ public:
     /// After a successful save.
     void markSaved(const QString& path);
 
-    /// Starts an edit. One at a time: asserts when another is open.
-    [[nodiscard]] std::unique_ptr<SceneEdit> beginEdit();
+    /// Does `work` as one undo step of this text, or as none where nothing changes. Refused while
+    /// another edit is open: the work is not done, and editRefused() says why.
+    EditOutcome edit(const QString& text, const std::function<void(SceneEdit&)>& work);
+    /// The same with a text that the work knows in the end.
+    EditOutcome edit(const std::function<QString(SceneEdit&)>& work);
+    /// For an edit that goes on, as a drag does. One at a time: refused as above.
+    [[nodiscard]] Result<std::unique_ptr<SceneEdit>> beginEdit();
     [[nodiscard]] bool isEditOpen() const { return m_openEdit != nullptr; }
     /// Asks whoever holds an open edit to drop it, which takes it back.
     void interruptEdit();
@@ -72,6 +88,8 @@ Q_SIGNALS:
     void stepTaken(bool isUndo);
     void pathChanged();
     void modifiedChanged(bool isModified);
+    /// An edit was not done since another is open; `why` is for the artist. Nothing has changed.
+    void editRefused(const QString& why);
     /// Holders of an open edit destroy it now.
     void editInterrupted();
     /// An undo or redo could not be done; `why` is for the artist. Nothing has changed.
@@ -103,5 +121,3 @@ private:
 };
 
 } // namespace crowd::model
-
-Q_DECLARE_METATYPE(crowd::model::SceneChange)

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "model/document/EditRecord.h"
 #include "model/document/MemberEntries.h"
@@ -149,6 +151,14 @@ void SceneEdit::setColumn(ColumnId column, std::span<const IndividualId> ids,
     m_record->touchColumn(column, ids, population);
     population.setValues(column, ids, bytes);
     m_document.announce(ColumnsChanged{{ids.begin(), ids.end()}, {column}});
+}
+
+template<class M>
+requires(M::kind == MemberKind::Value) void SceneEdit::set(typename M::Type value)
+{
+    m_record->touch<M>(scene());
+    M::of(m_document.m_scene) = std::move(value);
+    m_document.announce(typename M::Changed());
 }
 
 TemplateId SceneEdit::addTemplate(TemplateEntry entry)
@@ -318,5 +328,28 @@ bool SceneEdit::commit(const QString& undoText, const RecordedStroke* stroke)
     m_document.push(std::move(delta), undoText, stroke);
     return true;
 }
+
+namespace {
+
+template<class M>
+constexpr auto setterOf()
+{
+    if constexpr (M::kind == MemberKind::Value) {
+        return std::tuple(&SceneEdit::set<M>);
+    } else {
+        return std::tuple();
+    }
+}
+
+template<class... M>
+constexpr auto settersOf(const std::tuple<M...>*)
+{
+    return std::tuple_cat(setterOf<M>()...);
+}
+
+/// set() of every member is compiled here, and linked by those who edit.
+[[gnu::used]] constexpr auto kSetters = settersOf(static_cast<const SceneMembers*>(nullptr));
+
+} // namespace
 
 } // namespace crowd::model

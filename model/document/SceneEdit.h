@@ -8,10 +8,12 @@
 
 #include <QtCore/QString>
 
-#include "model/document/EditRecord.h"
 #include "model/document/SceneDocument.h"
+#include "model/scene/SceneMembers.h"
 
 namespace crowd::model {
+
+class EditRecord;
 
 /// A transaction on the document: every change is applied (and announced) at once, old values are
 /// kept at first touch. commit() pushes exactly one undo command holding ids with old and new
@@ -48,12 +50,7 @@ public:
     void changeStage(const StageEntry& entry);
     /// A member of the scene that is kept as a whole, see SceneMembers.
     template<class M>
-    requires(M::kind == MemberKind::Value) void set(typename M::Type value)
-    {
-        m_record->touch<M>(scene());
-        M::of(m_document.m_scene) = std::move(value);
-        m_document.announce(typename M::Changed());
-    }
+    requires(M::kind == MemberKind::Value) void set(typename M::Type value);
     void setCameras(std::vector<NamedCamera> all) { set<members::Cameras>(std::move(all)); }
     void setLighting(const Lighting& lighting) { set<members::Light>(lighting); }
     void setRules(std::vector<Rule> rules) { set<members::Rules>(std::move(rules)); }

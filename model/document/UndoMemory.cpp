@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/document/DeltaBytes.h"
+#include "model/document/StoredDelta.h"
 
 namespace crowd::model {
 

@@ -6,8 +6,7 @@
 
 #include <QtCore/QString>
 
-#include "model/base/Result.h"
-#include "model/document/SceneDelta.h"
+#include "model/base/Message.h"
 #include "model/document/SpillFile.h"
 
 namespace crowd::model {
@@ -50,37 +49,6 @@ private:
     std::list<StoredDelta*> m_recent; ///< in memory and able to leave it; used last at the end
     std::size_t m_bytes = 0;
     Message m_problem;
-};
-
-/// A delta that may lie on disk. Dies before its memory.
-class StoredDelta
-{
-public:
-    StoredDelta(UndoMemory& memory, SceneDelta delta);
-    ~StoredDelta();
-    StoredDelta(const StoredDelta&) = delete;
-    StoredDelta& operator=(const StoredDelta&) = delete;
-
-    /// The whole delta, read back where needed; valid until another delta is used. Fails when it
-    /// cannot be read back, and may be tried again.
-    [[nodiscard]] Result<const SceneDelta*> use();
-    /// Of the whole delta, wherever it lies.
-    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-    [[nodiscard]] bool isInMemory() const { return m_isInMemory; }
-
-private:
-    friend class UndoMemory;
-
-    [[nodiscard]] Result<void> leaveMemory();
-    void setInMemory(bool isInMemory);
-
-    UndoMemory& m_memory;
-    SceneDelta m_delta;
-    std::size_t m_bytes;
-    std::size_t m_bulkBytes; ///< of them, the part that can leave
-    bool m_isInMemory = false;
-    std::optional<SpillFile::Extent> m_extent; ///< stays valid when the delta is in memory again
-    std::list<StoredDelta*>::iterator m_place;
 };
 
 } // namespace crowd::model

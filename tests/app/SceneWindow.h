@@ -24,7 +24,7 @@ inline void moveEverybody(model::SceneDocument& document, float x)
     const auto present = document.scene().population.ids();
     const std::vector<model::IndividualId> ids(present.begin(), present.end());
     const glm::vec3 place(x, 0.0F, 0.0F);
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     edit->setColumn(model::columns::position, ids, std::span<const glm::vec3>(&place, 1));
     edit->commit(QStringLiteral("Move"));
 }

@@ -135,7 +135,7 @@ void InterruptionsTest::anotherSceneWaitsAndAsksAboutTheStroke()
 void InterruptionsTest::removingMeansNothingInAStroke()
 {
     openScene(plainScene(0), QStringLiteral("a.crowd"));
-    const auto edit = document().beginEdit();
+    const auto edit = document().beginEdit().value();
     m_window->assets().removeTemplate(1);
     QCOMPARE(document().scene().templates.size(), std::size_t{1});
 }

@@ -372,7 +372,7 @@ void LanguageTest::pythonKeepsItsNames()
 void LanguageTest::aStrokeIsWaitedFor()
 {
     openScene(plainScene(1), QStringLiteral("a.crowd"));
-    auto edit = document().beginEdit();
+    auto edit = document().beginEdit().value();
     m_window->chooseLanguage(QStringLiteral("de"));
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("language")));
     QTest::qWait(300);

@@ -660,7 +660,7 @@ void MainWindowTest::memoryForUndoIsAPreference()
     const std::vector<model::IndividualId> ids(document().scene().population.ids().begin(),
                                                document().scene().population.ids().end());
     for (const float radians : {1.0F, 2.0F}) {
-        const auto edit = document().beginEdit();
+        const auto edit = document().beginEdit().value();
         edit->setColumn(model::columns::heading, ids, std::span<const float>(&radians, 1));
         QVERIFY(edit->commit(QStringLiteral("Turn")));
     }

@@ -295,7 +295,7 @@ void PanelsTest::returnIsTheFieldsEvenWhileAPathIsPainted()
 {
     openScene(plainScene(1), QStringLiteral("a.crowd"));
     {
-        const auto edit = document().beginEdit();
+        const auto edit = document().beginEdit().value();
         model::Path path;
         path.places = {edit->addPlace({})};
         const model::PathId id = edit->addPath(path);
@@ -445,7 +445,7 @@ void PanelsTest::rulesFitANarrowPanel()
     openWindowIn(language);
     openScene(plainScene(2), QStringLiteral("a.crowd"));
     {
-        const auto edit = document().beginEdit();
+        const auto edit = document().beginEdit().value();
         model::Place place;
         place.name = "Place 3";
         place.id = edit->addPlace(place);
@@ -487,7 +487,7 @@ void PanelsTest::placesFitANarrowPanel()
     model::PathId path = 0;
     model::PlaceId slow = 0;
     {
-        const auto edit = document().beginEdit();
+        const auto edit = document().beginEdit().value();
         model::Place place;
         place.name = "Place 3";
         place.position = {-12.25F, 0.0F, 105.5F};

@@ -508,7 +508,7 @@ void SceneFilesTest::nothingHappensInTheMiddleOfAStroke()
 {
     openScene(plainScene(3), QStringLiteral("a.crowd"));
     moveEverybody(document(), 2.0F);
-    auto edit = document().beginEdit();
+    auto edit = document().beginEdit().value();
     edit->removeIndividuals(std::vector<model::IndividualId>{1});
     for (const char* id :
          {"new-theatre", "new-ground", "open", "save", "save-as", "collect", "undo", "redo"}) {

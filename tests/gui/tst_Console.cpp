@@ -7,12 +7,15 @@
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCompleter>
+#include <QtWidgets/QTreeWidget>
 
 #include "app/console/ConsoleDock.h"
 #include "app/window/MainWindow.h"
+#include "model/document/SceneEdit.h"
 #include "tests/gui/Patience.h"
 #include "tests/program/FrameCount.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/docks/SceneDock.h"
 
 using namespace crowd;
 using crowd::app::ScriptOutcome;
@@ -36,6 +39,7 @@ private Q_SLOTS:
     void endlessLoopsCanBeStopped();
     void sleepCanBeStopped();
     void handsAreHeldBackWhileAScriptRuns();
+    void whatWasOpenBeforeAScriptIsHeldBackToo();
     void floodsAreCutShort();
     void aGigabyteAtOnceIsCutShort();
     void theSceneNameCannotBeLost();
@@ -214,6 +218,40 @@ void ConsoleTest::handsAreHeldBackWhileAScriptRuns()
     m_window->interpreter().cancel();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
     disconnect(listening);
+}
+
+/// Cue keys, a menu, a panel that floats.
+void ConsoleTest::whatWasOpenBeforeAScriptIsHeldBackToo()
+{
+    model::Cue cue;
+    cue.id = 1;
+    cue.event = "clap";
+    cue.key = "F9";
+    m_window->document().edit(QStringLiteral("Add a cue"),
+                              [&](model::SceneEdit& edit) { edit.setCues({cue}); });
+    auto* panel = m_window->findChild<widgets::SceneDock*>();
+    QVERIFY(panel != nullptr);
+    panel->show();
+    panel->setFloating(true);
+    QVERIFY(QTest::qWaitForWindowExposed(panel));
+    QStringList said;
+    const auto listening = connect(&m_window->state(), &widgets::EditorState::statusMessage, this,
+                                   [&said](const QString& text) { said << text; });
+    QSignalSpy finished(&m_window->interpreter(), &app::Interpreter::finished);
+    type(QStringLiteral("import time; time.sleep(1000)"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->interpreter().isRunning(), kScriptPatienceMs);
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F9);
+    QTRY_VERIFY(!said.isEmpty() && said.back().contains(QStringLiteral("script")));
+    QVERIFY2(!said.join(u' ').contains(QStringLiteral("Play")), qPrintable(said.join(u'\n')));
+    said.clear();
+    QTest::mouseClick(panel->findChild<QTreeWidget*>()->viewport(), Qt::LeftButton);
+    QVERIFY(!said.isEmpty() && said.back().contains(QStringLiteral("script")));
+    disconnect(listening);
+    m_window->interpreter().cancel();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
+    panel->setFloating(false);
 }
 
 void ConsoleTest::floodsAreCutShort()

@@ -275,7 +275,7 @@ void TestRecording::everyKindOfEditHasItsLines()
     const model::Scene& scene = document.scene();
     editor.window.recorder().setRecording(true);
     const auto edit = [&document](const char* text, const auto& work) {
-        const auto open = document.beginEdit();
+        const auto open = document.beginEdit().value();
         work(*open);
         QVERIFY2(open->commit(QLatin1String(text)), text);
     };

@@ -277,7 +277,7 @@ void TestWalkingCrowd::anEventMakesPeopleRun()
     paintPath(studio);
     paintPeople(studio);
     paintWalk(studio);
-    auto edit = studio.document.beginEdit();
+    auto edit = studio.document.beginEdit().value();
     std::vector<model::Rule> rules =
         model::rulesOf(model::RuleSet::Pedestrians, studio.document.scene());
     model::giveIds(rules, studio.document.scene());
@@ -309,7 +309,7 @@ void TestWalkingCrowd::aCueIsHeardByItsKey()
     paintPath(studio);
     paintPeople(studio);
     paintWalk(studio);
-    auto edit = studio.document.beginEdit();
+    auto edit = studio.document.beginEdit().value();
     std::vector<model::Rule> rules =
         model::rulesOf(model::RuleSet::Pedestrians, studio.document.scene());
     model::giveIds(rules, studio.document.scene());
@@ -325,7 +325,7 @@ void TestWalkingCrowd::aCueIsHeardByItsKey()
     QTRY_COMPARE(studio.state.session().firedCount(run),
                  static_cast<std::uint64_t>(studio.people()));
     // Another key, and the old one is silent.
-    edit = studio.document.beginEdit();
+    edit = studio.document.beginEdit().value();
     edit->setCues({{1, "Run", "run", 2.5F, "F7", model::CueReach::Selected, 0}});
     edit->commit(QStringLiteral("Cue"));
     studio.state.selection().set(studio.document.scene().population.ids().first(1));

@@ -188,7 +188,7 @@ struct BrushScene
             rows.column(columns::templateId)[i] = 1;
             rows.column(columns::position)[i] = positions[i];
         }
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         std::vector<IndividualId> ids = edit->addIndividuals(std::move(rows));
         edit->commit(QStringLiteral("Add"));
         return ids;

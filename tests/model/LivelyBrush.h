@@ -74,7 +74,7 @@ struct LivelyScene : BrushScene
             rows.column(columns::parts)[i] = i % 3 == 0 ? 2U : 1U;
             rows.column(columns::tags)[i] = 1;
         }
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         for (const ColumnId column :
              {ColumnId::Template, ColumnId::Height, ColumnId::Girth, ColumnId::Heading,
               ColumnId::Phase, ColumnId::PlaybackSpeed, ColumnId::WalkSpeed, ColumnId::Tint1,

@@ -37,7 +37,7 @@ inline bool isSame(const Snapshot& a, const Snapshot& b)
 
 inline std::vector<IndividualId> addPeople(SceneDocument& document, std::size_t count)
 {
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     auto ids = edit->addIndividuals(IndividualRows::withDefaults(std::vector<IndividualId>(count)));
     edit->commit(QStringLiteral("Add"));
     return ids;
@@ -124,7 +124,7 @@ inline std::string sceneText(Scene scene)
 /// One undo step of one to three random changes; false when they came to nothing.
 inline bool randomEdit(SceneDocument& document, std::uint64_t key)
 {
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     for (std::uint64_t step = 0; step <= hashKeys(key, 7) % 3; ++step) {
         randomStep(*edit, hashKeys(key, step));
     }

@@ -58,7 +58,7 @@ void tst_BrushAnimation::stylesAreClipsToWalkWith()
     QCOMPARE(scene.paint(view, settings, {all[0], all[1]}).affected, 0);
     TemplateEntry entry = scene.document.scene().templates[0];
     entry.clipSpeeds = {0.0F, 0.0F, 1.5F};
-    auto edit = scene.document.beginEdit();
+    auto edit = scene.document.beginEdit().value();
     edit->changeTemplate(entry);
     edit->commit(QStringLiteral("Speed"));
     settings.as<StyleSettings>().clips = {{"cheer", 1.0F}};

@@ -48,7 +48,7 @@ void tst_BrushColour::sparesSkinAndHairWhereThereAreClothes()
             man->slots[i].name = slots[i];
             man->slots[i].tintable = true;
         }
-        const auto edit = scene.document.beginEdit();
+        const auto edit = scene.document.beginEdit().value();
         edit->changeTemplate(boxManEntry(1, man));
         edit->commit(QStringLiteral("Change"));
         const Ids ids = scene.addPeople({{0, 0, 0}});

@@ -142,7 +142,7 @@ void tst_BrushCreate::wideBodiesTakeMoreRoom()
     auto horse = std::make_shared<Template>(*boxMan());
     horse->footprint = {0.4F, 0.8F, 0.8F};
     BrushScene scene;
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     edit->addTemplate(boxManEntry(2, horse));
     edit->commit(QStringLiteral("Add"));
     scene.addPeople({{0, 0, 0}, {3, 0, 0}, {-3, 0, 1}});
@@ -222,7 +222,7 @@ void tst_BrushCreate::dressesEachInAnOutfit()
     auto man = std::make_shared<Template>(*boxMan());
     man->slots[1].choices.resize(3);
     man->parts = {{"hat", true}, {"sword", false}};
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     edit->changeTemplate(boxManEntry(1, man));
     edit->commit(QStringLiteral("Change"));
     BrushSettings settings = creator(BrushSelection::Rectangle);
@@ -260,7 +260,7 @@ void tst_BrushCreate::facesVaryApartFromOutfits()
         auto man = std::make_shared<Template>(*boxMan());
         man->slots[0].choices.resize(3); // skin
         man->slots[1].choices.resize(3); // top
-        const auto edit = scene.document.beginEdit();
+        const auto edit = scene.document.beginEdit().value();
         edit->changeTemplate(boxManEntry(1, man));
         edit->commit(QStringLiteral("Change"));
         BrushSettings settings = creator(BrushSelection::Rectangle);
@@ -292,7 +292,7 @@ void tst_BrushCreate::facesVaryApartFromOutfits()
 void tst_BrushCreate::mixesTemplatesByWeight()
 {
     BrushScene scene;
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     edit->addTemplate(boxManEntry(2, boxMan()));
     edit->commit(QStringLiteral("Add"));
     BrushSettings settings = creator(BrushSelection::Rectangle);
@@ -363,7 +363,7 @@ void tst_BrushCreate::leavesTheColoursOfTheBodyAlone()
     BrushScene scene;
     auto man = std::make_shared<Template>(*boxMan());
     man->slots[1].name = slot.toStdString();
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     edit->changeTemplate(boxManEntry(1, man));
     edit->commit(QStringLiteral("Change"));
     BrushSettings settings = creator(BrushSelection::Point);
@@ -382,7 +382,7 @@ void tst_BrushCreate::leavesTheColoursOfForeignModelsAlone()
         slot.tintable = true;
         slot.takesPalette = false;
     }
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     edit->changeTemplate(boxManEntry(1, horse));
     edit->commit(QStringLiteral("Change"));
     BrushSettings settings = creator(BrushSelection::Point);

@@ -158,7 +158,7 @@ void tst_BrushExchange::restoreIsAsTheTemplateHasIt()
 {
     LivelyScene scene;
     const Ids ids = scene.addCrowd();
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     const std::vector<std::uint16_t> cheering(ids.size(), 2);
     edit->setColumn(columns::clip, ids, std::span<const std::uint16_t>(cheering));
     edit->commit(QStringLiteral("Cheer"));

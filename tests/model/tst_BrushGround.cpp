@@ -174,7 +174,7 @@ void TestBrushGround::whoStandsWrongIsPutOnTheGround()
     QCOMPARE(off[2], ids[3]);
     const std::vector<glm::vec3> before(scene.people().column(columns::position).begin(),
                                         scene.people().column(columns::position).end());
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     QCOMPARE(putOnGround(*edit, ground, ids), 3);
     QVERIFY(edit->commit(QStringLiteral("Put")));
     const auto after = scene.people().column(columns::position);

@@ -27,7 +27,7 @@ struct Zoo : BrushScene
         entry.name = "fox";
         entry.clipNames = {"cheer", "sit", "idle"};
         fox->defaultClip = 2;
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         (void)edit->addTemplate(entry);
         edit->commit(QStringLiteral("Import"));
     }
@@ -39,7 +39,7 @@ struct Zoo : BrushScene
     template<class T>
     void set(ColumnKey<T> key, IndividualId id, T value)
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         edit->setColumn(key, std::span(&id, 1), std::span<const T>(&value, 1));
         edit->commit(QStringLiteral("Set"));
     }
@@ -65,7 +65,7 @@ void tst_BrushIndividuals::anotherTemplateKeepsLooksByName()
     zoo.set(columns::tintReplaces, ids[0], std::uint16_t{4});
     zoo.set(columns::walkStyle, ids[0], std::uint16_t{3});
     zoo.set(columns::clip, ids[0], std::uint16_t{2});
-    const auto edit = zoo.document.beginEdit();
+    const auto edit = zoo.document.beginEdit().value();
     changeTemplate(*edit, ids, kFox);
     QVERIFY(edit->commit(QStringLiteral("Change Template")));
     QCOMPARE(zoo.value(columns::templateId, ids[0]), kFox);
@@ -88,7 +88,7 @@ void tst_BrushIndividuals::sitsDownAndStandsUp()
     Zoo zoo;
     const auto ids = zoo.addPeople({{5, 0, 0}, {6, 0, 0}});
     const SeatId seat = zoo.document.scene().worldSeats()[1].id;
-    auto edit = zoo.document.beginEdit();
+    auto edit = zoo.document.beginEdit().value();
     QVERIFY(sitDown(*edit, ids[0], seat) == SitResult::Done);
     QVERIFY(sitDown(*edit, ids[1], seat) == SitResult::SeatIsTaken);
     QVERIFY(sitDown(*edit, ids[1], seat + 1000) == SitResult::NoSuchSeat);
@@ -98,7 +98,7 @@ void tst_BrushIndividuals::sitsDownAndStandsUp()
     QCOMPARE(zoo.value(columns::position, ids[0]).x, 0.0F);
     QCOMPARE(zoo.value(columns::heading, ids[0]), 0.25F);
     QCOMPARE(zoo.value(columns::clip, ids[0]), std::uint16_t{1});
-    edit = zoo.document.beginEdit();
+    edit = zoo.document.beginEdit().value();
     standUp(*edit, ids);
     QVERIFY(edit->commit(QStringLiteral("Stand Up")));
     QCOMPARE(zoo.value(columns::seat, ids[0]), kNoSeat);

@@ -32,7 +32,7 @@ struct Meadow : LivelyScene
     template<class T>
     void set(ColumnKey<T> key, std::span<const IndividualId> who, const T& value)
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         edit->setColumn(key, who, std::span<const T>(&value, 1));
         edit->commit(QStringLiteral("Set"));
     }

@@ -27,7 +27,7 @@ Place placeAt(float x, float z, const char* name = "door")
 /// Three places, a path over them with a branch to another path, a rule and a tag.
 void furnish(SceneDocument& document)
 {
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     const PlaceId a = edit->addPlace(placeAt(0.0F, 0.0F, "gate"));
     const PlaceId b = edit->addPlace(placeAt(5.0F, 0.0F));
     const PlaceId c = edit->addPlace(placeAt(5.0F, 7.5F));
@@ -140,7 +140,7 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
     furnish(document);
     const std::string full = projectText(document.scene());
     {
-        auto edit = document.beginEdit();
+        auto edit = document.beginEdit().value();
         edit->removePlace(2);
         edit->removePath(1);
         edit->setRules({});
@@ -165,7 +165,7 @@ void TestEnvironment::undoAndRedoRestoreIdenticalBytes()
 void TestEnvironment::stepsAreKnownWhenTheyAreAnnounced()
 {
     SceneDocument document;
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     edit->setStepsPerSecond(120);
     edit->commit(QStringLiteral("Steps"));
     std::vector<std::uint32_t> heard;
@@ -200,7 +200,7 @@ void TestEnvironment::aRemovedPlaceLeavesItsPaths()
 {
     SceneDocument document;
     furnish(document);
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     edit->removePlace(2);
     edit->commit(QStringLiteral("Delete"));
     const Path* round = document.scene().findPath(2);
@@ -212,14 +212,14 @@ void TestEnvironment::aRemovedPathIsFollowedByNobody()
 {
     SceneDocument document;
     furnish(document);
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     IndividualRows rows = IndividualRows::withDefaults({1, 2});
     rows.column(columns::path)[0] = 2;
     rows.column(columns::path)[1] = 1;
     edit->addIndividuals(std::move(rows));
     edit->commit(QStringLiteral("Create"));
     QVERIFY(document.scene().hasBehaviour());
-    edit = document.beginEdit();
+    edit = document.beginEdit().value();
     edit->removePath(1);
     edit->commit(QStringLiteral("Delete"));
     const auto followed = document.scene().population.column(columns::path);
@@ -233,7 +233,7 @@ void TestEnvironment::aRemovedPathIsFollowedByNobody()
 void TestEnvironment::aNewPathIsNotTakenForADeletedOne()
 {
     SceneDocument document;
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     const PathId gone = edit->addPath({});
     Rule rule;
     rule.id = 1;
@@ -476,7 +476,7 @@ double secondsToSet(PlaceId count)
     }
     const std::clock_t begin = std::clock();
     {
-        auto edit = document.beginEdit();
+        auto edit = document.beginEdit().value();
         edit->setPlacesAndPaths(places, {path});
         edit->commit(QStringLiteral("many"));
     }

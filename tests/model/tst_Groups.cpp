@@ -13,7 +13,7 @@ namespace {
 
 GroupId madeGroup(BrushScene& scene, const std::string& name, const Ids& members)
 {
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     Group group;
     group.name = name;
     const GroupId id = addGroup(*edit, group);
@@ -24,7 +24,7 @@ GroupId madeGroup(BrushScene& scene, const std::string& name, const Ids& members
 
 void setGroup(BrushScene& scene, GroupId id, const std::function<void(Group&)>& apply)
 {
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     Group group = *scene.document.scene().findGroup(id);
     apply(group);
     changeGroup(*edit, group);
@@ -82,7 +82,7 @@ void tst_Groups::idsAreAboveAllThatPeopleHave()
     const GroupId first = madeGroup(scene, "left", {ids[0], ids[1]});
     QCOMPARE(first, 1U);
     {
-        const auto edit = scene.document.beginEdit();
+        const auto edit = scene.document.beginEdit().value();
         putInGroup(*edit, Ids{ids[2]}, 40);
         edit->commit(QStringLiteral("Old number"));
     }
@@ -102,7 +102,7 @@ void tst_Groups::deletingLeavesThePeople()
     const Ids ids = scene.addPeople(crowdGrid());
     const GroupId group = madeGroup(scene, "left", {ids[0], ids[1]});
     const Population before = scene.people();
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     removeGroup(*edit, group);
     QVERIFY(edit->commit(QStringLiteral("Delete")));
     QCOMPARE(scene.people().size(), before.size());
@@ -118,7 +118,7 @@ void tst_Groups::onlyOneIsShownAlone()
     const GroupId left = madeGroup(scene, "left", {});
     const GroupId right = madeGroup(scene, "right", {});
     const auto solo = [&scene](GroupId id) {
-        const auto edit = scene.document.beginEdit();
+        const auto edit = scene.document.beginEdit().value();
         soloGroup(*edit, id);
         edit->commit(QStringLiteral("Solo"));
         return groupsThat(scene.document.scene().groups, &Group::isHidden);
@@ -221,7 +221,7 @@ void tst_Groups::masksMeanWhoFulfilsThemAll()
         BrushScene scene;
         const Ids ids = scene.addPeople({{-3, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {3, 0, 0}});
         madeGroup(scene, "pair", {ids[1], ids[2]});
-        const auto edit = scene.document.beginEdit();
+        const auto edit = scene.document.beginEdit().value();
         const std::uint64_t worn = 1U << 5U;
         edit->setColumn(columns::tags, Ids{ids[2], ids[3]},
                         std::span<const std::uint64_t>(&worn, 1));

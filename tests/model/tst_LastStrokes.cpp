@@ -262,7 +262,7 @@ void tst_LastStrokes::openEditsAreLeftAlone()
 {
     StrokesScene scene;
     QVERIFY(scene.paintAll(heights(0.5F, 0.6F)).isCommitted);
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     QCOMPARE(scene.strokes.layAnew(0, heights(1, 2), 7).reason, StrokeReason::Cancelled);
 }
 

@@ -20,7 +20,7 @@ void tst_Neighbours::alikeIsWhoLooksTheSame()
 {
     BrushScene scene;
     const Ids ids = scene.addPeople({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     const Tint red{255, 0, 0, 255};
     edit->setColumn(columns::tint(1), Ids{ids[1], ids[3]}, std::span<const Tint>(&red, 1));
     const float tall = 1.2F;

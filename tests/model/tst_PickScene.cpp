@@ -153,7 +153,7 @@ void tst_PickScene::liftsTheSeated()
     seat.height = 1.45F;
     BrushScene scene({stageOf({}, {seat})});
     const Ids ids = scene.addPeople({{0, 0, 0}});
-    const auto edit = scene.document.beginEdit();
+    const auto edit = scene.document.beginEdit().value();
     const SeatId seatId = scene.document.scene().worldSeats().front().id;
     const std::uint16_t sit = 1;
     edit->setColumn(columns::seat, ids, std::span(&seatId, 1));

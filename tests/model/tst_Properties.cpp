@@ -8,6 +8,7 @@
 
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
+#include "model/document/StoredRows.h"
 #include "model/population/ColumnSet.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
@@ -65,7 +66,7 @@ ValueBytes valueOf(const Scene& scene, const PropertyInfo& property, IndividualI
 void change(SceneDocument& document, const PropertyInfo& property, IndividualId id,
             const ValueBytes& value)
 {
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     edit->setColumn(property.id, std::vector<IndividualId>{id}, value);
     edit->commit(QStringLiteral("Change"));
 }
@@ -190,7 +191,7 @@ void tst_Properties::everyPropertyComesBackWithSomebodyRemoved()
         change(document, property, 2, otherValue(property));
     }
     const Population before = document.scene().population;
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     edit->removeIndividuals(std::vector<IndividualId>{1, 2});
     edit->commit(QStringLiteral("Remove"));
     QVERIFY(document.scene().population.isEmpty());

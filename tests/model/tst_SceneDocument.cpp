@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
 #include "model/document/SceneCommand.h"
@@ -35,6 +36,8 @@ private Q_SLOTS:
     void givesOutIdsOfEntriesUntilNoneIsLeft();
     void rollsBackWhatWasNotCommitted();
     void refusesUndoWhileAnEditIsOpen();
+    void refusesASecondEdit();
+    void saysWhatBecameOfAnEdit();
     void interruptsAnOpenEditForAnotherScene();
     void keepsOriginalValuesOfRemovedIndividuals();
     void keepsOnlyWhatChanged();
@@ -49,7 +52,7 @@ void tst_SceneDocument::makesOneStepOfManyChanges()
     const auto ids = addPeople(document, 3);
     const Snapshot before = snapshotOf(document);
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         setHeading(*edit, std::span(ids).first(2), 1.0F);
         setHeading(*edit, std::span(ids).last(2), 2.0F);
         edit->removeIndividuals(std::span(ids).first(1));
@@ -69,7 +72,7 @@ void tst_SceneDocument::makesNoStepWhenNothingChangesInTheEnd()
     SceneDocument document;
     const auto ids = addPeople(document, 2);
     const Snapshot before = snapshotOf(document);
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     setHeading(*edit, ids, 1.0F);
     setHeading(*edit, ids, 0.0F);
     const auto extra = edit->addIndividuals(IndividualRows::withDefaults({0}));
@@ -85,12 +88,12 @@ void tst_SceneDocument::makesNoStepWhenTheSceneEndsAsItBegan()
     TemplateEntry entry;
     entry.clipSpeeds = {std::numeric_limits<float>::quiet_NaN()}; // the asset's own speed
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         entry.id = edit->addTemplate(entry);
         edit->setCameras({NamedCamera{"Front", Camera{}}});
         QVERIFY(edit->commit(QStringLiteral("Set up")));
     }
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     TemplateEntry renamed = entry;
     renamed.name = "Fox";
     edit->changeTemplate(renamed);
@@ -108,20 +111,20 @@ void tst_SceneDocument::tellsZeroFromMinusZero()
     Lighting light;
     light.sunAzimuthRadians = -0.0F;
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         light.sunAzimuthRadians = 0.0F;
         edit->setLighting(light);
         StageEntry stage;
         (void)edit->addStage(stage);
         QVERIFY(edit->commit(QStringLiteral("Set up")));
     }
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     light.sunAzimuthRadians = -0.0F;
     edit->setLighting(light);
     QVERIFY(edit->commit(QStringLiteral("Turn the sun by nothing")));
     StageEntry stage = document.scene().stages.front();
     stage.headingRadians = -0.0F;
-    const auto second = document.beginEdit();
+    const auto second = document.beginEdit().value();
     second->changeStage(stage);
     QVERIFY(second->commit(QStringLiteral("Turn the stage by nothing")));
     document.undoStack().setIndex(1);
@@ -135,7 +138,7 @@ void tst_SceneDocument::tellsZeroFromMinusZero()
 void tst_SceneDocument::givesOutIdsOfEntriesUntilNoneIsLeft()
 {
     SceneDocument document;
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     StageEntry last;
     last.id = 255;
     QCOMPARE(int{edit->addStage(last)}, 255);
@@ -155,7 +158,7 @@ void tst_SceneDocument::refusesUndoWhileAnEditIsOpen()
     QString refusal;
     connect(&document, &SceneDocument::undoRefused, this,
             [&refusal](const QString& why) { refusal = why; });
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     setHeading(*edit, ids, 1.0F);
     document.undoStack().undo();
     QVERIFY(!refusal.isEmpty());
@@ -166,11 +169,49 @@ void tst_SceneDocument::refusesUndoWhileAnEditIsOpen()
     QCOMPARE(document.scene().population.size(), std::size_t{0});
 }
 
+void tst_SceneDocument::refusesASecondEdit()
+{
+    SceneDocument document;
+    const auto ids = addPeople(document, 2);
+    QSignalSpy refused(&document, &SceneDocument::editRefused);
+    auto open = document.beginEdit().value();
+    const Snapshot before = snapshotOf(document);
+    bool isDone = false;
+    QCOMPARE(document.edit(QStringLiteral("Second"), [&](SceneEdit&) { isDone = true; }),
+             EditOutcome::Refused);
+    QVERIFY(!isDone);
+    const auto second = document.beginEdit();
+    QVERIFY(!second);
+    QVERIFY(!second.error().message.empty());
+    QCOMPARE(refused.count(), 2);
+    QVERIFY(isSame(snapshotOf(document), before));
+    QCOMPARE(document.undoStack().count(), 1);
+    open.reset();
+    QCOMPARE(document.edit(QStringLiteral("Turn"),
+                           [&](SceneEdit& edit) { setHeading(edit, ids, 1.0F); }),
+             EditOutcome::Committed);
+    QCOMPARE(refused.count(), 2);
+}
+
+void tst_SceneDocument::saysWhatBecameOfAnEdit()
+{
+    SceneDocument document;
+    const auto ids = addPeople(document, 2);
+    QCOMPARE(document.edit(QStringLiteral("Nothing"), [](SceneEdit&) {}), EditOutcome::Unchanged);
+    QCOMPARE(document.undoStack().count(), 1);
+    QCOMPARE(document.edit([&](SceneEdit& edit) {
+        setHeading(edit, ids, 2.0F);
+        return QStringLiteral("Turned 2");
+    }),
+             EditOutcome::Committed);
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Turned 2"));
+}
+
 void tst_SceneDocument::interruptsAnOpenEditForAnotherScene()
 {
     SceneDocument document;
     const auto ids = addPeople(document, 2);
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     setHeading(*edit, ids, 1.0F);
     float headingAtEnd = -1.0F;
     connect(&document, &SceneDocument::editInterrupted, this, [&] {
@@ -189,7 +230,7 @@ void tst_SceneDocument::rollsBackWhatWasNotCommitted()
     const auto ids = addPeople(document, 4);
     const Snapshot before = snapshotOf(document);
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         setHeading(*edit, ids, 3.0F);
         edit->removeIndividuals(std::span(ids).subspan(1, 2));
         (void)edit->addIndividuals(IndividualRows::withDefaults({0}));
@@ -206,7 +247,7 @@ void tst_SceneDocument::keepsOriginalValuesOfRemovedIndividuals()
     SceneDocument document;
     const auto ids = addPeople(document, 2);
     const Snapshot before = snapshotOf(document);
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     setHeading(*edit, ids, 5.0F);
     edit->removeIndividuals(ids);
     QVERIFY(edit->commit(QStringLiteral("Turn and remove")));
@@ -218,7 +259,7 @@ void tst_SceneDocument::keepsOnlyWhatChanged()
 {
     SceneDocument document;
     const auto ids = addPeople(document, 100000);
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     std::vector<Tint> tints(ids.size());
     for (std::size_t i = 0; i < tints.size(); ++i) {
         tints[i].green = static_cast<std::uint8_t>(i % 255);
@@ -238,21 +279,21 @@ void tst_SceneDocument::keepsAssetsThatCameMeanwhile()
     SceneDocument document;
     TemplateId id = 0;
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         TemplateEntry entry;
         entry.path = "fox.glb";
         id = edit->addTemplate(entry);
         QVERIFY(edit->commit(QStringLiteral("Import")));
     }
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         TemplateEntry renamed = *document.scene().findTemplate(id);
         renamed.name = "Fox";
         edit->changeTemplate(renamed);
         QVERIFY(edit->commit(QStringLiteral("Rename")));
     }
     {
-        const auto edit = document.beginEdit();
+        const auto edit = document.beginEdit().value();
         TemplateEntry located = *document.scene().findTemplate(id);
         located.asset = std::make_shared<Template>();
         edit->changeTemplate(located);

@@ -5,6 +5,7 @@
 
 #include <QtTest/QTest>
 
+#include "model/document/EditRecord.h"
 #include "model/document/MemberEntries.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/MemberJson.h"
@@ -122,7 +123,7 @@ private Q_SLOTS:
         forEachMember([]<class M>(const M& member) {
             SceneDocument document;
             const std::string before = projectText(document.scene());
-            const auto edit = document.beginEdit();
+            const auto edit = document.beginEdit().value();
             alter(member, *edit);
             QVERIFY(edit->commit(QStringLiteral("Alter")));
             const std::string after = projectText(document.scene());

@@ -33,7 +33,7 @@ void turnEverybody(SceneDocument& document, float headingRadians)
 {
     const auto present = document.scene().population.ids();
     const std::vector<IndividualId> ids(present.begin(), present.end());
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     edit->setColumn(columns::heading, ids, std::span<const float>(&headingRadians, 1));
     edit->commit(QStringLiteral("Turn"));
 }
@@ -160,7 +160,7 @@ void tst_UndoMemory::anotherBudgetTakesEffectAtOnce()
 void tst_UndoMemory::countsSceneLevelEntries()
 {
     SceneDocument document;
-    const auto edit = document.beginEdit();
+    const auto edit = document.beginEdit().value();
     TemplateEntry entry;
     entry.path = std::string(10000, 'p');
     entry.clipNames = {std::string(20000, 'c')};

@@ -75,7 +75,7 @@ inline std::vector<model::IndividualId> addPeople(model::SceneDocument& document
         position.z = z;
         position.y = 0.05F;
     }
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     const auto ids = edit->addIndividuals(std::move(rows));
     edit->commit(QStringLiteral("add"));
     return ids;

@@ -36,7 +36,7 @@ namespace {
 /// A path over two places.
 void furnish(model::SceneDocument& document)
 {
-    auto edit = document.beginEdit();
+    auto edit = document.beginEdit().value();
     model::Place place;
     place.position = {1.0F, 0.05F, 2.0F};
     const model::PathId path = model::appendPlace(*edit, 0, place, model::PathKind::Simple);
@@ -262,7 +262,7 @@ void TestBehaviourDocks::everyKindHasASentenceAndFields()
     auto* list = desk.dock->findChild<QListWidget*>();
     for (std::size_t kind = 0; kind < model::kindsOf<model::TriggerData>().size(); ++kind) {
         rule.trigger.begin(kind);
-        auto edit = desk.document.beginEdit();
+        auto edit = desk.document.beginEdit().value();
         edit->setRules({rule});
         edit->commit(QStringLiteral("Rule"));
         QTRY_COMPARE(list->count(), 1);
@@ -311,7 +311,7 @@ void TestBehaviourDocks::aCueSaysThatTheGroundIsStillSought()
     cue.id = 1;
     cue.event = "run";
     {
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         model::Rule rule;
         rule.trigger = model::triggers::Event{"run"};
         rule.actions.emplace_back(model::actions::Flee());
@@ -401,7 +401,7 @@ void TestBehaviourDocks::branchesAreAddedWeighedAndRemoved()
     };
     QTRY_VERIFY(add() != nullptr);
     QVERIFY(!add()->isEnabled()); // there is nowhere to branch off to
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     model::Place place;
     place.position = {6.0F, 0.05F, 9.0F};
     model::appendPlace(*edit, 0, place, model::PathKind::Simple);
@@ -473,7 +473,7 @@ void TestBehaviourDocks::theTreeShowsWhatWasJustMade()
     QVERIFY(!tree->topLevelItem(3)->isExpanded()); // as it was left
     // Who has scrolled on since is left alone, until something else is chosen.
     tree->scrollToTop();
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     const model::PlaceId made = edit->addPlace({0, "by itself"});
     edit->commit(QStringLiteral("A place"));
     QTRY_COMPARE(tree->topLevelItemCount(), 22);
@@ -491,7 +491,7 @@ void TestBehaviourDocks::whileItRunsTheRunIsCounted()
     desk.state.transport().setPlaying(false);
     furnish(desk.document);
     const auto ids = testing::addPeople(desk.document, 2, 2.0F);
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     model::Place exit = desk.document.scene().places[1];
     exit.role = model::PlaceRole::Exit;
     exit.position = {2.5F, 0.05F, 2.0F};
@@ -531,7 +531,7 @@ void TestBehaviourDocks::namesOfBranchesCanBeRead()
     QVERIFY(desk.isReady());
     furnish(desk.document);
     furnish(desk.document);
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     model::Path path = desk.document.scene().paths[0];
     path.branches.push_back({1, 2, 1.0F});
     edit->changePath(path);

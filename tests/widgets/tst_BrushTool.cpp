@@ -120,7 +120,7 @@ void TestBrushTool::theGhostGoesWhenItsTemplateDoes()
     Hand hand;
     hand.hover(kCenter);
     QVERIFY(!hand.tools.picture().ghosts.empty());
-    auto edit = hand.document.beginEdit();
+    auto edit = hand.document.beginEdit().value();
     edit->removeTemplate(1);
     edit->commit(QStringLiteral("remove"));
     QVERIFY(hand.tools.needsTick());

@@ -114,7 +114,7 @@ void DocksTest::tickedTemplatesAreTheMix()
 {
     Desk<TemplatesDock> desk;
     QVERIFY(desk.isReady());
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     model::TemplateEntry second = desk.document.scene().templates.front();
     second.id = 0;
     second.name = "other";
@@ -203,7 +203,7 @@ void DocksTest::templatesShowTheirShareOfTheMix()
 {
     Desk<TemplatesDock> desk;
     QVERIFY(desk.isReady());
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     model::TemplateEntry second = desk.document.scene().templates.front();
     second.id = 0;
     const model::TemplateId id = edit->addTemplate(second);
@@ -288,7 +288,7 @@ void DocksTest::theTagBrushShowsNameAndColour()
 {
     Desk<BrushSettingsDock> desk;
     QVERIFY(desk.isReady());
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     edit->setTags({{2, "guests", {10, 200, 30}}});
     edit->commit(QStringLiteral("Name a tag"));
     desk.state.setTool(ToolId::BrushTag);

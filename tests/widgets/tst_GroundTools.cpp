@@ -122,7 +122,7 @@ void TestGroundTools::noPlaceIsDraggedWhereNobodyCanWalk()
     QFETCH(model::PlaceRole, role);
     Plaza plaza;
     {
-        const auto edit = plaza.document.beginEdit();
+        const auto edit = plaza.document.beginEdit().value();
         model::Place place;
         place.position = kStreet;
         place.role = role;

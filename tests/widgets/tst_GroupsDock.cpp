@@ -60,7 +60,7 @@ void GroupsDockTest::numbersWithoutANameAreListed()
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 5);
     const std::uint32_t group = 4;
-    const auto edit = desk.document.beginEdit();
+    const auto edit = desk.document.beginEdit().value();
     edit->setColumn(model::columns::group, std::span(ids).first(2),
                     std::span<const std::uint32_t>(&group, 1));
     edit->commit(QStringLiteral("Group"));

@@ -54,7 +54,7 @@ model::TemplateId addPlainTemplate(IndividualDesk& desk)
     asset->slots.resize(1);
     asset->parts.clear();
     model::TemplateEntry entry = testing::entryFor(asset, 0);
-    const auto edit = desk.document.beginEdit();
+    const auto edit = desk.document.beginEdit().value();
     const model::TemplateId id = edit->addTemplate(entry);
     edit->commit(QStringLiteral("Import"));
     return id;
@@ -62,7 +62,7 @@ model::TemplateId addPlainTemplate(IndividualDesk& desk)
 
 void become(IndividualDesk& desk, std::span<const model::IndividualId> ids, model::TemplateId id)
 {
-    const auto edit = desk.document.beginEdit();
+    const auto edit = desk.document.beginEdit().value();
     edit->setColumn(model::columns::templateId, ids, std::span<const model::TemplateId>(&id, 1));
     edit->commit(QStringLiteral("Change template"));
 }
@@ -112,7 +112,7 @@ void IndividualDockTest::mixedNumbersAreWrittenToAll()
     const auto ids = testing::addPeople(desk.document, 3);
     {
         const float tall = 1.25F;
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         edit->setColumn(model::columns::height, std::span(ids).first(1),
                         std::span<const float>(&tall, 1));
         edit->commit(QStringLiteral("Grow"));
@@ -172,7 +172,7 @@ void IndividualDockTest::clipsAreComparedByName()
     auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
     QVERIFY(clip != nullptr);
     QTRY_COMPARE(clip->currentIndex(), 0);
-    const auto edit = desk.document.beginEdit();
+    const auto edit = desk.document.beginEdit().value();
     model::TemplateEntry other = desk.document.scene().templates.front();
     other.id = 0;
     std::ranges::reverse(other.clipNames);
@@ -296,7 +296,7 @@ void IndividualDockTest::standingUpFreesTheSeats()
     QVERIFY(desk.isReady());
     const auto ids = testing::addPeople(desk.document, 2);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         const auto number = static_cast<model::SeatId>(i);
         QVERIFY(model::sitDown(*edit, ids[i], (model::SeatId{1} << 24U) + number) ==
                 model::SitResult::Done);
@@ -344,7 +344,7 @@ void IndividualDockTest::aRightClickTakesTheTintOff()
     const auto ids = testing::addPeople(desk.document, 2);
     {
         const model::Tint red{255, 0, 0, 255};
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         edit->setColumn(model::columns::tint(1), ids, std::span<const model::Tint>(&red, 1));
         edit->commit(QStringLiteral("Tint"));
     }
@@ -365,7 +365,7 @@ void IndividualDockTest::aTintMultipliesOrReplaces()
     const auto ids = testing::addPeople(desk.document, 3);
     {
         const std::uint16_t other = 1U << 2U; // of another slot: it stays
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         edit->setColumn(model::columns::tintReplaces, std::span(ids).first(1),
                         std::span<const std::uint16_t>(&other, 1));
         edit->commit(QStringLiteral("Mode"));
@@ -393,7 +393,7 @@ void IndividualDockTest::partsAreHiddenAndShown()
     const auto ids = testing::addPeople(desk.document, 2);
     {
         const std::uint32_t none = 0;
-        const auto edit = desk.document.beginEdit();
+        const auto edit = desk.document.beginEdit().value();
         edit->setColumn(model::columns::parts, std::span(ids).first(1),
                         std::span<const std::uint32_t>(&none, 1));
         edit->commit(QStringLiteral("Take the hat off"));

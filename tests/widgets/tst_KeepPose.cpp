@@ -195,7 +195,7 @@ void TestKeepPose::stepsAreAsLongAsTheSceneSays()
     QVERIFY(std::abs(stage.transport.seconds() - 12.0 / rate) < 1e-9);
     QVERIFY(std::abs(stage.control.availableSeconds() - 12.0 / rate) < 1e-9);
     // Another length holds from the next play on.
-    auto edit = stage.document.beginEdit();
+    auto edit = stage.document.beginEdit().value();
     edit->setStepsPerSecond(rate == 30 ? 60 : 30);
     QVERIFY(edit->commit(QStringLiteral("Steps")));
     QVERIFY(stage.step(12));

@@ -33,7 +33,7 @@ private:
 
 void TestPeopleMarks::tag(Hand& hand, model::IndividualId id, std::uint64_t tags)
 {
-    const auto edit = hand.document.beginEdit();
+    const auto edit = hand.document.beginEdit().value();
     const std::array<model::IndividualId, 1> ids{id};
     edit->setColumn(model::columns::tags, ids, std::span<const std::uint64_t>(&tags, 1));
     edit->commit(QStringLiteral("Tag"));

@@ -15,7 +15,7 @@ namespace {
 
 void wear(Hand& hand, std::span<const model::IndividualId> ids, const model::Tint& tint)
 {
-    const auto edit = hand.document.beginEdit();
+    const auto edit = hand.document.beginEdit().value();
     edit->setColumn(model::columns::tint(1), ids, std::span<const model::Tint>(&tint, 1));
     edit->commit(QStringLiteral("Tint"));
 }
@@ -97,7 +97,7 @@ void PickDragTest::anUntintedSlotHasTheColourOfItsMaterial()
     {
         model::MaterialChoices blue{};
         blue[1] = 1;
-        const auto edit = hand.document.beginEdit();
+        const auto edit = hand.document.beginEdit().value();
         edit->setColumn(model::columns::materialChoices, ids,
                         std::span<const model::MaterialChoices>(&blue, 1));
         edit->commit(QStringLiteral("Blue"));
@@ -142,7 +142,7 @@ void PickDragTest::aKindIsTakenForTheMix()
     model::TemplateEntry other = hand.document.scene().templates.front();
     other.id = 0;
     {
-        const auto edit = hand.document.beginEdit();
+        const auto edit = hand.document.beginEdit().value();
         const model::TemplateId id = edit->addTemplate(other);
         edit->setColumn(model::columns::templateId, ids,
                         std::span<const model::TemplateId>(&id, 1));
@@ -164,7 +164,7 @@ void PickDragTest::sizesAreTakenAndPainted()
     const auto ids = testing::addPeople(hand.document, 1);
     {
         const float tall = 1.3F;
-        const auto edit = hand.document.beginEdit();
+        const auto edit = hand.document.beginEdit().value();
         edit->setColumn(model::columns::height, ids, std::span<const float>(&tall, 1));
         edit->commit(QStringLiteral("Tall"));
     }
@@ -189,7 +189,7 @@ void PickDragTest::aClipIsTaken()
     const auto ids = testing::addPeople(hand.document, 1);
     {
         const std::uint16_t rise = 1;
-        const auto edit = hand.document.beginEdit();
+        const auto edit = hand.document.beginEdit().value();
         edit->setColumn(model::columns::clip, ids, std::span<const std::uint16_t>(&rise, 1));
         edit->commit(QStringLiteral("Rise"));
     }

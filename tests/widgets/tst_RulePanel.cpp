@@ -59,7 +59,7 @@ void press(RulesDesk& desk, const char* name, int which = 0)
 
 void giveRule(RulesDesk& desk, const model::Rule& rule)
 {
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     edit->setRules({rule});
     edit->commit(QStringLiteral("Rule"));
     auto* list = desk.dock->findChild<QListWidget*>();

@@ -29,7 +29,7 @@ struct RulesListDesk : crowd::testing::Desk<RulesDock>
             rules[i].id = static_cast<model::RuleId>(i + 1);
             rules[i].trigger = model::triggers::Event{"event" + std::to_string(i + 1)};
         }
-        auto edit = document.beginEdit();
+        auto edit = document.beginEdit().value();
         edit->setRules(std::move(rules));
         edit->commit(QStringLiteral("Rules"));
         list = dock->findChild<QListWidget*>(QStringLiteral("ruleList"));
@@ -295,7 +295,7 @@ void TestRulesList::countingMovesNothing()
     for (model::Rule& rule : rules) {
         rule.actions.emplace_back(model::actions::Stop());
     }
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     edit->setRules(std::move(rules));
     edit->commit(QStringLiteral("Rules"));
     crowd::testing::addPeople(desk.document, 3, 2.0F);
@@ -334,7 +334,7 @@ void TestRulesList::theLogOfAnotherSceneIsForgotten()
     std::vector<model::Rule> rules = desk.document.scene().rules;
     rules[0].trigger = model::triggers::Start();
     rules[0].actions.emplace_back(model::actions::Stop());
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     edit->setRules(std::move(rules));
     edit->commit(QStringLiteral("Rules"));
     crowd::testing::addPeople(desk.document, 3, 2.0F);

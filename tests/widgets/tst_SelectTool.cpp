@@ -42,7 +42,7 @@ void TestSelectTool::clickSelectsAndEmptyGroundClears()
 void TestSelectTool::clickOnABandChoosesItsPath()
 {
     Hand hand;
-    auto edit = hand.document.beginEdit();
+    auto edit = hand.document.beginEdit().value();
     model::Path path;
     path.name = "Path";
     for (const float x : {-6.0F, 6.0F}) {
@@ -167,7 +167,7 @@ void TestSelectTool::selectionForgetsWhoVanishes()
     const auto ids = testing::addPeople(hand.document, 3);
     hand.state.selection().set(ids);
     QSignalSpy changes(&hand.state.selection(), &Selection::changed);
-    auto edit = hand.document.beginEdit();
+    auto edit = hand.document.beginEdit().value();
     edit->removeIndividuals(std::vector{ids[0], ids[2]});
     edit->commit(QStringLiteral("remove"));
     QCOMPARE(hand.state.selection().size(), std::size_t{1});

@@ -106,7 +106,7 @@ void TestToolController::theEnvironmentBrushSaysWhatItPaintsAndChoosesIt()
 void TestToolController::aPathOfPlacesIsOfTheKindThatWasAskedFor()
 {
     Hand hand;
-    auto edit = hand.document.beginEdit();
+    auto edit = hand.document.beginEdit().value();
     std::vector<model::PlaceId> places;
     for (int i = 0; i < 3; ++i) {
         model::Place place;
@@ -133,7 +133,7 @@ void TestToolController::theWalkBrushComesBackToItsPath()
 {
     Hand hand;
     const auto makePath = [&hand](float x) {
-        auto edit = hand.document.beginEdit();
+        auto edit = hand.document.beginEdit().value();
         model::Place place;
         place.position.x = x;
         const model::PathId made = model::appendPlace(*edit, 0, place, model::PathKind::Simple);

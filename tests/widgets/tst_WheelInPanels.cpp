@@ -173,7 +173,7 @@ void TestWheelInPanels::scrollingTheRulesChangesNone()
     rule.trigger = model::triggers::Event{"go"};
     rule.actions = {model::actions::Wait{0.3F}};
     rule.conditions.emplace_back(model::conditions::Chance());
-    auto edit = desk.document.beginEdit();
+    auto edit = desk.document.beginEdit().value();
     edit->setRules({rule});
     edit->commit(QStringLiteral("Rule"));
     auto* list = desk.dock->findChild<QListWidget*>();

@@ -49,11 +49,7 @@ void setActiveGroup(EditorState& state, GroupId group)
 void editGroups(EditorState& state, const QString& undoText,
                 const std::function<void(model::SceneEdit&)>& apply)
 {
-    if (!state.document().isEditOpen()) {
-        const auto edit = state.document().beginEdit();
-        apply(*edit);
-        edit->commit(undoText);
-    }
+    state.document().edit(undoText, apply);
 }
 
 void groupSelection(EditorState& state)

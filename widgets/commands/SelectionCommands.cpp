@@ -24,21 +24,19 @@ struct SelectionCommandsText
 
 void deleteSelection(EditorState& state)
 {
-    if (state.document().isEditOpen()) {
-        return; // in the middle of a stroke
-    }
     // A copy: the selection drops the ids while they go.
     const std::vector<model::IndividualId> ids(state.selection().ids().begin(),
                                                state.selection().ids().end());
     const std::vector<model::PlaceId> places = state.paths().places();
     if (!places.empty()) {
-        auto edit = state.document().beginEdit();
-        for (const model::PlaceId place : places) {
-            edit->removePlace(place);
-        }
-        edit->removeIndividuals(ids);
-        edit->commit(SelectionCommandsText::tr("Delete %n place(s)", nullptr,
-                                               static_cast<int>(places.size())));
+        const QString text = SelectionCommandsText::tr("Delete %n place(s)", nullptr,
+                                                       static_cast<int>(places.size()));
+        state.document().edit(text, [&](model::SceneEdit& edit) {
+            for (const model::PlaceId place : places) {
+                edit.removePlace(place);
+            }
+            edit.removeIndividuals(ids);
+        });
         return;
     }
     if (ids.empty()) {
@@ -46,10 +44,9 @@ void deleteSelection(EditorState& state)
             SelectionCommandsText::tr("Nobody is selected: there is nobody to delete."));
         return;
     }
-    auto edit = state.document().beginEdit();
-    edit->removeIndividuals(ids);
-    edit->commit(
-        SelectionCommandsText::tr("Delete %n character(s)", nullptr, static_cast<int>(ids.size())));
+    const QString text =
+        SelectionCommandsText::tr("Delete %n character(s)", nullptr, static_cast<int>(ids.size()));
+    state.document().edit(text, [&](model::SceneEdit& edit) { edit.removeIndividuals(ids); });
 }
 
 void selectSimilar(EditorState& state)
@@ -71,9 +68,6 @@ void shrinkSelection(EditorState& state)
 
 void putSelectionOnGround(EditorState& state)
 {
-    if (state.document().isEditOpen()) {
-        return;
-    }
     const auto chosen = state.selection().ids();
     const auto everybody = state.scene().population.ids();
     std::vector<model::IndividualId> ids(chosen.begin(), chosen.end());
@@ -83,10 +77,13 @@ void putSelectionOnGround(EditorState& state)
     const model::WalkableGroundPtr ground = state.ground().wait();
     int moved = 0;
     if (ground) {
-        auto edit = state.document().beginEdit();
-        moved = model::putOnGround(*edit, *ground, ids);
-        edit->commit(
-            SelectionCommandsText::tr("Put %n character(s) on the ground", nullptr, moved));
+        const auto outcome = state.document().edit([&](model::SceneEdit& edit) {
+            moved = model::putOnGround(edit, *ground, ids);
+            return SelectionCommandsText::tr("Put %n character(s) on the ground", nullptr, moved);
+        });
+        if (outcome == model::EditOutcome::Refused) {
+            return;
+        }
     }
     state.showStatus(
         moved > 0 ? SelectionCommandsText::tr("%n characters put on the ground", nullptr, moved)

@@ -38,12 +38,8 @@ bool hasCamera(const EditorState& state, const QString& name)
 
 void commitCameras(EditorState& state, std::vector<NamedCamera> cameras, const QString& text)
 {
-    if (state.document().isEditOpen()) {
-        return; // in the middle of a stroke
-    }
-    auto edit = state.document().beginEdit();
-    edit->setCameras(std::move(cameras));
-    edit->commit(text);
+    state.document().edit(text,
+                          [&](model::SceneEdit& edit) { edit.setCameras(std::move(cameras)); });
 }
 
 /// Someone's body, whatever the template: what framing one person should show.

@@ -174,14 +174,12 @@ void BranchList::addBranch()
 void BranchList::change(const QString& undoText, const std::function<void(model::Path&)>& apply)
 {
     const model::Path* path = m_state.scene().findPath(m_path);
-    if (path == nullptr || m_state.document().isEditOpen()) {
+    if (path == nullptr) {
         return;
     }
     model::Path changed = *path;
     apply(changed);
-    auto edit = m_state.document().beginEdit();
-    edit->changePath(changed);
-    edit->commit(undoText);
+    m_state.document().edit(undoText, [&](model::SceneEdit& edit) { edit.changePath(changed); });
 }
 
 } // namespace crowd::widgets

@@ -144,12 +144,8 @@ void CueBar::change(const std::function<void(model::Cue&)>& apply)
 
 void CueBar::setCues(std::vector<model::Cue> cues, const QString& undoText)
 {
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = m_state.document().beginEdit();
-    edit->setCues(std::move(cues));
-    edit->commit(undoText);
+    m_state.document().edit(undoText,
+                            [&](model::SceneEdit& edit) { edit.setCues(std::move(cues)); });
 }
 
 void CueBar::addCue()

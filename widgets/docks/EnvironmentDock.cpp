@@ -213,30 +213,28 @@ const model::Path* EnvironmentDock::path() const
 void EnvironmentDock::changePlace(const QString& undoText,
                                   const std::function<void(model::Place&)>& change)
 {
-    if (m_isFilling || m_state.document().isEditOpen()) {
+    if (m_isFilling) {
         return;
     }
     const std::vector<model::PlaceId> places = m_state.paths().places();
-    auto edit = m_state.document().beginEdit();
-    for (const model::PlaceId id : places) {
-        model::Place changed = *m_state.scene().findPlace(id);
-        change(changed);
-        edit->changePlace(changed);
-    }
-    edit->commit(undoText);
+    m_state.document().edit(undoText, [&](model::SceneEdit& edit) {
+        for (const model::PlaceId id : places) {
+            model::Place changed = *m_state.scene().findPlace(id);
+            change(changed);
+            edit.changePlace(changed);
+        }
+    });
 }
 
 void EnvironmentDock::changePath(const QString& undoText,
                                  const std::function<void(model::Path&)>& change)
 {
-    if (m_isFilling || path() == nullptr || m_state.document().isEditOpen()) {
+    if (m_isFilling || path() == nullptr) {
         return;
     }
     model::Path changed = *path();
     change(changed);
-    auto edit = m_state.document().beginEdit();
-    edit->changePath(changed);
-    edit->commit(undoText);
+    m_state.document().edit(undoText, [&](model::SceneEdit& edit) { edit.changePath(changed); });
 }
 
 void EnvironmentDock::refreshForm()

@@ -21,12 +21,22 @@ void removeWithPlaces(model::SceneEdit& edit, model::PathId id)
 
 } // namespace
 
+EnvironmentMenu::EnvironmentMenu(EditorState& state, QWidget* parent)
+    : QMenu(parent), m_state(state)
+{
+    connect(&state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (std::holds_alternative<model::PathsChanged>(change) ||
+                    std::holds_alternative<model::SceneReplaced>(change)) {
+                    close();
+                }
+            });
+}
+
 void EnvironmentMenu::addChange(const QString& text, const QString& undoText, const Change& change)
 {
     connect(addAction(text), &QAction::triggered, this, [this, undoText, change] {
-        auto edit = m_state.document().beginEdit();
-        change(*edit);
-        edit->commit(undoText);
+        m_state.document().edit(undoText, [&](model::SceneEdit& edit) { change(edit); });
     });
 }
 
@@ -57,9 +67,9 @@ void EnvironmentMenu::addJoining(model::PathId id)
         }
         connect(join->addAction(QString::fromStdString(other.name)), &QAction::triggered, this,
                 [this, id, second = other.id] {
-                    auto edit = m_state.document().beginEdit();
-                    model::joinPaths(*edit, id, second);
-                    edit->commit(tr("Join two paths"));
+                    m_state.document().edit(tr("Join two paths"), [&](model::SceneEdit& edit) {
+                        model::joinPaths(edit, id, second);
+                    });
                 });
     }
     join->setEnabled(!join->isEmpty());
@@ -94,36 +104,33 @@ void EnvironmentMenu::insertAfter(const Stop& stop)
     const model::Place& other = *m_state.scene().findPlace(path.places[next]);
     added.position = (added.position + other.position) * 0.5F;
     added.name.clear();
-    auto edit = m_state.document().beginEdit();
-    const model::PlaceId made = model::insertPlace(*edit, stop.path, stop.index + 1, added);
-    edit->commit(tr("Insert a place"));
-    m_state.paths().select({made});
+    m_state.document().edit(tr("Insert a place"), [&](model::SceneEdit& edit) {
+        m_state.paths().select({model::insertPlace(edit, stop.path, stop.index + 1, added)});
+    });
 }
 
 void EnvironmentMenu::takeOut(const Stop& stop)
 {
     model::Path shorter = *m_state.scene().findPath(stop.path);
     shorter.places.erase(shorter.places.begin() + static_cast<std::ptrdiff_t>(stop.index));
-    auto edit = m_state.document().beginEdit();
-    edit->changePath(shorter);
-    edit->commit(tr("Take a place out of a path"));
+    m_state.document().edit(tr("Take a place out of a path"),
+                            [&](model::SceneEdit& edit) { edit.changePath(shorter); });
 }
 
 void EnvironmentMenu::assignSelected(model::PathId id)
 {
     const std::vector<model::IndividualId> ids(m_state.selection().ids().begin(),
                                                m_state.selection().ids().end());
-    if (m_state.document().isEditOpen()) {
-        return; // in the middle of a stroke
-    }
     if (ids.empty()) {
         m_state.showStatus(tr("Nobody is selected: select characters first (V), or paint them with "
                               "the walk brush (W)."));
         return;
     }
-    auto edit = m_state.document().beginEdit();
-    edit->setColumn(model::columns::path, ids, std::span<const model::PathId>(&id, 1));
-    edit->commit(tr("Let %n character(s) walk", nullptr, static_cast<int>(ids.size())));
+    m_state.document().edit(tr("Let %n character(s) walk", nullptr, static_cast<int>(ids.size())),
+                            [&](model::SceneEdit& edit) {
+                                edit.setColumn(model::columns::path, ids,
+                                               std::span<const model::PathId>(&id, 1));
+                            });
 }
 
 void EnvironmentMenu::selectPeopleOf(model::PathId id)

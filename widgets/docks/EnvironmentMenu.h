@@ -25,7 +25,8 @@ public:
         std::size_t index = 0;
     };
 
-    EnvironmentMenu(EditorState& state, QWidget* parent) : QMenu(parent), m_state(state) {}
+    /// Closes when paths or places change meanwhile: its entries speak of those that were there.
+    EnvironmentMenu(EditorState& state, QWidget* parent);
 
     void fillForPath(model::PathId id);
     /// `stop`: as which it was chosen; nothing where no path leads over it.

@@ -332,22 +332,20 @@ QString EnvironmentTree::problemOfChosen() const
 
 void EnvironmentTree::rename(QTreeWidgetItem* item)
 {
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
     const std::string name = item->text(0).toStdString();
     const auto id = item->data(0, kIdRole).toUInt();
-    auto edit = m_state.document().beginEdit();
-    if (item->type() == PathItem) {
-        model::Path renamed = *m_state.scene().findPath(id);
+    if (const model::Path* path = m_state.scene().findPath(id);
+        item->type() == PathItem && path != nullptr) {
+        model::Path renamed = *path;
         renamed.name = name;
-        edit->changePath(renamed);
-        edit->commit(tr("Rename a path"));
-    } else if (item->type() == PlaceItem) {
-        model::Place renamed = *m_state.scene().findPlace(id);
+        m_state.document().edit(tr("Rename a path"),
+                                [&](model::SceneEdit& edit) { edit.changePath(renamed); });
+    } else if (const model::Place* place = m_state.scene().findPlace(id);
+               item->type() == PlaceItem && place != nullptr) {
+        model::Place renamed = *place;
         renamed.name = name;
-        edit->changePlace(renamed);
-        edit->commit(tr("Rename a place"));
+        m_state.document().edit(tr("Rename a place"),
+                                [&](model::SceneEdit& edit) { edit.changePlace(renamed); });
     }
 }
 

@@ -30,7 +30,7 @@ void rewrite(model::SceneEdit& edit, const SelectedPeople& selected,
 
 bool IndividualWriter::mayWrite() const
 {
-    return !m_state.document().isEditOpen() && !m_state.selection().isEmpty();
+    return !m_state.selection().isEmpty();
 }
 
 void IndividualWriter::writeSame(model::ColumnId column, std::span<const std::byte> value,
@@ -40,9 +40,8 @@ void IndividualWriter::writeSame(model::ColumnId column, std::span<const std::by
         return;
     }
     const auto ids = people().ids();
-    const auto edit = m_state.document().beginEdit();
-    edit->setColumn(column, ids, value);
-    edit->commit(undoText);
+    m_state.document().edit(undoText,
+                            [&](model::SceneEdit& edit) { edit.setColumn(column, ids, value); });
 }
 
 void IndividualWriter::changeGroups(const QString& undoText, const GroupChange& change)
@@ -51,20 +50,20 @@ void IndividualWriter::changeGroups(const QString& undoText, const GroupChange& 
         return;
     }
     const SelectedPeople selected = people();
-    const auto edit = m_state.document().beginEdit();
-    for (const SelectedPeople::Group& group : selected.groups()) {
-        change(*edit, selected, group);
-    }
-    edit->commit(undoText);
+    m_state.document().edit(undoText, [&](model::SceneEdit& edit) {
+        for (const SelectedPeople::Group& group : selected.groups()) {
+            change(edit, selected, group);
+        }
+    });
 }
 
 void IndividualWriter::setTemplate(model::TemplateId id)
 {
     if (mayWrite()) {
         const auto ids = people().ids();
-        const auto edit = m_state.document().beginEdit();
-        model::changeTemplate(*edit, ids, id);
-        edit->commit(tr("Change template"));
+        m_state.document().edit(tr("Change template"), [&](model::SceneEdit& edit) {
+            model::changeTemplate(edit, ids, id);
+        });
     }
 }
 
@@ -80,9 +79,9 @@ void IndividualWriter::setPosition(int axis, double value)
         positions.back()[axis] = static_cast<float>(value);
     }
     const auto ids = selected.ids();
-    const auto edit = m_state.document().beginEdit();
-    edit->setColumn(model::columns::position, ids, std::span<const glm::vec3>(positions));
-    edit->commit(tr("Move"));
+    m_state.document().edit(tr("Move"), [&](model::SceneEdit& edit) {
+        edit.setColumn(model::columns::position, ids, std::span<const glm::vec3>(positions));
+    });
 }
 
 void IndividualWriter::setNumber(const model::PropertyInfo& property, double shown)
@@ -126,10 +125,11 @@ void IndividualWriter::setSeat(double number)
     }
     const model::SeatId seat = (base >> kStageShift << kStageShift) |
                                (static_cast<model::SeatId>(number - 1.0) & 0xFFFFFFU);
-    const auto edit = m_state.document().beginEdit();
-    switch (model::sitDown(*edit, id, seat)) {
+    model::SitResult result = model::SitResult::Done;
+    m_state.document().edit(
+        tr("Sit down"), [&](model::SceneEdit& edit) { result = model::sitDown(edit, id, seat); });
+    switch (result) {
     case model::SitResult::Done:
-        edit->commit(tr("Sit down"));
         break;
     case model::SitResult::NoSuchSeat:
         m_state.showStatus(tr("There is no seat %1.").arg(number, 0, 'f', 0));
@@ -144,9 +144,8 @@ void IndividualWriter::standUp()
 {
     if (mayWrite()) {
         const auto ids = people().ids();
-        const auto edit = m_state.document().beginEdit();
-        model::standUp(*edit, ids);
-        edit->commit(tr("Stand up"));
+        m_state.document().edit(tr("Stand up"),
+                                [&](model::SceneEdit& edit) { model::standUp(edit, ids); });
     }
 }
 

@@ -47,8 +47,8 @@ QSlider* LightForm::addSlider(const QString& label, int low, int high,
     static_cast<QFormLayout*>(layout())->addRow(label, slider);
     m_rows.push_back({slider, value, scale});
     connect(slider, &QSlider::sliderPressed, this, [this] {
-        if (!m_state.document().isEditOpen()) {
-            m_edit = m_state.document().beginEdit();
+        if (auto edit = m_state.document().beginEdit()) {
+            m_edit = std::move(edit).value();
         }
     });
     connect(slider, &QSlider::sliderReleased, this, [this] {
@@ -58,7 +58,7 @@ QSlider* LightForm::addSlider(const QString& label, int low, int high,
         }
     });
     connect(slider, &QSlider::valueChanged, this, [this, value, scale](int steps) {
-        if (m_isFilling || (!m_edit && m_state.document().isEditOpen())) {
+        if (m_isFilling) {
             return;
         }
         model::Lighting light = m_state.scene().lighting;
@@ -67,9 +67,11 @@ QSlider* LightForm::addSlider(const QString& label, int low, int high,
             m_edit->setLighting(light);
             return;
         }
-        const auto edit = m_state.document().beginEdit(); // by keys or wheel
-        edit->setLighting(light);
-        edit->commit(tr("Change light"));
+        const auto outcome = m_state.document().edit(
+            tr("Change light"), [&](model::SceneEdit& edit) { edit.setLighting(light); });
+        if (outcome == model::EditOutcome::Refused) {
+            refresh();
+        }
     });
     return slider;
 }

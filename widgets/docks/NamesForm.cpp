@@ -184,22 +184,14 @@ void NamesForm::addNumberRow(QVBoxLayout* layout, const model::NumberName& numbe
 
 void NamesForm::setTags(std::vector<model::TagName> tags, const QString& undoText)
 {
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = m_state.document().beginEdit();
-    edit->setTags(std::move(tags));
-    edit->commit(undoText);
+    m_state.document().edit(undoText,
+                            [&](model::SceneEdit& edit) { edit.setTags(std::move(tags)); });
 }
 
 void NamesForm::setNumbers(std::vector<model::NumberName> numbers, const QString& undoText)
 {
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = m_state.document().beginEdit();
-    edit->setNumbers(std::move(numbers));
-    edit->commit(undoText);
+    m_state.document().edit(undoText,
+                            [&](model::SceneEdit& edit) { edit.setNumbers(std::move(numbers)); });
 }
 
 void NamesForm::changeTag(std::uint8_t bit, const std::function<void(model::TagName&)>& change)

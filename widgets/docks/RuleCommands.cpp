@@ -122,12 +122,8 @@ const Rule* RuleCommands::current() const
 
 void RuleCommands::setRules(std::vector<Rule> rules, const QString& undoText)
 {
-    if (m_state.document().isEditOpen()) {
-        return;
-    }
-    auto edit = m_state.document().beginEdit();
-    edit->setRules(std::move(rules));
-    edit->commit(undoText);
+    m_state.document().edit(undoText,
+                            [&](model::SceneEdit& edit) { edit.setRules(std::move(rules)); });
 }
 
 void RuleCommands::change(const Change& apply)

@@ -187,7 +187,7 @@ void SceneDock::rename(QTreeWidgetItem* item)
     const QString name = item->text(0).trimmed();
     const QVariant id = item->data(0, kIdRole);
     bool isRenamed = false;
-    if (!name.isEmpty() && !m_state.document().isEditOpen()) {
+    if (!name.isEmpty()) {
         if (item->type() == CameraItem) {
             isRenamed = renameCamera(m_state, id.toString(), name);
         } else if (item->type() == StageItem) {
@@ -207,9 +207,8 @@ void SceneDock::renameStage(std::uint8_t id, const std::string& name)
     if (entry != nullptr && entry->name != name) {
         model::StageEntry renamed = *entry;
         renamed.name = name;
-        const auto edit = m_state.document().beginEdit();
-        edit->changeStage(renamed);
-        edit->commit(tr("Rename stage"));
+        m_state.document().edit(tr("Rename stage"),
+                                [&](model::SceneEdit& edit) { edit.changeStage(renamed); });
     }
 }
 
@@ -219,20 +218,15 @@ void SceneDock::renameTemplate(model::TemplateId id, const std::string& name)
     if (entry != nullptr && entry->name != name) {
         model::TemplateEntry renamed = *entry;
         renamed.name = name;
-        const auto edit = m_state.document().beginEdit();
-        edit->changeTemplate(renamed);
-        edit->commit(tr("Rename template"));
+        m_state.document().edit(tr("Rename template"),
+                                [&](model::SceneEdit& edit) { edit.changeTemplate(renamed); });
     }
 }
 
 void SceneDock::removeStage(std::uint8_t id)
 {
-    if (m_state.document().isEditOpen()) {
-        return; // in the middle of a stroke
-    }
-    const auto edit = m_state.document().beginEdit();
-    edit->removeStage(id);
-    edit->commit(tr("Remove stage"));
+    m_state.document().edit(tr("Remove stage"),
+                            [&](model::SceneEdit& edit) { edit.removeStage(id); });
 }
 
 void SceneDock::fillStageMenu(QMenu& menu, std::uint8_t id)

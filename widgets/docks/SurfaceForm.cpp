@@ -64,14 +64,10 @@ void SurfaceForm::addField(const QString& label, const QString& tip, const char*
     field->setToolTip(tip);
     static_cast<QFormLayout*>(m_rows->layout())->addRow(label, field);
     connect(field, &NumberField::valueEdited, this, [this, member](double value) {
-        if (m_state.document().isEditOpen()) {
-            return;
-        }
         model::SurfaceSettings changed = m_state.scene().surface;
         changed.*member = static_cast<float>(value);
-        auto edit = m_state.document().beginEdit();
-        edit->setSurface(changed);
-        edit->commit(tr("Change where characters can walk"));
+        m_state.document().edit(tr("Change where characters can walk"),
+                                [&](model::SceneEdit& edit) { edit.setSurface(changed); });
     });
     m_fields.push_back({field, member});
 }

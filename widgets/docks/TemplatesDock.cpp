@@ -228,15 +228,13 @@ void TemplatesDock::rename(QListWidgetItem* item)
     const auto id = static_cast<model::TemplateId>(item->data(kIdRole).toUInt());
     const model::TemplateEntry* entry = m_state.scene().findTemplate(id);
     const std::string name = item->text().trimmed().toStdString();
-    if (entry == nullptr || name.empty() || entry->name == name ||
-        m_state.document().isEditOpen()) {
+    if (entry == nullptr || name.empty() || entry->name == name) {
         return;
     }
     model::TemplateEntry renamed = *entry;
     renamed.name = name;
-    const auto edit = m_state.document().beginEdit();
-    edit->changeTemplate(renamed);
-    edit->commit(tr("Rename template"));
+    m_state.document().edit(tr("Rename template"),
+                            [&](model::SceneEdit& edit) { edit.changeTemplate(renamed); });
 }
 
 void TemplatesDock::showMenu(const QPoint& position)

@@ -134,9 +134,11 @@ private:
 
     void begin()
     {
-        if (m_context.state.document().isEditOpen()) {
+        auto edit = m_context.state.document().beginEdit();
+        if (!edit) {
             return;
         }
+        m_edit = std::move(edit).value();
         PathFocus& focus = m_context.state.paths();
         if (!focus.isSelected(m_hit.place)) {
             focus.select({m_hit.place});
@@ -152,7 +154,6 @@ private:
         if (!m_hit.isBorder && !m_context.state.brush(brush).place()->anywhere) {
             m_walkable = m_context.state.ground().wait();
         }
-        m_edit = m_context.state.document().beginEdit();
     }
 
     /// Where nobody can walk they stay where they were last.
@@ -293,35 +294,38 @@ std::optional<glm::vec3> groundUnder(const ToolContext& context, const ToolInput
 
 void resizePlaces(EditorState& state, int steps)
 {
-    if (state.document().isEditOpen()) {
-        return;
-    }
     const std::vector<model::PlaceId> places = state.paths().places();
     model::BrushSettings size = state.brush(model::BrushKind::Path);
-    auto edit = state.document().beginEdit();
-    for (const model::PlaceId id : places) {
-        model::Place place = *state.scene().findPlace(id);
-        size.place()->radiusMetres = place.radius;
-        size = steppedMainNumber(size, steps);
-        place.radius = size.place()->radiusMetres;
-        edit->changePlace(place);
-    }
-    edit->commit(places.size() == 1 ? PlaceHandlesText::tr("Resize a place")
-                                    : PlaceHandlesText::tr("Resize places"));
+    const QString text = places.size() == 1 ? PlaceHandlesText::tr("Resize a place")
+                                            : PlaceHandlesText::tr("Resize places");
+    state.document().edit(text, [&](model::SceneEdit& edit) {
+        for (const model::PlaceId id : places) {
+            model::Place place = *state.scene().findPlace(id);
+            size.place()->radiusMetres = place.radius;
+            size = steppedMainNumber(size, steps);
+            place.radius = size.place()->radiusMetres;
+            edit.changePlace(place);
+        }
+    });
     state.showStatus(mainNumberText(size));
 }
 
 void makePathOfPlaces(EditorState& state, model::PathKind kind)
 {
     const std::vector<model::PlaceId> places = state.paths().places();
-    if (places.size() < 2 || state.document().isEditOpen()) {
+    if (places.size() < 2) {
         state.showStatus(
             PlaceHandlesText::tr("Select two places or more first, in the order to walk them."));
         return;
     }
-    auto edit = state.document().beginEdit();
-    const model::PathId path = addPathOver(*edit, places, kind);
-    edit->commit(PlaceHandlesText::tr("Make a path"));
+    model::PathId path = 0;
+    const auto outcome =
+        state.document().edit(PlaceHandlesText::tr("Make a path"), [&](model::SceneEdit& edit) {
+            path = addPathOver(edit, places, kind);
+        });
+    if (outcome == model::EditOutcome::Refused) {
+        return;
+    }
     state.paths().select({});
     state.paths().look(path);
     const QString name = QString::fromStdString(state.scene().findPath(path)->name);

@@ -142,22 +142,35 @@ private:
                 close(*path);
                 return;
             }
-            auto edit = state.document().beginEdit();
-            const model::PathId extended =
-                appendKnownPlace(*edit, current, hit->place, newPathKind());
-            edit->commit(PlaceToolText::tr("Lead a path over a place"));
-            choose(extended);
+            extend(PlaceToolText::tr("Lead a path over a place"), [&](model::SceneEdit& edit) {
+                return appendKnownPlace(edit, current, hit->place, newPathKind());
+            });
             return;
         }
         model::Place place;
         place.position = ground;
         place.radius = settings().radiusMetres;
-        auto edit = state.document().beginEdit();
-        const model::PathId extended = appendPlace(*edit, current, place, newPathKind());
-        edit->commit(current == 0 ? PlaceToolText::tr("Begin a path")
-                                  : PlaceToolText::tr("Add a place to a path"));
-        choose(extended);
-        followFromNowOn(extended);
+        const QString text = current == 0 ? PlaceToolText::tr("Begin a path")
+                                          : PlaceToolText::tr("Add a place to a path");
+        const model::PathId extended = extend(text, [&](model::SceneEdit& edit) {
+            return appendPlace(edit, current, place, newPathKind());
+        });
+        if (extended != 0) {
+            followFromNowOn(extended);
+        }
+    }
+
+    /// The path that `work` returns is what is chosen from now on; 0: it was refused.
+    model::PathId extend(const QString& text,
+                         const std::function<model::PathId(model::SceneEdit&)>& work)
+    {
+        model::PathId extended = 0;
+        m_context.state.document().edit(text,
+                                        [&](model::SceneEdit& edit) { extended = work(edit); });
+        if (extended != 0) {
+            choose(extended);
+        }
+        return extended;
     }
 
     /// The path is what is chosen from now on, no place.
@@ -172,9 +185,8 @@ private:
     {
         EditorState& state = m_context.state;
         path.kind = model::PathKind::Cyclic;
-        auto edit = state.document().beginEdit();
-        edit->changePath(path);
-        edit->commit(PlaceToolText::tr("Close a path"));
+        state.document().edit(PlaceToolText::tr("Close a path"),
+                              [&](model::SceneEdit& edit) { edit.changePath(path); });
         state.paths().end();
         state.showStatus(PlaceToolText::tr("The path is closed: characters go round."));
     }
@@ -196,12 +208,15 @@ private:
         place.radius = settings().radiusMetres;
         place.role = brush().as<model::EnvironmentSettings>().role;
         place.color = roleColor(place.role);
-        auto edit = m_context.state.document().beginEdit();
-        place.id = edit->addPlace(place);
-        place.name =
-            PlaceToolText::tr("%1 %2").arg(placeRoleName(place.role)).arg(place.id).toStdString();
-        edit->changePlace(place);
-        edit->commit(PlaceToolText::tr("Add: %1").arg(placeRoleName(place.role)));
+        const QString text = PlaceToolText::tr("Add: %1").arg(placeRoleName(place.role));
+        m_context.state.document().edit(text, [&](model::SceneEdit& edit) {
+            place.id = edit.addPlace(place);
+            place.name = PlaceToolText::tr("%1 %2")
+                             .arg(placeRoleName(place.role))
+                             .arg(place.id)
+                             .toStdString();
+            edit.changePlace(place);
+        });
         m_context.state.paths().select({place.id});
     }
 
