@@ -6,6 +6,8 @@
 #include "app/python/Binding.h"
 #include "app/python/ScriptAssets.h"
 #include "app/python/ScriptEnvironment.h"
+#include "model/describe/FieldChecks.h"
+#include "model/scene/LightFields.h"
 
 namespace crowd::app {
 
@@ -276,12 +278,16 @@ auto colorGetter(glm::vec3 Lighting::*member)
     return [member](const Lighting& light) { return toPoint(light.*member); };
 }
 
-glm::vec3 colorFrom(const Point3& color, const char* name)
+/// "sun_azimuth" of "sunAzimuth".
+std::string argumentOf(std::string_view key)
 {
-    for (const float each : color) {
-        within(each, name, 0.0F, 1.0F);
+    std::string name;
+    for (const char letter : key) {
+        const bool isUpper = letter >= 'A' && letter <= 'Z';
+        name += isUpper ? "_" : "";
+        name += static_cast<char>(isUpper ? letter - 'A' + 'a' : letter);
     }
-    return toVector(color, name);
+    return name;
 }
 
 Lighting makeLighting(float sunAzimuth, float sunElevation, const Point3& sunColor,
@@ -289,18 +295,20 @@ Lighting makeLighting(float sunAzimuth, float sunElevation, const Point3& sunCol
                       const Point3& skyZenith, const Point3& skyHorizon, const Point3& ground,
                       bool groundGrid)
 {
-    constexpr float kBrightest = 1000.0F;
     Lighting light;
-    light.sunAzimuthRadians = within(sunAzimuth, "sun_azimuth", -kMostAway, kMostAway);
-    light.sunElevationRadians = within(sunElevation, "sun_elevation", -kMostAway, kMostAway);
-    light.sunColor = colorFrom(sunColor, "sun_color");
-    light.sunStrength = within(sunStrength, "sun_strength", 0.0F, kBrightest);
-    light.ambientColor = colorFrom(ambientColor, "ambient_color");
-    light.ambientStrength = within(ambientStrength, "ambient_strength", 0.0F, kBrightest);
-    light.skyZenith = colorFrom(skyZenith, "sky_zenith");
-    light.skyHorizon = colorFrom(skyHorizon, "sky_horizon");
-    light.ground = colorFrom(ground, "ground");
+    light.sunAzimuthRadians = sunAzimuth;
+    light.sunElevationRadians = sunElevation;
+    light.sunColor = toVector(sunColor, "sun_color");
+    light.sunStrength = sunStrength;
+    light.ambientColor = toVector(ambientColor, "ambient_color");
+    light.ambientStrength = ambientStrength;
+    light.skyZenith = toVector(skyZenith, "sky_zenith");
+    light.skyHorizon = toVector(skyHorizon, "sky_horizon");
+    light.ground = toVector(ground, "ground");
     light.showGroundGrid = groundGrid;
+    for (const FieldInfo& field : lightFields()) {
+        valueOrRaise(checkField(field, field.get(&light), argumentOf(field.meta.key)));
+    }
     return light;
 }
 

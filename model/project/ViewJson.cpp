@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/describe/FieldJson.h"
 #include "model/project/JsonWriting.h"
+#include "model/scene/LightFields.h"
 
 namespace crowd::model {
 
@@ -26,16 +28,9 @@ json toJson(const NamedCamera& named)
 
 json toJson(const Lighting& light)
 {
-    return withUnknown(light.unknownMembers, {{"sunAzimuth", number(light.sunAzimuthRadians)},
-                                              {"sunElevation", number(light.sunElevationRadians)},
-                                              {"sunColor", numbers(light.sunColor)},
-                                              {"sunStrength", number(light.sunStrength)},
-                                              {"ambientColor", numbers(light.ambientColor)},
-                                              {"ambientStrength", number(light.ambientStrength)},
-                                              {"skyZenith", numbers(light.skyZenith)},
-                                              {"skyHorizon", numbers(light.skyHorizon)},
-                                              {"ground", numbers(light.ground)},
-                                              {"groundGrid", light.showGroundGrid}});
+    json object = withUnknown(light.unknownMembers, json::object());
+    addFields(object, lightFields(), &light);
+    return object;
 }
 
 NamedCamera cameraFrom(JsonFields fields)
@@ -65,16 +60,7 @@ NamedCamera cameraFrom(JsonFields fields)
 Lighting lightingFrom(JsonFields fields)
 {
     Lighting light;
-    fields.read("sunAzimuth", light.sunAzimuthRadians);
-    fields.read("sunElevation", light.sunElevationRadians);
-    fields.read("sunColor", light.sunColor);
-    fields.read("sunStrength", light.sunStrength);
-    fields.read("ambientColor", light.ambientColor);
-    fields.read("ambientStrength", light.ambientStrength);
-    fields.read("skyZenith", light.skyZenith);
-    fields.read("skyHorizon", light.skyHorizon);
-    fields.read("ground", light.ground);
-    fields.read("groundGrid", light.showGroundGrid);
+    readFields(fields, lightFields(), &light);
     light.unknownMembers = fields.unknown();
     return light;
 }

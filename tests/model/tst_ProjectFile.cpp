@@ -294,6 +294,19 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     row("a light that is text",
         changed("\"templates\":", "\"lighting\": {\"sunStrength\": \"much\"}, \"templates\":"),
         "lighting.sunStrength");
+    const auto lightRow = [&row](const char* name, const std::string& light, const char* message) {
+        row(name,
+            changed("\"templates\":", ("\"lighting\": {" + light + "}, \"templates\":").c_str()),
+            message);
+    };
+    lightRow("a light below nothing", "\"sunStrength\": -1",
+             "lighting.sunStrength must lie between 0 and 1000");
+    lightRow("a light beyond all eyes", "\"ambientStrength\": 1e30",
+             "lighting.ambientStrength must lie between 0 and 1000");
+    lightRow("a sun that turned too often", "\"sunAzimuth\": 1e30",
+             "lighting.sunAzimuth must lie between");
+    lightRow("a sky beyond white", "\"skyZenith\": [0, 2, 0]",
+             "lighting.skyZenith must lie between 0 and 1");
     row("a member twice", changed("\"templates\":", "\"version\": 1, \"templates\":"),
         "\"version\" stands twice");
     row("two tables", changed("]}}", "]}, \"individuals\": {\"columns\": [\"id\"]}}"),

@@ -88,6 +88,8 @@ class Contents(unittest.TestCase):
             crowdbrush.Camera.exact((0, 0, 0), (2, 0, 0, 0))
         with self.assertRaises(crowdbrush.Error):
             crowdbrush.Lighting(sun_strength=float("nan"))
+        with self.assertRaisesRegex(crowdbrush.Error, "sun_azimuth is 1e.30; it must lie from -1e.06 to 1e.06"):
+            crowdbrush.Lighting(sun_azimuth=1e30)
 
     def test_places_paths_tags_and_rules(self):
         scene = crowdbrush.Scene()
