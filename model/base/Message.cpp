@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "model/base/ShownText.h"
+
 namespace crowd::model {
 
 namespace {
@@ -19,7 +21,7 @@ Message::Message(std::string text)
 {
     if (!text.empty()) {
         auto content = std::make_shared<Content>();
-        content->text = std::move(text);
+        content->text = wellFormed(std::move(text));
         m_content = std::move(content);
     }
 }

@@ -49,6 +49,7 @@ crowd_add_tests(ROOM model
     tst_RuleSequence
     tst_SceneDocument
     tst_SceneMembers
+    tst_ShownText
     tst_UndoMemory
     tst_WholeFile
 )

@@ -174,6 +174,13 @@ void tst_ProjectFile::refusesTextThatIsNotUtf8()
     QVERIFY(!read.isOk());
     QVERIFY2(read.error().message.find("not valid JSON at line 3") != std::string::npos,
              read.error().message.c_str());
+    const std::string atOnce = projectFromText("{\"\xff").error().message;
+    QVERIFY2(atOnce.find("not valid JSON at line 1") != std::string::npos, atOnce.c_str());
+    for (const std::string& said :
+         {read.error().message, atOnce}) { // as UTF-8, for whoever reads it
+        QCOMPARE(QString::fromStdString(said).toStdString(), said);
+        QVERIFY(said.find("\xEF\xBF\xBD") != std::string::npos);
+    }
 }
 
 void tst_ProjectFile::refusesHugeHeaders()

@@ -45,6 +45,20 @@ class Files(unittest.TestCase):
             scene.add_template(self.path("dancer.fbx"))
         self.assertEqual(scene.templates, [])
 
+    def test_bytes_that_are_no_text_are_said_as_text(self):
+        for content in (b'{"\xff', b'{"format": "m\xff\xfe"}', b"\xff\xfe\x00"):
+            with open(self.path("odd.crowd"), "wb") as file:
+                file.write(content)
+            with self.assertRaisesRegex(crowdbrush.Error, "odd.crowd.*not valid JSON at line 1"):
+                crowdbrush.open(self.path("odd.crowd"))
+        with open(self.path("odd.gltf"), "wb") as file:
+            file.write(b'{"asset": {"version": "2.0\xff"}}')
+        with self.assertRaisesRegex(crowdbrush.Error, "odd.gltf"):
+            crowdbrush.Scene().add_template(self.path("odd.gltf"))
+        odd = os.path.join(os.fsencode(self.folder.name), b"m\xff.crowd")
+        with self.assertRaisesRegex(crowdbrush.Error, "m\ufffd.crowd"):
+            crowdbrush.open(os.fsdecode(odd))
+
     def test_what_is_missing_is_said_and_not_drawn(self):
         scene = crowdbrush.Scene()
         man = scene.add_template("builtin:templates/man.glb", name="Somebody")
