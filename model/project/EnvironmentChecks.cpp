@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "model/base/ShownText.h"
+
 namespace crowd::model {
 
 namespace {
@@ -75,7 +77,7 @@ std::string listed(const std::set<std::string>& names)
         if (++count > kMostListed) {
             return text + " and more";
         }
-        text += (text.empty() ? "" : ", ") + name;
+        text += (text.empty() ? "" : ", ") + shortened(name);
     }
     return text;
 }
@@ -85,7 +87,7 @@ void checkName(const std::set<std::string>& known, const std::string& name, cons
                const std::string& where, Message& problem)
 {
     if (problem.empty() && !name.empty() && !known.contains(name)) {
-        problem = Message(id, where, name, listed(known));
+        problem = Message(id, where, shortened(name), listed(known));
     }
 }
 
@@ -135,7 +137,7 @@ void checkPlaces(const Scene& scene, Message& problem)
             problem = Message(QT_TRANSLATE_NOOP("Messages",
                                                 "places: \"%1\" (id %2) is too far away: positions "
                                                 "lie from -1000000 to 1000000 metres"),
-                              place.name, place.id);
+                              shortened(place.name), place.id);
         }
     }
 }

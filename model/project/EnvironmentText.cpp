@@ -151,8 +151,8 @@ Result<void> readEnvironmentText(const std::string& text, Scene& scene, bool isS
     for (const auto& [name, value] : top.items()) {
         if (!known.contains(name)) {
             return Error{
-                QT_TRANSLATE_NOOP("Messages", "The environment has no \"%1\": there are %2."), name,
-                allKeys()};
+                QT_TRANSLATE_NOOP("Messages", "The environment has no \"%1\": there are %2."),
+                shortened(name), allKeys()};
         }
     }
     Message problem;

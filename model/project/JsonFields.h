@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/Message.h"
+#include "model/base/ShownText.h"
 
 namespace crowd::model {
 
@@ -107,7 +108,7 @@ public:
                 unknown[key] = value;
                 if (m_tolerated != nullptr && !m_tolerated->contains(key)) {
                     complain("", QT_TRANSLATE_NOOP("Messages", "%1 has no \"%2\": there are %3"),
-                             key, allAsked());
+                             shortened(key), allAsked());
                 }
             }
         }

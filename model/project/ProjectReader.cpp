@@ -82,6 +82,7 @@ private:
     bool m_isComplete = false;
 };
 
+constexpr std::size_t kMostReason = 200; ///< the parser quotes what it read
 constexpr const char* kRowNoList =
     QT_TRANSLATE_NOOP("Messages", "row %1 of the individuals must be a list");
 constexpr const char* kThreeFinite =
@@ -177,7 +178,7 @@ public:
         return reason == std::string::npos
                    ? fail({QT_TRANSLATE_NOOP("Messages", "it is not valid JSON at %1"), place})
                    : fail({QT_TRANSLATE_NOOP("Messages", "it is not valid JSON at %1: %2"), place,
-                           text.substr(reason + 2)});
+                           shortened(text.substr(reason + 2), kMostReason)});
     }
 
     [[nodiscard]] Result<Scene> finish();
@@ -195,15 +196,15 @@ private:
     }
     bool failTwice(const std::string& name)
     {
-        return fail(
-            {QT_TRANSLATE_NOOP("Messages", "\"%1\" stands twice in the same object"), name});
+        return fail({QT_TRANSLATE_NOOP("Messages", "\"%1\" stands twice in the same object"),
+                     shortened(name)});
     }
     /// `expected`: a message of what belongs there.
     bool failCell(const char* expected)
     {
         return fail({QT_TRANSLATE_NOOP("Messages",
                                        "row %1 of the individuals, column \"%2\": it must be %3"),
-                     m_rows.rowCount() + 1, m_rows.nameOf(m_cell), Message(expected)});
+                     m_rows.rowCount() + 1, shortened(m_rows.nameOf(m_cell)), Message(expected)});
     }
     bool failRow() { return fail({kRowNoList, m_rows.rowCount() + 1}); }
 

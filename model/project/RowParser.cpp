@@ -206,7 +206,7 @@ Result<void> RowParser::setColumns(const std::vector<std::string>& names)
     for (std::size_t i = 1; i < names.size(); ++i) {
         if (std::ranges::count(names, names[i]) > 1) {
             return Error{QT_TRANSLATE_NOOP("Messages", "individuals.columns names \"%1\" twice"),
-                         names[i]};
+                         shortened(names[i])};
         }
         const PropertyInfo* property = findProperty(names[i]);
         Cell cell{property != nullptr ? static_cast<int>(property->id) : -1, -1};

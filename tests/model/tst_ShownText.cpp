@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/base/ShownText.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QtTest/QTest>
 
 #include "model/base/Message.h"
+#include "model/brush/BrushJson.h"
+#include "model/project/ProjectReader.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
@@ -18,6 +22,7 @@ private Q_SLOTS:
     void bytesThatAreNoTextAreReplaced_data();
     void bytesThatAreNoTextAreReplaced();
     void messagesAreAlwaysText();
+    void longNamesOfFilesAreShortInMessages();
 };
 
 void ShownTextTest::longTextsKeepBeginAndEnd()
@@ -58,6 +63,25 @@ void ShownTextTest::messagesAreAlwaysText()
 {
     const Message message("The file %1 cannot be read.", std::string("\xff.glb"));
     QCOMPARE(message.english(), std::string("The file \xEF\xBF\xBD.glb cannot be read."));
+}
+
+void ShownTextTest::longNamesOfFilesAreShortInMessages()
+{
+    constexpr std::size_t kShort = 1000;
+    const std::string name(5000, 'm');
+    const auto brush = brushFromJson({{"brush", "scale"}, {name, 1}});
+    QVERIFY(!brush);
+    QVERIFY(brush.error().message.find("brush has no \"mmm") != std::string::npos);
+    QVERIFY(brush.error().message.size() < kShort);
+    const std::string scene = R"({"format": "crowdbrush-scene", "version": 1, )";
+    for (const std::string& rest : {'"' + name + "\": 1, \"" + name + "\": 2}", // twice
+                                    R"("individuals": {"columns": ["id", ")" + name + R"(", ")" +
+                                        name + R"("], "rows": []}})",
+                                    '"' + name}) {
+        const auto read = projectFromText(scene + rest);
+        QVERIFY(!read);
+        QVERIFY2(read.error().message.size() < kShort, read.error().message.c_str());
+    }
 }
 
 CROWD_TEST(ShownTextTest)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <QtCore/QDir>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -28,6 +30,7 @@ private Q_SLOTS:
     void presetsAreShared();
     void foldersThatCannotBeWrittenAreSaid();
     void thePanelKeepsFindsAndSets();
+    void whatABadFileHoldsSizesNoWindow();
 };
 
 namespace {
@@ -210,6 +213,27 @@ void PresetsTest::thePanelKeepsFindsAndSets()
     QVERIFY(desk.state.brush(model::BrushKind::Scale) == wideScale());
     press("removePreset");
     QTRY_COMPARE(list.count(), 0);
+}
+
+void PresetsTest::whatABadFileHoldsSizesNoWindow()
+{
+    Desk<PresetsDock> desk;
+    QVERIFY(desk.isReady());
+    const int before = desk.dock->minimumSizeHint().width();
+    QVERIFY(desk.dock->presets().save(QStringLiteral("good"), wideScale()));
+    const QString good = desk.dock->presets().find(QStringLiteral("good"))->file;
+    const QString bad =
+        QFileInfo(good).dir().filePath(QString(200, u'x') + QStringLiteral(".brush"));
+    put(bad, R"({"format": "crowdbrush brush", "version": 1, "name": "a",
+                 "brush": {"brush": "scale", ")" +
+                 QByteArray(5000, 'm') + R"(": 1}})");
+    desk.dock->presets().reload();
+    QCOMPARE(desk.dock->presets().problems().size(), 1);
+    QVERIFY(desk.dock->presets().problems()[0].size() < bad.size() + 1000);
+    QVERIFY2(desk.dock->minimumSizeHint().width() <= before + 20,
+             qPrintable(QString::number(desk.dock->minimumSizeHint().width())));
+    QVERIFY(QFile::remove(bad));
+    QVERIFY(desk.dock->presets().remove(QStringLiteral("good")));
 }
 
 CROWD_WINDOW_TEST(PresetsTest)

@@ -47,6 +47,8 @@ PresetsDock::PresetsDock(EditorState& state, QWidget* parent)
     m_note->setObjectName(QStringLiteral("presetsNote"));
     m_note->setWordWrap(true);
     m_note->setMargin(4);
+    // Names of files have no end of words: they do not size the window.
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
@@ -121,6 +123,7 @@ void PresetsDock::fill()
         notes << tr("Brushes that you set well can be kept here.");
     }
     m_note->setText(notes.join(QLatin1Char('\n')));
+    m_note->setToolTip(m_presets.problems().join(QLatin1Char('\n')));
     m_note->setVisible(!notes.isEmpty());
     filter();
 }

@@ -8,6 +8,7 @@
 #include <QtCore/QFileInfo>
 #include <nlohmann/json.hpp>
 
+#include "model/base/ShownText.h"
 #include "model/base/Translated.h"
 #include "model/brush/BrushJson.h"
 #include "model/project/WholeFile.h"
@@ -188,7 +189,7 @@ Result<void> BrushPresets::rename(const QString& name, const QString& newName)
     }
     if (find(wanted) != nullptr) {
         return Error{QT_TRANSLATE_NOOP("Messages", "There already is a preset %1."),
-                     wanted.toStdString()};
+                     model::shortened(wanted.toStdString())};
     }
     BrushPreset renamed = *preset;
     renamed.name = wanted;
