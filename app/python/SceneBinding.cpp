@@ -40,7 +40,10 @@ int putOnGroundGiven(const ScenePtr& scene, const py::object& idsOrMask)
     const std::vector<IndividualId> ids =
         idsOrMask.is_none() ? std::vector<IndividualId>(everybody.begin(), everybody.end())
                             : idsFrom(*scene, idsOrMask, order);
-    return valueOrRaise(outsidePython([&] { return putOnGround(*scene, ids); }));
+    // Finding the ground takes long; what is read and edited then needs Python's lock, as all else.
+    const ScriptScene::Snapshot seen = scene->snapshot();
+    outsidePython([&] { (void)scene->ground().of(*seen.scene); });
+    return valueOrRaise(putOnGround(*scene, ids));
 }
 
 void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)

@@ -78,7 +78,6 @@ Result<int> keepPose(ScriptScene& script, const Population& shown,
 
 Result<int> putOnGround(ScriptScene& script, std::span<const IndividualId> ids)
 {
-    (void)script.ground().of(*script.scene()); // takes long: not while a host waits
     int people = 0;
     const auto done = script.onDocument([&]() -> Result<void> {
         const Scene& now = script.document().scene();

@@ -90,6 +90,32 @@ class Hostile(unittest.TestCase):
         self.assertIn("super().__init__", self.said(Careless))
         self.assertEqual(man.name, "man")
 
+    def test_many_put_people_on_the_ground_of_one_scene(self):
+        scene = crowdbrush.open("builtin:scenes/city.crowd")
+        ids = scene.ids[:40]
+        scene.change(ids, walkSpeed=1.0)
+        before = scene.column("position").copy()
+        steps, raised = len(scene.history), []
+
+        def work(mine):
+            try:
+                for _ in range(5):
+                    scene.put_on_ground(mine)
+                    scene.change(mine, walkSpeed=1.5)
+            except Exception as problem:  # told below: a thread's own is only printed
+                raised.append(problem)
+
+        threads = [threading.Thread(target=work, args=(ids[i::4],)) for i in range(4)]
+        for each in threads:
+            each.start()
+        for each in threads:
+            each.join()
+        self.assertEqual(raised, [])
+        self.assertTrue((scene.column("walkSpeed")[:40] == 1.5).all())
+        while len(scene.history) > steps and scene.history_index > steps:
+            scene.undo()
+        self.assertTrue((scene.column("position") == before).all())
+
     def test_an_environment_without_end(self):
         scene, _ = walkers(1)
         before = scene.environment
