@@ -1541,6 +1541,10 @@
         <source>All of them sit: who sits keeps the seat</source>
         <translation>Alle sitzen: Wer sitzt, behält den Platz</translation>
     </message>
+    <message>
+        <source>None of them has the chosen material</source>
+        <translation>Keiner von ihnen hat das gewählte Material</translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>

@@ -1541,6 +1541,10 @@
         <source>All of them sit: who sits keeps the seat</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>None of them has the chosen material</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>

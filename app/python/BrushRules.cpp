@@ -2,6 +2,7 @@
 #include "app/python/BrushRules.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "model/describe/FieldChecks.h"
@@ -13,13 +14,22 @@ using namespace model;
 
 namespace {
 
+Result<void> checkTemplate(const Scene& scene, std::int64_t id, const std::string& name)
+{
+    constexpr std::int64_t kMost = std::numeric_limits<TemplateId>::max();
+    if (id > kMost || scene.findTemplate(static_cast<TemplateId>(id)) == nullptr) {
+        return Error{name + " names template " + std::to_string(id) +
+                     ", which the scene does not have: take one of scene.templates."};
+    }
+    return {};
+}
+
 Result<void> checkMix(const Scene& scene, const std::vector<TemplateWeight>& mix,
                       const std::string& name)
 {
     for (const TemplateWeight& each : mix) {
-        if (scene.findTemplate(each.id) == nullptr) {
-            return Error{name + " names template " + std::to_string(each.id) +
-                         ", which the scene does not have: take one of scene.templates."};
+        if (auto valid = checkTemplate(scene, each.id, name); !valid) {
+            return valid;
         }
     }
     return {};
@@ -49,6 +59,30 @@ Result<void> checkPath(const Scene& scene, std::int64_t path, const std::string&
     return {};
 }
 
+Result<void> checkGroup(const Scene& scene, std::int64_t group, const std::string& name)
+{
+    if (group != 0 && scene.findGroup(static_cast<GroupId>(group)) == nullptr) {
+        return Error{name + " names group " + std::to_string(group) +
+                     ", which the scene does not have: take the id of one of scene.groups, or 0."};
+    }
+    return {};
+}
+
+Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
+{
+    for (const int group : mask.groups) {
+        if (auto valid = checkGroup(scene, group, "brush.mask.groups"); !valid) {
+            return valid;
+        }
+    }
+    for (const int id : mask.templates) {
+        if (auto valid = checkTemplate(scene, id, "brush.mask.templates"); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
 /// What the scene must have for the fields that refer to something.
 Result<void> checkReferences(const Scene& scene, const BrushType& type, const BrushSettings& brush,
                              const std::string& prefix)
@@ -66,6 +100,8 @@ Result<void> checkReferences(const Scene& scene, const BrushType& type, const Br
             valid = checkClips(scene, *clips, name);
         } else if (field.meta.role == FieldRole::Path) {
             valid = checkPath(scene, std::get<std::int64_t>(value), name);
+        } else if (field.meta.role == FieldRole::Group) {
+            valid = checkGroup(scene, std::get<std::int64_t>(value), name);
         }
         if (!valid) {
             return valid;
@@ -89,6 +125,9 @@ Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
     const std::string section = type.info.scriptName;
     const std::string prefix = section.empty() ? "brush." : "brush." + section + ".";
     if (auto valid = checkFields(type.fields, type.settings(brush), prefix); !valid) {
+        return valid;
+    }
+    if (auto valid = checkMask(scene, brush.mask); !valid) {
         return valid;
     }
     return checkReferences(scene, type, brush, prefix);

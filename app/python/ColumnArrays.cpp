@@ -151,9 +151,10 @@ ColumnValues toColumn(ColumnId column, const std::string& name, const py::array&
     }
     fits = fits && (isOneForAll || items.shape(0) == static_cast<py::ssize_t>(count));
     if (!fits) {
-        throw ScriptError(name + " has the shape " + std::string(py::str(items.attr("shape"))) +
-                          "; it must be " + shapeText(shape.extents) +
-                          " with N = " + std::to_string(count) + ", or one value for all.");
+        throw ScriptError(
+            name + " has the shape " + std::string(py::str(items.attr("shape"))) + "; it must be " +
+            shapeText(shape.extents) + " with N = " + std::to_string(count) +
+            (shape.extents.empty() ? ", or one value for all." : ", or one such row for all."));
     }
     const std::size_t stride = columnInfo(column).stride;
     ColumnValues values{column, std::vector<std::byte>(count * stride)};

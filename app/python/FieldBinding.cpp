@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/FieldBinding.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/python/PythonBrush.h"
+#include "model/base/Overloaded.h"
 #include "model/describe/FieldChecks.h"
 
 namespace crowd::app {
@@ -28,19 +30,45 @@ void define(py::object& type, const FieldInfo& field, const py::object& get, con
     define(type, field.meta.key, field.meta.doc, get, set);
 }
 
+bool isFinite(const FieldValue& value)
+{
+    const auto isNumber = [](auto... numbers) { return (std::isfinite(numbers) && ...); };
+    return std::visit(
+        Overloaded{[&](float number) { return isNumber(number); },
+                   [&](double number) { return isNumber(number); },
+                   [&](const ValueRange& range) { return isNumber(range.low, range.high); },
+                   [&](const glm::vec3& point) { return isNumber(point.x, point.y, point.z); },
+                   [](const DistributionCurve& curve) {
+                       return std::ranges::all_of(curve.weights,
+                                                  [](float each) { return std::isfinite(each); });
+                   },
+                   [](const auto&) { return true; }},
+        value);
+}
+
+std::string nameIn(const py::object& type, const FieldInfo& field)
+{
+    return py::str(type.attr("__name__")).cast<std::string>() + "." + field.meta.key;
+}
+
 /// T: the type that scripts see; `toPython` and `fromPython` lead from and to the field's own.
 template<class T, class ToPython, class FromPython>
 void attribute(py::object& type, const FieldInfo& field, const StructOf& structOf,
                const ToPython& toPython, const FromPython& fromPython)
 {
     const FieldInfo* kept = &field;
+    const std::string name = nameIn(type, field);
     define(type, field,
            py::cpp_function([kept, structOf, toPython](const py::object& self)
                                 -> T { return toPython(kept->get(structOf(self))); },
                             py::is_method(type)),
            py::cpp_function(
-               [kept, structOf, fromPython](const py::object& self, const T& value) {
-                   kept->set(structOf(self), fromPython(value));
+               [kept, name, structOf, fromPython](const py::object& self, const T& value) {
+                   const FieldValue given = fromPython(value);
+                   if (!isFinite(given)) {
+                       throw ScriptError(name + " takes finite numbers, not nan or inf.");
+                   }
+                   kept->set(structOf(self), given);
                },
                py::is_method(type)));
 }
@@ -67,7 +95,7 @@ void choiceAttribute(py::object& type, const FieldInfo& field, const StructOf& s
 void keyAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
     const auto choices = field.meta.choices;
-    const auto name = py::str(type.attr("__name__")).cast<std::string>() + "." + field.meta.key;
+    const std::string name = nameIn(type, field);
     attribute<std::string>(
         type, field, structOf,
         [choices](const FieldValue& value) -> std::string {
@@ -89,12 +117,12 @@ void keyAttribute(py::object& type, const FieldInfo& field, const StructOf& stru
 void numberAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
     const FieldInfo* kept = &field;
-    const auto owner = py::str(type.attr("__name__")).cast<std::string>();
+    const std::string name = nameIn(type, field);
     attribute<std::int64_t>(
         type, field, structOf,
         [](const FieldValue& value) { return std::get<std::int64_t>(value); },
-        [kept, owner](std::int64_t value) {
-            valueOrRaise(checkField(*kept, value, owner + "." + kept->meta.key));
+        [kept, name](std::int64_t value) {
+            valueOrRaise(checkField(*kept, value, name));
             return FieldValue(value);
         });
 }
@@ -115,10 +143,50 @@ void integerAttribute(py::object& type, const FieldInfo& field, const StructOf& 
     }
 }
 
+/// Numbers of which each is meant, in whatever order they are given.
+void numbersAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    using Numbers = std::vector<int>;
+    attribute<Numbers>(
+        type, field, structOf, [](const FieldValue& value) { return std::get<Numbers>(value); },
+        [](Numbers numbers) {
+            std::ranges::sort(numbers);
+            return FieldValue(std::move(numbers));
+        });
+}
+
+/// Templates as handles or ids. A gradient runs over them as they stand there.
+void templatesAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    using Numbers = std::vector<int>;
+    const FieldInfo* kept = &field;
+    const std::string name = nameIn(type, field);
+    const auto idsOf = [kept, structOf](const py::object& self) {
+        return std::get<Numbers>(kept->get(structOf(self)));
+    };
+    const auto setIds = [kept, name, structOf](const py::object& self,
+                                               const std::vector<py::object>& templates) {
+        Numbers ids;
+        for (const py::object& each : templates) {
+            const bool isHandle = py::isinstance<TemplateHandle>(each);
+            const ScenePtr owner = isHandle ? each.cast<const TemplateHandle&>().owner : nullptr;
+            ids.push_back(templateIdOf(owner, each));
+        }
+        if (!std::ranges::is_sorted(ids)) {
+            throw ScriptError(name + " must be in ascending order of their ids: sort them.");
+        }
+        kept->set(structOf(self), ids);
+    };
+    define(type, field, py::cpp_function(idsOf, py::is_method(type)),
+           py::cpp_function(setIds, py::is_method(type)));
+}
+
 void listAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
-    if (field.is<std::vector<int>>()) {
-        plainAttribute<std::vector<int>>(type, field, structOf);
+    if (field.is<std::vector<int>>() && field.meta.role == FieldRole::Template) {
+        templatesAttribute(type, field, structOf);
+    } else if (field.is<std::vector<int>>()) {
+        numbersAttribute(type, field, structOf);
     } else if (field.is<std::vector<PaintColor>>()) {
         plainAttribute<std::vector<PaintColor>>(type, field, structOf);
     } else if (field.is<std::vector<ClipWeight>>()) {

@@ -18,6 +18,22 @@ void needNumPy()
     }
 }
 
+/// What `from crowdbrush import *` brings: not open(), which is Python's own for whoever wrote
+/// that.
+void offerAll(py::module_& module)
+{
+    py::list names;
+    const py::dict all = module.attr("__dict__");
+    for (const auto& [name, value] : all) {
+        const auto text = name.cast<std::string>();
+        if (text.front() != '_' && text != "open" && !py::isinstance<py::module_>(value)) {
+            names.append(name);
+        }
+    }
+    names.attr("sort")();
+    module.attr("__all__") = names;
+}
+
 } // namespace
 
 void registerModule(py::module_& module)
@@ -34,6 +50,7 @@ void registerModule(py::module_& module)
     bindEntries(module);
     bindSession(module);
     speakOfArguments(module);
+    offerAll(module);
     watchPythonsEnd();
 }
 

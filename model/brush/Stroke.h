@@ -42,7 +42,8 @@ enum class StrokeReason : std::uint8_t {
     GroupLocked,  ///< their group, or the one that new ones come into, is locked or hidden
     NobodyChosen, ///< whom to clone or to face
     NoSuchPart,
-    OnlySeated ///< who sits is not pushed about
+    NoSuchMaterial, ///< though they have the slot
+    OnlySeated      ///< who sits is not pushed about
 };
 
 /// The reason of a brush as a sentence for the status bar; empty for None and Cancelled.

@@ -51,6 +51,8 @@ constexpr ReasonText kReasons[] = {
     {StrokeReason::ShareTooSmall,
      QT_TRANSLATE_NOOP("Brushes", "So small a share of them is nobody")},
     {StrokeReason::NoSuchSlot, QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen slot")},
+    {StrokeReason::NoSuchMaterial,
+     QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen material")},
     {StrokeReason::NoSession,
      QT_TRANSLATE_NOOP("Brushes",
                        "Nothing runs that could hear an event: give the scene rules, or characters "

@@ -67,6 +67,7 @@ class Groups(unittest.TestCase):
 
     def test_the_group_brush_takes_in(self):
         scene, ids = crowd()
+        scene.groups = [Group(id=7, name="seven")]
         brush = Brush(BrushKind.GROUP)
         brush.selection = Selection.RECTANGLE
         brush.through = True
@@ -85,6 +86,7 @@ class Groups(unittest.TestCase):
 class Masks(unittest.TestCase):
     def test_only_those_who_fulfil_all(self):
         scene, ids = crowd()
+        scene.groups = [Group(id=3, name="three")]
         scene.change(ids[1:4], group=3)
         scene.change(ids[3:], tags=1 << 5)
         self.assertEqual(painted(scene, sized({"groups": [3]})), [1, 2, 3])
@@ -92,8 +94,36 @@ class Masks(unittest.TestCase):
         self.assertEqual(painted(scene, sized({"tags": [5]})), [3, 4, 5])
         self.assertEqual(painted(scene, sized({"tags": [5], "groups": [3]})), [3])
         self.assertEqual(painted(scene, sized({"tags": [5], "groups": [3], "inverted": True})), [0, 1, 2, 4, 5])
-        chosen = [int(ids[0]), int(ids[5])]
+        chosen = [int(ids[5]), int(ids[0])]  # in any order
         self.assertEqual(painted(scene, sized({"only_selected": True, "selected": chosen})), [0, 5])
+
+    def test_templates_are_handles_or_ids(self):
+        scene, ids = crowd()
+        man = scene.template("man")
+        woman = scene.add_template("builtin:templates/woman.glb")
+        brush = sized({"templates": [man]})
+        self.assertEqual(brush.mask.templates, [man.id])
+        self.assertEqual(painted(scene, brush), [0, 1, 2, 3, 4, 5])
+        self.assertEqual(painted(scene, sized({"templates": [woman]})), [])
+        brush.kind = BrushKind.TEMPLATE
+        brush.template.templates = (woman,)
+        self.assertEqual(brush.template.templates, [woman.id])
+        with self.assertRaisesRegex(Error, "TemplateSettings.templates must be in ascending order"):
+            brush.template.templates = [woman, man]
+        with self.assertRaisesRegex(Error, "A template is one of scene.templates or its id"):
+            brush.mask.templates = ["man"]
+
+    def test_what_the_scene_does_not_have_is_named(self):
+        scene, ids = crowd()
+        with self.assertRaisesRegex(Error, "brush.mask.groups names group 3"):
+            painted(scene, sized({"groups": [0, 3]}))
+        with self.assertRaisesRegex(Error, "brush.mask.templates names template 77"):
+            painted(scene, sized({"templates": [77]}))
+        brush = sized()
+        brush.kind = BrushKind.GROUP
+        brush.group.group = 9
+        with self.assertRaisesRegex(Error, "brush.group.group names group 9.*scene.groups"):
+            painted(scene, brush)
 
     def test_what_cannot_be_is_refused(self):
         scene, ids = crowd()

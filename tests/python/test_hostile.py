@@ -90,6 +90,30 @@ class Hostile(unittest.TestCase):
         self.assertIn("super().__init__", self.said(Careless))
         self.assertEqual(man.name, "man")
 
+    def test_settings_are_numbers_when_they_are_set(self):
+        brush = Brush(BrushKind.SCALE)
+        before = brush.copy()
+        nan = float("nan")
+        for part, name, value in ((brush, "radius", nan), (brush, "rate", float("inf")),
+                                  (brush.scale, "height", (1.0, nan)), (brush, "distribution", [nan] * 16)):
+            with self.subTest(name):
+                self.assertIn(f"{type(part).__name__}.{name} takes finite numbers",
+                              self.said(lambda: setattr(part, name, value)))
+        self.assertEqual(brush, before)
+
+    def test_one_row_for_all_is_asked_for(self):
+        scene, man = walkers(3)
+        self.assertIn("N×8 with N = 3, or one such row for all", self.said(lambda: scene.change(scene.ids, choices=0)))
+        self.assertIn("or one value for all", self.said(lambda: scene.change(scene.ids, heading=[[1]])))
+
+    def test_what_a_star_brings(self):
+        names = {}
+        exec("from crowdbrush import *", names)
+        self.assertIs(names.get("open", open), open)
+        for name in ("Scene", "Brush", "BrushKind", "Error", "register_brush", "Rule"):
+            self.assertIs(names[name], getattr(crowdbrush, name))
+        self.assertFalse([name for name in crowdbrush.__all__ if inspect.ismodule(getattr(crowdbrush, name))])
+
     def test_many_put_people_on_the_ground_of_one_scene(self):
         scene = crowdbrush.open("builtin:scenes/city.crowd")
         ids = scene.ids[:40]

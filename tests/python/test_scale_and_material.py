@@ -77,7 +77,9 @@ class Scale(unittest.TestCase):
     def test_what_makes_no_sense_is_refused(self):
         scene = crowd(2)
         brush = whole(BrushKind.SCALE)
-        for bad in ((0.0, 1.0), (1.0, 1000.0), (2.0, 1.0), (float("nan"), 1.0)):
+        with self.assertRaisesRegex(crowdbrush.Error, "ScaleSettings.height takes finite numbers"):
+            brush.scale.height = (float("nan"), 1.0)
+        for bad in ((0.0, 1.0), (1.0, 1000.0), (2.0, 1.0)):
             brush.scale.height = bad
             with self.assertRaisesRegex(crowdbrush.Error, "brush.scale.height"):
                 paint(scene, brush)
@@ -123,7 +125,9 @@ class Material(unittest.TestCase):
         brush.material.choice = "no such material"
         outcome = paint(scene, brush)
         self.assertFalse(outcome.committed)
-        self.assertIn("slot", outcome.message)
+        self.assertIn("chosen material", outcome.message)
+        brush.material.slot = "no such slot"
+        self.assertIn("chosen slot", paint(scene, brush).message)
 
 
 if __name__ == "__main__":

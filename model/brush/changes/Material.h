@@ -129,6 +129,7 @@ auto MaterialSettings::change(const Request& request)
                 .shares);
     }
     bool hasSlot = false;
+    bool hasMaterial = false;
     Tools::forEachRow(request, [&](std::size_t i, std::size_t row, IndividualId id) {
         const auto* entry = scene.findTemplate(templates[row]);
         if (entry == nullptr || !entry->asset) {
@@ -142,9 +143,10 @@ auto MaterialSettings::change(const Request& request)
             if (!meant.contains(entry->asset->slots[index])) {
                 continue;
             }
+            hasSlot = true;
             const std::size_t chosen = chosenMaterial(all, settings.choice, draws[index][i]);
             if (chosen < all.size()) {
-                hasSlot = true;
+                hasMaterial = true;
                 wanted[index] = static_cast<std::uint8_t>(chosen);
             }
         }
@@ -152,7 +154,10 @@ auto MaterialSettings::change(const Request& request)
     });
     typename Tools::Result result;
     change.apply(request.edit, columns::materialChoices, result.changed);
-    result.reason = hasSlot ? Tools::Reason::Unchanged : Tools::Reason::NoSuchSlot;
+    const bool lacksMaterial = hasSlot && !settings.choice.empty();
+    result.reason = hasMaterial     ? Tools::Reason::Unchanged
+                    : lacksMaterial ? Tools::Reason::NoSuchMaterial
+                                    : Tools::Reason::NoSuchSlot;
     return result;
 }
 
