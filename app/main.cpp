@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -89,13 +92,8 @@ void addScript(CLI::App& cli, CommandLine& line)
 {
     CLI::App* command = cli.add_subcommand("script", "Run a Python script");
     command->add_option("FILE", line.script.file, "A .py file")->required();
-    // All that follows is the script's, in its order, also what looks like an option.
-    command->prefix_command();
     command->footer("What follows FILE is what the script finds in sys.argv.");
-    command->callback([command, &line] {
-        line.script.arguments = command->remaining();
-        line.status = runScript(line.script);
-    });
+    command->callback([&line] { line.status = runScript(line.script); });
 }
 
 /// No number is in no range, and compares as outside of none.
@@ -167,6 +165,29 @@ void addCommands(CLI::App& cli, CommandLine& line)
     addBenchSimulate(*bench, line);
 }
 
+/// How many words of the command line are the program's own: what follows FILE of `script FILE` is
+/// the script's, also what looks like an option or a separator.
+int ownWords(std::span<char* const> words)
+{
+    const auto wordAt = [&words](std::size_t place) {
+        return place < words.size() ? std::string_view(words[place]) : std::string_view();
+    };
+    std::size_t place = 1;
+    while (wordAt(place).starts_with("--language")) {
+        place += wordAt(place) == "--language" ? 2 : 1;
+    }
+    if (wordAt(place) != "script") {
+        return static_cast<int>(words.size());
+    }
+    ++place;
+    if (wordAt(place) == "--") {
+        ++place;
+    } else if (wordAt(place).starts_with('-')) {
+        return static_cast<int>(words.size()); // no file yet: --help
+    }
+    return static_cast<int>(std::min(place + 1, words.size()));
+}
+
 QStringList toList(const std::vector<std::string>& texts)
 {
     QStringList list;
@@ -186,8 +207,10 @@ int main(int argc, char** argv)
     CLI::App cli("Crowdbrush: paint crowds. Without a command the editor opens.", "crowdbrush");
     CommandLine line;
     addCommands(cli, line);
+    const int own = ownWords({argv, static_cast<std::size_t>(argc)});
+    line.script.arguments.assign(argv + own, argv + argc);
     try {
-        cli.parse(argc, argv);
+        cli.parse(own, argv);
     } catch (const CLI::ParseError& problem) {
         return cli.exit(problem) == 0 ? 0 : kBadUsage;
     }

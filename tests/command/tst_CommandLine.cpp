@@ -23,7 +23,8 @@ private Q_SLOTS:
     void failuresAreEnglishInEveryLanguage();
     void measuresOnlyWhatMakesSense_data();
     void measuresOnlyWhatMakesSense();
-    void givesScriptsTheirArgumentsInOrder();
+    void givesScriptsAllThatFollowsThem_data();
+    void givesScriptsAllThatFollowsThem();
 };
 
 void CommandLineTest::statusAndMessage_data()
@@ -38,6 +39,11 @@ void CommandLineTest::statusAndMessage_data()
     QTest::newRow("an unknown option is bad usage")
         << QStringList{QStringLiteral("--nonsense")} << 2 << QByteArray()
         << QByteArray("--nonsense");
+    QTest::newRow("a script is still the program's to explain")
+        << QStringList{QStringLiteral("script"), QStringLiteral("--help")} << 0
+        << QByteArray("sys.argv") << QByteArray();
+    QTest::newRow("no script is bad usage")
+        << QStringList{QStringLiteral("script")} << 2 << QByteArray() << QByteArray("FILE");
     QTest::newRow("a command without its file is bad usage")
         << QStringList{QStringLiteral("info")} << 2 << QByteArray() << QByteArray("FILE");
     QTest::newRow("a value out of its choices is bad usage")
@@ -206,19 +212,41 @@ void CommandLineTest::measuresOnlyWhatMakesSense()
     QVERIFY(outcome.output.isEmpty());
 }
 
-void CommandLineTest::givesScriptsTheirArgumentsInOrder()
+void CommandLineTest::givesScriptsAllThatFollowsThem_data()
 {
+    QTest::addColumn<QString>("before"); ///< FILE
+    QTest::addColumn<QString>("after");
+    const auto row = [](const char* name, const char* before, const char* after) {
+        QTest::newRow(name) << QString::fromLatin1(before) << QString::fromLatin1(after);
+    };
+    row("nothing", "script", "");
+    row("options in their order", "script", "--write --only one two -x");
+    row("a separator", "script", "-- a b");
+    row("a separator between", "script", "a -- b --");
+    row("a request for help", "script", "-h");
+    row("a long request for help", "script", "--help");
+    row("a question for the version", "script", "--version");
+    row("an option that the program has", "script", "--language de --json");
+    row("a command that the program has", "script", "script info render bench");
+    row("with a separator before the file", "script --", "-x --help");
+    row("with an option of the program before", "--language de script", "-- --help");
+    row("with the same in one word", "--language=de script", "-h");
+}
+
+void CommandLineTest::givesScriptsAllThatFollowsThem()
+{
+    QFETCH(const QString, before);
+    QFETCH(const QString, after);
     const QTemporaryDir folder;
     const QString script = folder.filePath(QStringLiteral("arguments.py"));
     QFile file(script);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    QVERIFY(file.write("import sys\nprint(sys.argv[1:])\n") > 0);
+    QVERIFY(file.write("import sys\nprint(' '.join(sys.argv[1:]))\n") > 0);
     file.close();
     const Outcome outcome =
-        run({QStringLiteral("script"), script, QStringLiteral("--write"), QStringLiteral("--only"),
-             QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("-x")});
-    QCOMPARE(outcome.status, 0);
-    QCOMPARE(outcome.output, QByteArray("['--write', '--only', 'one', 'two', '-x']\n"));
+        run(before.split(u' ') + QStringList{script} + after.split(u' ', Qt::SkipEmptyParts));
+    QVERIFY2(outcome.status == 0, outcome.errors.constData());
+    QCOMPARE(outcome.output, after.toUtf8() + '\n');
 }
 
 CROWD_TEST(CommandLineTest)
