@@ -107,7 +107,7 @@ private:
 
 int fail(const model::Error& error, int code = kFailed)
 {
-    std::fprintf(stderr, "%s\n", error.message.c_str());
+    std::fprintf(stderr, "crowdbrush render: %s\n", error.message.c_str());
     return code;
 }
 

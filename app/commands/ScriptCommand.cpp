@@ -44,7 +44,8 @@ void flush()
 int runScript(const ScriptOptions& options)
 {
     if (!std::filesystem::is_regular_file(options.file)) {
-        std::fprintf(stderr, "%s is not a file. Check the name and the folder.\n",
+        std::fprintf(stderr,
+                     "crowdbrush script: %s is not a file. Check the name and the folder.\n",
                      options.file.c_str());
         return kFailed;
     }

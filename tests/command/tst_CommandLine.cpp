@@ -44,6 +44,13 @@ void CommandLineTest::statusAndMessage_data()
         << QByteArray("sys.argv") << QByteArray();
     QTest::newRow("no script is bad usage")
         << QStringList{QStringLiteral("script")} << 2 << QByteArray() << QByteArray("FILE");
+    QTest::newRow("a failure says whose it is")
+        << QStringList{QStringLiteral("render"), nowhere, QStringLiteral("--output"),
+                       QStringLiteral("/nowhere/a.png")}
+        << 1 << QByteArray() << QByteArray("crowdbrush render: ");
+    QTest::newRow("a missing script is said as that")
+        << QStringList{QStringLiteral("script"), QStringLiteral("/nowhere/a.py")} << 1
+        << QByteArray() << QByteArray("crowdbrush script: /nowhere/a.py is not a file");
     QTest::newRow("a command without its file is bad usage")
         << QStringList{QStringLiteral("info")} << 2 << QByteArray() << QByteArray("FILE");
     QTest::newRow("a value out of its choices is bad usage")
