@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
 #include "app/python/FieldBinding.h"
 #include "app/python/PythonBrush.h"
+#include "model/brush/BrushJson.h"
 #include "model/scene/NearestPath.h"
 
 namespace crowd::app {
@@ -79,6 +82,33 @@ PythonBrush brushOf(BrushKind kind)
     return brush;
 }
 
+py::dict asDict(const PythonBrush& brush)
+{
+    if (!brush.isKnownKind()) {
+        throw ScriptError("brush.kind is none of the choices there are.");
+    }
+    return py::module_::import("json").attr("loads")(brushJson(brush.settings()).dump());
+}
+
+PythonBrush fromDict(const py::dict& settings)
+{
+    std::string text;
+    try {
+        text = py::module_::import("json").attr("dumps")(settings).cast<std::string>();
+    } catch (py::error_already_set& problem) {
+        if (problem.matches(PyExc_TypeError) || problem.matches(PyExc_ValueError)) {
+            throw ScriptError(
+                "The brush holds what JSON cannot: " + std::string(py::str(problem.value())) + ".");
+        }
+        throw;
+    }
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        throw ScriptError("The brush holds what JSON cannot: nan or inf.");
+    }
+    return PythonBrush::of(valueOrRaise(brushFromJson(json)));
+}
+
 BrushClass bindBrush(py::module_& module)
 {
     BrushClass type(module, "Brush", "A brush with the editor's own settings.");
@@ -86,6 +116,11 @@ BrushClass bindBrush(py::module_& module)
         .def(
             "copy", [](const PythonBrush& brush) { return PythonBrush(brush); },
             "Another one, set the same.")
+        .def("to_dict", &asDict,
+             "The settings of its kind as a dict that JSON can hold: what presets are kept as.")
+        .def_static("from_dict", &fromDict, py::arg("settings"),
+                    "The brush of such a dict; what is not in it is as the editor begins. Raises "
+                    "Error where a member is wrong or unknown.")
         .def(
             "__eq__", [](const PythonBrush& a, const PythonBrush& b) { return a == b; },
             py::is_operator())

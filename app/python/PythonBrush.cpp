@@ -53,6 +53,34 @@ BrushSettings PythonBrush::settings() const
     return settings;
 }
 
+PythonBrush PythonBrush::of(const BrushSettings& settings)
+{
+    PythonBrush brush;
+    brush.kind = settings.kind();
+    const BrushChange unused = brush.area.change;
+    brush.area = settings;
+    brush.area.change = unused;
+    forEachPart(
+        brush,
+        [&](auto index, auto& part) {
+            using Settings = std::variant_alternative_t<decltype(index)::value, BrushChange>;
+            if (const auto* given = std::get_if<Settings>(&settings.change)) {
+                static_cast<Settings&>(part) = *given;
+            }
+        },
+        kAllKinds);
+    const BrushType& type = brushType(settings.kind());
+    for (const FieldInfo& field : type.fields) {
+        const FieldInfo* first = nullptr;
+        void* object =
+            *type.info.scriptName == '\0' ? sharedAttribute(brush, field.meta.key, first) : nullptr;
+        if (object != nullptr) {
+            first->set(object, field.get(type.settings(settings)));
+        }
+    }
+    return brush;
+}
+
 bool operator==(const PythonBrush& a, const PythonBrush& b)
 {
     bool isSame = a.kind == b.kind && a.area == b.area;

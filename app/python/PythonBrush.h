@@ -59,6 +59,8 @@ struct PythonBrush
     }
     /// Of its kind, which is known.
     [[nodiscard]] model::BrushSettings settings() const;
+    /// The other way.
+    [[nodiscard]] static PythonBrush of(const model::BrushSettings& settings);
     friend bool operator==(const PythonBrush& a, const PythonBrush& b);
 };
 

@@ -875,6 +875,12 @@ class Brush:
         ...
     def copy(self) -> Brush:
         """Another one, set the same."""
+    def to_dict(self) -> Dict[Any, Any]:
+        """The settings of its kind as a dict that JSON can hold: what presets are kept as."""
+    @staticmethod
+    def from_dict(settings: Dict[Any, Any]) -> Brush:
+        """The brush of such a dict; what is not in it is as the editor begins. Raises Error
+        where a member is wrong or unknown."""
     def __eq__(self, other: Any) -> bool:
         ...
     @property

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Groups and masks of brushes: found by name, hidden and locked ones untouched, undo."""
+import json
 import unittest
 
 import numpy as np
@@ -140,6 +141,30 @@ class Lasso(unittest.TestCase):
         brush.selection = Selection.LASSO
         scene.stroke(brush, [(0, 0), (300, 0), (300, 479), (0, 479)], size=SIZE)
         self.assertEqual(np.flatnonzero(scene.column("height") == 2.0).tolist(), [0, 1, 2])
+
+
+class Dicts(unittest.TestCase):
+    def test_every_brush_comes_back(self):
+        for kind in BrushKind.__members__.values():
+            with self.subTest(kind):
+                brush = Brush(kind)
+                brush.radius = 77
+                brush.mask.tags = [3, 1]
+                brush.distribution = [float(i % 5) for i in range(16)]
+                again = Brush.from_dict(json.loads(json.dumps(brush.to_dict())))
+                self.assertEqual(again.to_dict(), brush.to_dict())
+                self.assertEqual((again.kind, again.radius, again.mask.tags), (kind, 77, [1, 3]))
+                self.assertEqual(again, brush)
+
+    def test_what_is_wrong_is_named(self):
+        for settings, said in (({}, "brush.brush is missing"), ({"brush": "mop"}, "brush.brush must be one of"),
+                               ({"brush": "scale", "radius": -1}, "brush.radius must lie between"),
+                               ({"brush": "scale", "radus": 1}, 'brush has no "radus"'),
+                               ({"brush": "scale", "radius": float("nan")}, "JSON"),
+                               ({"brush": object()}, "JSON"), ({"brush": "m" * 5000}, "must be one of")):
+            with self.subTest(said):
+                with self.assertRaisesRegex(Error, said):
+                    Brush.from_dict(settings)
 
 
 if __name__ == "__main__":
