@@ -13,7 +13,8 @@ namespace crowd::app {
 namespace {
 
 constexpr int kRemarkMs = 6000;
-constexpr int kRemarkMargin = 6; ///< logical pixels
+constexpr int kRemarkMargin = 6;  ///< logical pixels
+constexpr double kSlowPace = 0.9; ///< below, it is said
 
 } // namespace
 
@@ -123,12 +124,21 @@ void StatusPanel::refreshFrame()
     const QLocale locale;
     const QString frameMs = locale.toString(m_statistics.frameMs, 'f', 1);
     const auto rate = qRound(m_statistics.framesPerSecond);
-    m_frame->setText(rate > 0 ? tr("%1 ms · %2 fps").arg(frameMs).arg(rate)
-                              : tr("%1 ms").arg(frameMs));
-    m_frame->setToolTip(
+    QStringList parts{rate > 0 ? tr("%1 ms · %2 fps").arg(frameMs).arg(rate)
+                               : tr("%1 ms").arg(frameMs)};
+    QStringList tips{
         tr("Time of one picture: %1 triangles in %2 draws")
             .arg(locale.toString(static_cast<qlonglong>(m_statistics.render.triangles)),
-                 locale.toString(static_cast<qlonglong>(m_statistics.render.draws))));
+                 locale.toString(static_cast<qlonglong>(m_statistics.render.draws)))};
+    const widgets::Transport& transport = m_state.transport();
+    if (transport.isPlaying() && transport.pace() < kSlowPace) {
+        parts.prepend(
+            tr("plays at × %1")
+                .arg(locale.toString(transport.pace() * transport.state().speed, 'f', 2)));
+        tips << tr("This machine cannot compute what the crowd does as fast as it is to play.");
+    }
+    m_frame->setText(parts.join(QStringLiteral(" · ")));
+    m_frame->setToolTip(tips.join(u'\n'));
 }
 
 void StatusPanel::setStatistics(const widgets::FrameStatistics& statistics)

@@ -2,10 +2,12 @@
 #include "app/window/WindowBars.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
 #include <QtGui/QAction>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QToolBar>
@@ -21,6 +23,30 @@ namespace crowd::app {
 namespace {
 
 constexpr int kToolIconSize = 22; ///< logical pixels
+
+QString clockText(double seconds)
+{
+    const auto tenths = static_cast<qint64>(seconds * 10.0 + 1e-6);
+    return QStringLiteral("%1:%2%3%4")
+        .arg(tenths / 600)
+        .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
+        .arg(QLocale().decimalPoint())
+        .arg(tenths % 10);
+}
+
+/// How long it has played, in minutes, seconds and tenths.
+void addClock(QToolBar& bar, const widgets::Transport& transport)
+{
+    auto* clock = new QLabel(&bar);
+    clock->setObjectName(QStringLiteral("playClock"));
+    clock->setToolTip(MainWindow::tr("Time shown: minutes and seconds from the start"));
+    clock->setAlignment(Qt::AlignCenter);
+    clock->setMinimumWidth(clock->fontMetrics().horizontalAdvance(QStringLiteral("00:00.0")) + 8);
+    const auto show = [clock](double seconds) { clock->setText(clockText(seconds)); };
+    show(transport.seconds());
+    QObject::connect(&transport, &widgets::Transport::timeChanged, clock, show);
+    bar.addWidget(clock);
+}
 
 /// How many times faster than life it plays.
 void addSpeedField(QToolBar& bar, widgets::EditorState& state, QWidget& picture)
@@ -95,6 +121,7 @@ void fillToolBar(QToolBar& bar, const widgets::ActionRegistry& actions, widgets:
             bar.addAction(actions.action(id));
         }
     }
+    addClock(bar, state.transport());
     addSpeedField(bar, state, picture);
 }
 

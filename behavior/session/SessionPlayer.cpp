@@ -13,7 +13,7 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr double kKeptSeconds = 1.2; ///< more than anybody runs ahead
+constexpr double kKeptSeconds = 1.2; ///< before the last step, at least
 constexpr double kSlack = 1e-9;      ///< seconds; sums of steps are not exact
 constexpr std::size_t kMaxLog = 20000;
 
@@ -32,6 +32,7 @@ struct SessionPlayer::Run
     // Under the mutex.
     std::vector<Order> orders;
     double wanted = 0.0;
+    double shown = 0.0;               ///< poses from then on are kept
     std::deque<SessionPosePtr> poses; ///< the latest ones, ascending
     Report report;
     SessionTally tally;
@@ -94,7 +95,8 @@ void SessionPlayer::Run::publish()
         poses.pop_back(); // the same step, after an edit
     }
     poses.push_back(std::move(pose));
-    while (poses.front()->seconds < poses.back()->seconds - kKeptSeconds) {
+    const double keptFrom = std::min(shown, poses.back()->seconds - kKeptSeconds);
+    while (poses.size() > 1 && poses[1]->seconds <= keptFrom) {
         poses.pop_front();
     }
     report = {std::move(problems), session->rules().counts()};
@@ -124,6 +126,7 @@ void SessionPlayer::start(const model::Scene& scene, double seconds,
     }
     run.poses = {run.session->pose()};
     run.wanted = seconds;
+    run.shown = seconds;
     run.report = {run.session->problems(), {}};
     run.tally = run.session->tally();
     run.thread = std::jthread([&run](const std::stop_token& token) {
@@ -182,13 +185,14 @@ void SessionPlayer::sendTagged(const std::string& event, float payload, std::uin
     give([event, payload, tag](Run& run) { run.session->sendTagged(event, payload, tag); });
 }
 
-void SessionPlayer::request(double seconds)
+void SessionPlayer::request(double seconds, double shown)
 {
     if (!m_run) {
         return;
     }
     {
         const std::scoped_lock lock(m_run->mutex);
+        m_run->shown = shown;
         if (seconds <= m_run->wanted) {
             return;
         }

@@ -43,8 +43,9 @@ public:
     void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
     void sendTagged(const std::string& event, float payload, std::uint8_t tag);
 
-    /// Steps are wanted up to a bit after this time, seconds.
-    void request(double seconds);
+    /// Steps are wanted up to a bit after this time, seconds. Poses from `shown` on are kept, at
+    /// least those of the last second.
+    void request(double seconds, double shown = 1e300);
     /// Time of the last step that is done.
     [[nodiscard]] double available() const;
     /// Puts people where they are at frame.seconds, as far as that has been computed.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
@@ -16,6 +18,8 @@ private Q_SLOTS:
     void standsStillWhilePaused();
     void runsAtItsSpeed();
     void takesALongPauseOfTheWindowAsAShortStep();
+    void slowPicturesTakeNoTimeAway();
+    void saysHowMuchOfItsSpeedItKeeps();
     void rewindsAndSaysSo();
     void boundsWhatItIsGiven();
 };
@@ -58,9 +62,32 @@ void TestTransport::takesALongPauseOfTheWindowAsAShortStep()
 {
     Transport transport;
     transport.advance(30.0);
-    QCOMPARE(transport.seconds(), 0.25);
+    QCOMPARE(transport.seconds(), 2.0);
     transport.advance(-1.0);
-    QCOMPARE(transport.seconds(), 0.25);
+    QCOMPARE(transport.seconds(), 2.0);
+}
+
+void TestTransport::slowPicturesTakeNoTimeAway()
+{
+    Transport transport;
+    for (int picture = 0; picture < 40; ++picture) {
+        transport.advance(0.5);
+    }
+    QCOMPARE(transport.seconds(), 20.0);
+    QCOMPARE(transport.pace(), 1.0);
+}
+
+void TestTransport::saysHowMuchOfItsSpeedItKeeps()
+{
+    Transport transport;
+    transport.setSpeed(2.0);
+    for (int picture = 0; picture < 20; ++picture) {
+        transport.advance(0.5, transport.seconds() + 0.25); // a quarter of what is wanted
+    }
+    QVERIFY(std::abs(transport.pace() - 0.25) < 0.01);
+    transport.toggle();
+    transport.toggle();
+    QCOMPARE(transport.pace(), 1.0);
 }
 
 void TestTransport::rewindsAndSaysSo()

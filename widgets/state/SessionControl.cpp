@@ -19,7 +19,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kAheadSeconds = 0.1; ///< at speed 1
+constexpr double kAheadSeconds = 0.1;  ///< at speed 1: edits and events are heard so much later
+constexpr double kFurthestAhead = 4.0; ///< however long a picture takes
 constexpr int kProgressMs = 150;
 constexpr int kWaysMs = 300; ///< a place that is being dragged comes to rest first
 
@@ -239,8 +240,12 @@ void SessionControl::advance(double realSeconds)
     }
     m_transport.advance(realSeconds, m_player->available());
     if (m_transport.isPlaying()) {
-        m_player->request(m_transport.seconds() +
-                          kAheadSeconds * std::max(1.0, m_transport.state().speed));
+        // What the next picture needs is there when it is drawn, if it takes as long as the last.
+        const double speed = m_transport.state().speed;
+        const double ahead =
+            std::max(kAheadSeconds * std::max(1.0, speed), kAheadSeconds + realSeconds * speed);
+        m_player->request(m_transport.seconds() + std::min(ahead, kFurthestAhead),
+                          m_transport.seconds());
     }
 }
 
@@ -254,7 +259,7 @@ void SessionControl::stepOnce()
     const double steps = std::floor((m_transport.seconds() - m_startSeconds) * rate + 1e-6) + 1.0;
     const double next = m_startSeconds + steps / rate;
     if (isRunning()) {
-        m_player->request(next);
+        m_player->request(next, m_transport.seconds());
     }
     m_transport.setSeconds(isRunning() ? next : m_transport.seconds() + 1.0 / rate);
 }
@@ -354,19 +359,24 @@ double SessionControl::availableSeconds() const
 
 bool SessionControl::keepPose()
 {
-    if (!isRunning() || m_document.isEditOpen()) {
+    if (!isRunning()) {
         return false;
     }
     const model::CrowdFramePtr shown = frame(m_transport.seconds());
     const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
     m_isKeepingPose = true;
-    auto edit = m_document.beginEdit();
-    const int people = behavior::keepPose(*edit, shown->population, pose.get());
-    const bool isKept = edit->commit(tr("Keep the pose of %n character(s)", nullptr, people));
+    int people = 0;
+    const auto outcome = m_document.edit([&](model::SceneEdit& edit) {
+        people = behavior::keepPose(edit, shown->population, pose.get());
+        return tr("Keep the pose of %n character(s)", nullptr, people);
+    });
     m_isKeepingPose = false;
+    if (outcome == model::EditOutcome::Refused) {
+        return false;
+    }
     m_player->adopt(m_document.scene(), true);
     Q_EMIT posesKept(people);
-    return isKept;
+    return outcome == model::EditOutcome::Committed;
 }
 
 } // namespace crowd::widgets

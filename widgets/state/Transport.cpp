@@ -7,7 +7,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr double kLongestPlayStep = 0.25;
+constexpr double kLongestPlayStep = 2.0;
+constexpr double kPaceSeconds = 1.0; ///< real time over which the pace is a mean
 constexpr double kSlowestPlay = 0.05;
 constexpr double kFastestPlay = 8.0;
 
@@ -21,6 +22,7 @@ void Transport::setPlaying(bool isPlaying)
         return;
     }
     m_state.isPlaying = isPlaying;
+    m_pace = 1.0;
     Q_EMIT stateChanged(m_state);
 }
 
@@ -42,6 +44,7 @@ void Transport::setSpeed(double speed)
         return;
     }
     m_state.speed = bounded;
+    m_pace = 1.0;
     Q_EMIT stateChanged(m_state);
 }
 
@@ -50,8 +53,11 @@ void Transport::advance(double realSeconds, double notBeyond)
     if (!m_state.isPlaying || realSeconds <= 0.0) {
         return;
     }
-    const double wanted = m_state.seconds + std::min(realSeconds, kLongestPlayStep) * m_state.speed;
-    m_state.seconds = std::max(m_state.seconds, std::min(wanted, notBeyond));
+    const double real = std::min(realSeconds, kLongestPlayStep);
+    const double step = real * m_state.speed;
+    const double taken = std::clamp(notBeyond - m_state.seconds, 0.0, step);
+    m_state.seconds += taken;
+    m_pace += (taken / step - m_pace) * std::min(1.0, real / kPaceSeconds);
     Q_EMIT timeChanged(m_state.seconds);
 }
 

@@ -33,10 +33,14 @@ public:
     void setSeconds(double seconds);
     void setSpeed(double speed);
 
-    /// Real time that has passed since the last frame, in seconds. Steps longer than a quarter of a
-    /// second (the window was hidden, a dialog stood in the way) count as that much. Time waits at
-    /// the limit.
+    /// Real time that has passed since the last frame, in seconds: slow pictures are fewer, and
+    /// time runs as ever. Steps longer than two seconds (the window was hidden, a dialog stood in
+    /// the way) count as that much. Time waits at the limit.
     void advance(double realSeconds, double notBeyond = 1e300);
+
+    /// The share of what its speed asks for that it runs at, over the last second; less than 1
+    /// where it waits at the limit.
+    [[nodiscard]] double pace() const { return m_pace; }
 
 Q_SIGNALS:
     /// Playing, speed, or a jump in time: not sent for the steady flow of advance().
@@ -46,6 +50,7 @@ Q_SIGNALS:
 
 private:
     TransportState m_state;
+    double m_pace = 1.0;
 };
 
 } // namespace crowd::widgets
