@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "model/base/ShownText.h"
 #include "model/project/EnvironmentChecks.h"
 #include "model/project/MemberJson.h"
 

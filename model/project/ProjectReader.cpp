@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/base/ShownText.h"
 #include "model/project/ProjectHeader.h"
 #include "model/project/RowParser.h"
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "model/base/ShownText.h"
 #include "model/describe/FieldChecks.h"
 #include "model/population/PropertyValues.h"
 #include "model/project/ProjectHeader.h"
