@@ -247,6 +247,7 @@ Result<void> ScriptScene::beginEdit(const std::string& text)
         }
         m_edit = std::move(begun).value();
         m_editText = QString::fromStdString(text);
+        m_editor = m_caller;
         return {};
     });
 }
@@ -283,6 +284,10 @@ Result<void> ScriptScene::edit(const QString& text, const Work& work)
         }
         work(*m_link->edit());
         return {};
+    }
+    if (m_edit && m_caller != m_editor) {
+        return Error{"Another thread is inside 'with scene.edit(\"" + m_editText.toStdString() +
+                     "\")': wait until that block has ended."};
     }
     if (m_edit) {
         work(*m_edit);

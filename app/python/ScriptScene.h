@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -109,11 +110,15 @@ public:
     [[nodiscard]] auto onDocument(const Action& work) const
     {
         std::optional<std::invoke_result_t<Action>> result;
-        m_host.run([&] { result.emplace(work()); });
+        m_host.run([&, caller = std::this_thread::get_id()] {
+            m_caller = caller;
+            result.emplace(work());
+        });
         return std::move(*result);
     }
     using Work = std::function<void(model::SceneEdit&)>;
-    /// As part of the open edit, or as a step of its own. Where the document is.
+    /// As part of the open edit, where it is of the thread that asks, or as a step of its own.
+    /// Where the document is, within onDocument.
     [[nodiscard]] model::Result<void> edit(const QString& text, const Work& work);
     /// Where the document is, as all that asks what is open.
     [[nodiscard]] model::Result<void> refuseDuringEdit(const char* what) const;
@@ -148,6 +153,8 @@ private:
     // The document's thread alone.
     std::unique_ptr<model::SceneEdit> m_edit; ///< between beginEdit and endEdit
     QString m_editText;
+    std::thread::id m_editor;                ///< who began it
+    mutable std::thread::id m_caller;        ///< who asks for what is done now
     ScriptStrokeLinkPtr m_link;              ///< while a script brush paints
     std::unique_ptr<model::Stroke> m_stroke; ///< the script's own stroke, while its brush paints
     QMetaObject::Connection m_interruption;

@@ -363,6 +363,30 @@ class Hostile(unittest.TestCase):
         said = self.said(lambda: scene.stroke(Brush(BrushKind.COLOUR), [(1, 1, 1, 0), (2, 2, 1, time.time())]))
         self.assertIn("points[1]", said)
 
+    def test_an_open_edit_is_of_its_thread(self):
+        scene, _ = walkers(3)
+        said = []
+
+        def change():
+            try:
+                scene.change(scene.ids, heading=1.0)
+            except Error as problem:
+                said.append(str(problem))
+
+        with scene.edit("mine"):
+            other = threading.Thread(target=change)
+            other.start()
+            other.join(60)
+            scene.change(scene.ids, heading=2.0)
+        self.assertEqual(len(said), 1)
+        self.assertIn('scene.edit("mine")', said[0])
+        self.assertTrue(np.allclose(scene.column("heading"), 2.0))
+        other = threading.Thread(target=change)
+        other.start()
+        other.join(60)
+        self.assertEqual(len(said), 1)
+        self.assertTrue(np.allclose(scene.column("heading"), 1.0))
+
     def test_poses_are_kept_while_others_edit(self):
         scene, _ = walkers(60)
         session = crowdbrush.Session(scene)
