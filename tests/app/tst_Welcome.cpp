@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <QtCore/QFileInfo>
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QToolButton>
@@ -26,6 +27,7 @@ private Q_SLOTS:
     void cleanup() { m_window.reset(); }
 
     void clickOnThePictureOfTheCityOpensIt();
+    void theSecondClickDoesNotPaintBehindThePage();
     void everyReadyMadeSceneHasAPicture();
     void keyboardReachesEveryChoice();
     void escapeLeavesAnEmptyTheatre();
@@ -61,6 +63,27 @@ void WelcomeTest::clickOnThePictureOfTheCityOpensIt()
     QVERIFY(document().scene().population.size() > 200);
     QCOMPARE(m_window->files().documentName(), QStringLiteral("city"));
     QVERIFY2(document().path().isEmpty(), "saving must not write into the program's own files");
+}
+
+void WelcomeTest::theSecondClickDoesNotPaintBehindThePage()
+{
+    startAndWait();
+    m_window->state().setTool(widgets::ToolId::BrushCreate);
+    auto* city = page()->findChild<QToolButton*>(QStringLiteral("city"));
+    QVERIFY(city != nullptr);
+    auto& picture = m_window->viewport();
+    QTest::mouseClick(city, Qt::LeftButton);
+    QTest::mousePress(&picture, Qt::LeftButton, {}, picture.rect().center());
+    QVERIFY(!document().isEditOpen());
+    QTest::mouseRelease(&picture, Qt::LeftButton, {}, picture.rect().center());
+    QCOMPARE(document().undoStack().count(), 0);
+    QSignalSpy opened(&m_window->files(), &app::FileController::sceneOpened);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
+    QTest::qWait(QApplication::doubleClickInterval()); // from then on the hand paints
+    QTest::mousePress(&picture, Qt::LeftButton, {}, picture.rect().center());
+    QVERIFY(document().isEditOpen());
+    QTest::keyClick(&picture, Qt::Key_Escape);
+    QTest::mouseRelease(&picture, Qt::LeftButton, {}, picture.rect().center());
 }
 
 void WelcomeTest::everyReadyMadeSceneHasAPicture()

@@ -2,7 +2,10 @@
 #include "widgets/dialogs/WelcomePage.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QEvent>
 #include <QtCore/QFileInfo>
+#include <QtCore/QTimer>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QGridLayout>
@@ -68,6 +71,25 @@ QIcon pictureOf(const QString& path)
     return picture.isNull() ? iconNamed("stage") : QIcon(picture);
 }
 
+/// Holds back the next press of a mouse button, wherever in the program, for as long as it may be
+/// the second of a double click. Deletes itself.
+class SecondClick : public QObject
+{
+public:
+    explicit SecondClick(QObject* parent) : QObject(parent)
+    {
+        qApp->installEventFilter(this);
+        QTimer::singleShot(QApplication::doubleClickInterval(), this, &QObject::deleteLater);
+    }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        return event->type() == QEvent::MouseButtonPress ||
+               event->type() == QEvent::MouseButtonDblClick;
+    }
+};
+
 } // namespace
 
 WelcomePage::WelcomePage(const WelcomeOffer& offer, QWidget* parent) : QDialog(parent)
@@ -99,6 +121,12 @@ WelcomePage::WelcomePage(const WelcomeOffer& offer, QWidget* parent) : QDialog(p
     layout->addLayout(columns, 1);
     layout->addLayout(foot);
     layout->setSizeConstraint(QLayout::SetFixedSize);
+}
+
+void WelcomePage::accept()
+{
+    new SecondClick(qApp);
+    QDialog::accept();
 }
 
 template<class Signal>

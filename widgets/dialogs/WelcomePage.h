@@ -27,6 +27,9 @@ class WelcomePage : public QDialog
 public:
     WelcomePage(const WelcomeOffer& offer, QWidget* parent);
 
+    /// What a second click of a double click would hit is what was behind the page.
+    void accept() override;
+
 Q_SIGNALS:
     void newTheatreChosen();
     void newGroundChosen();
