@@ -199,6 +199,7 @@ private Q_SLOTS:
     void charactersFitANarrowPanel_data();
     void charactersFitANarrowPanel();
     void resetLayoutIsThatOfTheFirstStart();
+    void opensWithinTheScreen();
     void everythingOfAnEmptyTheatreShowsItsSeats();
 
 private:
@@ -611,6 +612,27 @@ void PanelsTest::resetLayoutIsThatOfTheFirstStart()
     const Layout after = settledLayout(*m_window);
     for (const auto& [name, place] : first) {
         QCOMPARE(std::pair(name, after.at(name)), std::pair(name, place));
+    }
+}
+
+/// Also a moment later, when the panels have been laid out, and the next time.
+void PanelsTest::opensWithinTheScreen()
+{
+    for (int start = 0; start < 2; ++start) {
+        m_window->close(); // which remembers where it was
+        if (start == 0) {
+            QSettings().clear(); // the very first time
+        }
+        m_window = std::make_unique<app::MainWindow>();
+        m_window->show();
+        m_window->files().openPath(QStringLiteral(CROWD_RESOURCES "/scenes/theatre.crowd"));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QTRY_VERIFY_WITH_TIMEOUT(document().scene().population.size() > 0, 3 * kPatienceMs);
+        QTest::qWait(500); // what would enlarge it comes late
+        const QRect screen = m_window->screen()->availableGeometry();
+        QVERIFY2(
+            screen.contains(m_window->geometry()),
+            qPrintable(QStringLiteral("%1 × %2").arg(m_window->width()).arg(m_window->height())));
     }
 }
 

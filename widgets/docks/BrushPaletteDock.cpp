@@ -8,6 +8,7 @@
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QGridLayout>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QToolButton>
 
 #include "widgets/theme/Icons.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr int kIconSize = 24;
 constexpr int kSpacing = 3;
 constexpr int kMargin = 5;
+constexpr int kRowsAtLeast = 5;
 
 QString tipOf(const ScriptBrush& brush)
 {
@@ -51,9 +53,14 @@ QIcon scriptBrushIcon(const std::string& name)
 } // namespace
 
 BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Brushes"), "brushPalette", parent), m_state(state), m_content(new QWidget(this)),
+    : DockBase(tr("Brushes"), "brushPalette", parent), m_state(state),
+      m_area(new QScrollArea(this)), m_content(new QWidget(this)),
       m_grid(new QGridLayout(m_content))
 {
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setWidgetResizable(true);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setWidget(m_content);
     m_grid->setSpacing(kSpacing);
     m_grid->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     for (const ToolInfo& info : toolTable()) {
@@ -68,7 +75,7 @@ BrushPaletteDock::BrushPaletteDock(EditorState& state, QWidget* parent)
         });
         m_buttons[static_cast<std::size_t>(id)] = button;
     }
-    setWidget(m_content);
+    setWidget(m_area);
     connect(&m_state, &EditorState::toolChanged, this, &BrushPaletteDock::refresh);
     connect(&m_state, &EditorState::scriptBrushesChanged, this,
             &BrushPaletteDock::rebuildScriptBrushes);
@@ -149,8 +156,15 @@ void BrushPaletteDock::arrange(int width)
         m_grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
     }
     const int rows = (count + columns - 1) / columns;
-    m_content->setFixedHeight(rows * (cell.height() + kSpacing) - kSpacing + 2 * kMargin);
-    m_content->setMinimumWidth(std::min(4, count) * (cell.width() + kSpacing));
+    const auto heightOf = [&](int some) {
+        return some * (cell.height() + kSpacing) - kSpacing + 2 * kMargin;
+    };
+    m_content->setFixedHeight(heightOf(rows));
+    // Whole where there is room. While the window is laid out the panel may be so narrow that all
+    // stand in one column, and a window that has grown for that does not shrink again.
+    m_area->setMinimumHeight(heightOf(std::min(rows, kRowsAtLeast)));
+    m_area->setMaximumHeight(heightOf(rows));
+    m_area->setMinimumWidth(std::min(4, count) * (cell.width() + kSpacing));
 }
 
 void BrushPaletteDock::resizeEvent(QResizeEvent* event)

@@ -8,6 +8,7 @@
 #include "widgets/state/EditorState.h"
 
 class QGridLayout;
+class QScrollArea;
 class QToolButton;
 
 namespace crowd::widgets {
@@ -33,6 +34,7 @@ private:
     [[nodiscard]] std::vector<QToolButton*> shownButtons() const;
 
     EditorState& m_state;
+    QScrollArea* m_area;
     QWidget* m_content;
     QGridLayout* m_grid;
     int m_columns = 0;
