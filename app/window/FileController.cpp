@@ -373,7 +373,7 @@ QString FileController::askForSavePath()
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
         return {};
     }
-    const QString path = chosenPath(dialog);
+    QString path = chosenPath(dialog);
     const bool hasSuffix = QFileInfo(path).suffix().compare(kSuffix, Qt::CaseInsensitive) == 0;
     if (hasSuffix && !isQuoted(dialog)) {
         return path;
