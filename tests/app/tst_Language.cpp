@@ -31,10 +31,12 @@ using namespace crowd::testing;
 namespace {
 
 /// Of these, texts depend on the moment and the room there is: time of a picture, a remark that
-/// passes, a text that is cut (its tip has all). Qt keeps tab bars for later, with their arrows.
+/// passes, how much of some work is done, a text that is cut (its tip has all). Qt keeps tab bars
+/// for later, with their arrows.
 bool isPassing(const QObject& object)
 {
-    return object.objectName() == QStringLiteral("statusFrame") || object.inherits("QStatusBar") ||
+    return object.inherits("QProgressBar") ||
+           object.objectName() == QStringLiteral("statusFrame") || object.inherits("QStatusBar") ||
            object.objectName().startsWith(QStringLiteral("Scroll"));
 }
 
