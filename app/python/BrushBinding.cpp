@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/python/FieldBinding.h"
+#include "app/python/OutsidePython.h"
 #include "app/python/PythonBrush.h"
 #include "model/brush/BrushJson.h"
 #include "model/scene/NearestPath.h"
@@ -87,14 +88,16 @@ py::dict asDict(const PythonBrush& brush)
     if (!brush.isKnownKind()) {
         throw ScriptError("brush.kind is none of the choices there are.");
     }
-    return py::module_::import("json").attr("loads")(brushJson(brush.settings()).dump());
+    return callPython(py::module_::import("json").attr("loads"),
+                      py::make_tuple(brushJson(brush.settings()).dump()));
 }
 
 PythonBrush fromDict(const py::dict& settings)
 {
     std::string text;
     try {
-        text = py::module_::import("json").attr("dumps")(settings).cast<std::string>();
+        text = callPython(py::module_::import("json").attr("dumps"), py::make_tuple(settings))
+                   .cast<std::string>();
     } catch (py::error_already_set& problem) {
         if (problem.matches(PyExc_TypeError) || problem.matches(PyExc_ValueError)) {
             throw ScriptError(

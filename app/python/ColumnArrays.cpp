@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/python/ColumnRules.h"
+#include "app/python/OutsidePython.h"
 #include "model/brush/ClipChoice.h"
 
 namespace crowd::app {
@@ -19,7 +20,9 @@ py::array arrayOf(const std::string& name, const py::object& given)
     const bool isOddArray = py::isinstance<py::array>(given) &&
                             reinterpret_cast<PyTypeObject*>(py::type::handle_of(given).ptr()) !=
                                 py::detail::npy_api::get().PyArray_Type_;
-    if (isOddArray && py::module_::import("numpy.ma").attr("is_masked")(given).cast<bool>()) {
+    if (isOddArray &&
+        callPython(py::module_::import("numpy.ma").attr("is_masked"), py::make_tuple(given))
+            .cast<bool>()) {
         throw ScriptError(name + " has masked values: fill them, as in array.filled(0), or leave "
                                  "them out, as in array.compressed().");
     }
@@ -126,8 +129,8 @@ py::array toItems(const std::string& name, const py::object& given, const py::dt
     }
     const bool fitsAnyway = kind == 'u' && array.itemsize() <= type.itemsize();
     if (!wantsFloat && !fitsAnyway && array.size() > 0) {
-        const auto low = py::int_(array.attr("min")());
-        const auto high = py::int_(array.attr("max")());
+        const auto low = py::int_(callPython(array.attr("min")));
+        const auto high = py::int_(callPython(array.attr("max")));
         const py::int_ most(type.itemsize() == 8 ? std::numeric_limits<std::uint64_t>::max()
                                                  : (std::uint64_t{1} << (8 * type.itemsize())) - 1);
         if (low < py::int_(0) || high > most) {

@@ -5,6 +5,7 @@
 
 #include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "app/python/OutsidePython.h"
 #include "app/python/ScriptEnvironment.h"
 #include "model/project/EnvironmentSchema.h"
 #include "model/project/EnvironmentText.h"
@@ -17,7 +18,8 @@ namespace {
 
 py::object environment(const ScenePtr& scene)
 {
-    return py::module_::import("json").attr("loads")(environmentText(*scene->scene()));
+    return callPython(py::module_::import("json").attr("loads"),
+                      py::make_tuple(environmentText(*scene->scene())));
 }
 
 constexpr std::size_t kDeepest = 64; ///< as project files
@@ -86,7 +88,8 @@ std::string environmentJson(const py::object& given)
     }
     EnvironmentCheck().check(given);
     try {
-        return py::module_::import("json").attr("dumps")(given).cast<std::string>();
+        return callPython(py::module_::import("json").attr("dumps"), py::make_tuple(given))
+            .cast<std::string>();
     } catch (py::error_already_set& problem) {
         if (problem.matches(PyExc_TypeError) || problem.matches(PyExc_ValueError)) {
             throw ScriptError("The environment holds what JSON cannot: " +

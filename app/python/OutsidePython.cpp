@@ -3,6 +3,7 @@
 
 #include <future>
 #include <thread>
+#include <utility>
 
 #include <pthread.h>
 #include <unistd.h>
@@ -16,12 +17,25 @@ namespace {
 constexpr std::chrono::milliseconds kMoment{50};
 constexpr std::chrono::seconds kLongestStep{5}; ///< that Python's end waits for
 
-std::atomic<int> outsiders{0}; ///< threads without Python's lock, at work in our code
+std::atomic<int> workers{0}; ///< threads at work in our code
+thread_local int depth = 0;  ///< how often this one came in without going out
 std::atomic<bool> isPythonEnding{false};
 std::atomic<std::thread::id> endingThread;
 
+void comeIn()
+{
+    workers += depth++ == 0 ? 1 : 0;
+}
+
+void goOut()
+{
+    workers -= --depth == 0 ? 1 : 0;
+}
+
+/// Nobody waits for it any more.
 [[noreturn]] void stayHere()
 {
+    workers -= depth > 0 ? 1 : 0;
     while (true) {
         pause();
     }
@@ -49,13 +63,34 @@ void beginEnd()
     isPythonEnding = true;
     PyThreadState* state = PyEval_SaveThread();
     const auto deadline = std::chrono::steady_clock::now() + kLongestStep;
-    while (outsiders > 0 && std::chrono::steady_clock::now() < deadline) {
+    while (workers > 0 && std::chrono::steady_clock::now() < deadline) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     takeLock(state);
 }
 
+/// With Python's lock, which is let go.
+void stayWhereOver()
+{
+    if (isOver()) {
+        PyEval_SaveThread();
+        stayHere();
+    }
+}
+
 } // namespace
+
+InsideModule::InsideModule()
+{
+    stayWhereOver();
+    comeIn();
+}
+
+InsideModule::~InsideModule()
+{
+    goOut();
+    stayWhereOver();
+}
 
 OutsidePython::OutsidePython()
 {
@@ -69,10 +104,9 @@ OutsidePython::~OutsidePython()
 
 void OutsidePython::leave()
 {
-    ++outsiders; // under Python's lock: beginEnd() sees it
+    comeIn(); // under Python's lock: beginEnd() sees it
     m_state = PyEval_SaveThread();
     if (isOver()) {
-        --outsiders;
         stayHere();
     }
 }
@@ -80,7 +114,7 @@ void OutsidePython::leave()
 void OutsidePython::comeBack()
 {
     takeLock(m_state);
-    --outsiders; // Python's end waits until now
+    goOut(); // Python's end waits until now
 }
 
 bool OutsidePython::isInterrupted()
@@ -102,6 +136,25 @@ void raiseSignals()
     }
 }
 
+py::object callPython(const py::object& callable, const py::tuple& arguments)
+{
+    PyObject* result = nullptr;
+    const int inside = std::exchange(depth, 0);
+    workers -= inside > 0 ? 1 : 0;
+    try {
+        result = PyObject_CallObject(callable.ptr(), arguments.ptr());
+    } catch (...) {
+        stayHere(); // C raises nothing: it is Python's way to end a thread
+    }
+    stayWhereOver();
+    depth = inside;
+    workers += inside > 0 ? 1 : 0;
+    if (result == nullptr) {
+        throw py::error_already_set();
+    }
+    return py::reinterpret_steal<py::object>(result);
+}
+
 void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work)
 {
     std::future<void> done;
@@ -118,10 +171,7 @@ void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>&
     if (PyErr_Occurred() != nullptr) {
         throw py::error_already_set();
     }
-    if (isOver()) {
-        PyEval_SaveThread();
-        stayHere();
-    }
+    stayWhereOver();
     done.get();
 }
 
@@ -131,7 +181,7 @@ void watchPythonsEnd()
     py::module_::import("atexit").attr("register")(py::cpp_function(&beginEnd));
     static const bool isWatchingForks = [] {
         // A child has but the thread that forked.
-        return pthread_atfork(nullptr, nullptr, [] { outsiders = 0; }) == 0;
+        return pthread_atfork(nullptr, nullptr, [] { workers = depth > 0 ? 1 : 0; }) == 0;
     }();
     (void)isWatchingForks;
 }

@@ -9,6 +9,18 @@
 
 namespace crowd::app {
 
+/// While one lives a thread is in a function of ours, wherever Python's lock is. Begins and ends
+/// with that lock. Python's end waits for those who are in there, and lets nobody in or out any
+/// more: it would unwind their stacks, and let objects go without its lock.
+class InsideModule
+{
+public:
+    InsideModule();
+    ~InsideModule();
+    InsideModule(const InsideModule&) = delete;
+    InsideModule& operator=(const InsideModule&) = delete;
+};
+
 /// While it lives Python's other threads run. Begins and ends on a thread that has Python's lock,
 /// with none of our own locks held: whoever waits for one of those may have Python's.
 ///
@@ -46,12 +58,17 @@ auto outsidePython(const Work& work)
 /// Raises what Python's signals raise, KeyboardInterrupt for one.
 void raiseSignals();
 
+/// Calls what is written in Python, from a function of ours. A thread that Python ends in there
+/// stays where it is, as those that are inside the module.
+[[nodiscard]] pybind11::object callPython(const pybind11::object& callable,
+                                          const pybind11::tuple& arguments = pybind11::tuple());
+
 /// Does work that takes long and needs no Python on another thread, while this one minds Python's
 /// signals. Where one raises, isCancelled becomes true, and its exception comes out of here when
 /// the work has ended. What the work throws comes out as well.
 void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work);
 
-/// Python's end waits for those who are outside, and lets nobody out any more. Once for a module.
+/// Python's end waits for those who are inside, or outside Python. Once for a module.
 void watchPythonsEnd();
 
 } // namespace crowd::app

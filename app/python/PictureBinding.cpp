@@ -216,7 +216,7 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     waitForPictures(scene);
     const std::vector<std::uint8_t> pixels = valueOrRaise(scene.pictures().picture(scene, request));
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
-    return py::module_::import("crowdbrush").attr("Picture")(array);
+    return callPython(py::module_::import("crowdbrush").attr("Picture"), py::make_tuple(array));
 }
 
 void bindPictures(py::module_& module, SceneClass& scene)

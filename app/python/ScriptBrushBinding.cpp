@@ -58,8 +58,10 @@ void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& 
     while (nextDab(dabs, dab)) {
         const py::array_t<IndividualId> ids = present(scene, dab.ids);
         if (ids.size() > 0) {
-            apply(brush, selected(scene, ids, dab.seed, toPair(dab.line.from), toPair(dab.line.to),
-                                  dab.heading, report));
+            const py::object selection =
+                callPython(selected, py::make_tuple(scene, ids, dab.seed, toPair(dab.line.from),
+                                                    toPair(dab.line.to), dab.heading, report));
+            (void)callPython(apply, py::make_tuple(brush, selection));
         }
     }
 }

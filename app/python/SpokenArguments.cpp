@@ -5,6 +5,7 @@
 
 #include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "app/python/OutsidePython.h"
 
 namespace crowd::app {
 
@@ -78,6 +79,7 @@ void explain(const Record& record, const py::tuple& args, const py::dict& kwargs
 
 PyObject* speakingCall(PyObject* self, PyObject* args, PyObject* kwargs)
 {
+    const InsideModule call;
     PyObject* result = plainCall(self, args, kwargs);
     const bool isOdd = result == nullptr && (PyErr_ExceptionMatches(PyExc_TypeError) != 0 ||
                                              PyErr_ExceptionMatches(PyExc_RuntimeError) != 0);

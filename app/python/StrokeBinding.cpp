@@ -4,6 +4,7 @@
 
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
+#include "app/python/OutsidePython.h"
 #include "app/python/PythonBrush.h"
 #include "app/python/ScriptPainting.h"
 
@@ -78,9 +79,12 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
         return given.settings();
     }
     const py::module_ module = py::module_::import("crowdbrush");
-    module.attr("_check")(brush);
-    BrushSettings settings = module.attr("_area_of")(brush).cast<const PythonBrush&>().settings();
-    settings.as<ScriptSettings>().brush = module.attr("_known_name")(brush).cast<std::string>();
+    const py::tuple given = py::make_tuple(brush);
+    (void)callPython(module.attr("_check"), given);
+    const py::object area = callPython(module.attr("_area_of"), given);
+    BrushSettings settings = area.cast<const PythonBrush&>().settings();
+    settings.as<ScriptSettings>().brush =
+        callPython(module.attr("_known_name"), given).cast<std::string>();
     return settings;
 }
 
@@ -103,7 +107,8 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
     request.seed = seed;
     return valueOrRaise(paintStroke(*scene, request, [&](ScriptStrokeLink& dabs) {
         const py::module_ module = py::module_::import("crowdbrush");
-        paintDabs(scene, dabs, module.attr("_brush_with")(brush, py::dict()));
+        paintDabs(scene, dabs,
+                  callPython(module.attr("_brush_with"), py::make_tuple(brush, py::dict())));
     }));
 }
 

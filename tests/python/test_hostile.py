@@ -311,6 +311,26 @@ class Hostile(unittest.TestCase):
                     self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     @unittest.skipUnless(HAS_PLAIN_PYTHON, "needs a python3 of its own")
+    def test_brushes_that_are_left_behind_at_the_end(self):
+        setup = ("import crowdbrush, threading, time\n"
+                 "s = crowdbrush.open('builtin:scenes/theatre.crowd')\n"
+                 "class Endless:\n"
+                 "    selection = crowdbrush.Selection.ALL_IN_CIRCLE\n"
+                 "    radius = 200\n"
+                 "    def apply(self, selected):\n"
+                 "        began.set()\n"
+                 "        while True: %s\n"
+                 "began = threading.Event()\n"
+                 "def paint(): s.stroke(Endless(), [(640, 360), (700, 360)])\n"
+                 "threading.Thread(target=paint, daemon=True).start()\n"
+                 "began.wait(60); time.sleep(0.05)\n")
+        for work in ("pass", "time.sleep(0.01)", "selected.column('tint')", "selected.change(tint=(1, 2, 3))"):
+            with self.subTest(work):
+                for _ in range(4):
+                    done = self.plain(setup % work)
+                    self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    @unittest.skipUnless(HAS_PLAIN_PYTHON, "needs a python3 of its own")
     def test_pictures_in_a_forked_child_are_refused(self):
         done = self.plain("import os, signal, crowdbrush\n"
                           "s = crowdbrush.open('builtin:scenes/theatre.crowd')\n"
