@@ -24,6 +24,7 @@ namespace crowd::app {
 
 namespace py = pybind11;
 
+class LongCall;
 class ScriptSession;
 struct PythonBrush;
 
@@ -136,7 +137,7 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
 /// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
                                    const CameraKey& camera, const std::string& look, double time,
-                                   model::CrowdFramePtr frame);
+                                   model::CrowdFramePtr frame, LongCall& call);
 
 /// What a class of ours takes is checked here: see the casters below.
 void refuseUnmade(const py::handle& given);
@@ -188,8 +189,9 @@ void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pict
 /// Brushes that scripts bring along; after the brushes.
 void bindScriptBrushes(py::module_& module);
 /// Runs a brush over the dabs of a stroke until there are no more, on this thread. What it raises
-/// comes out of here.
-void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush);
+/// comes out of here, and what ends the call.
+void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush,
+               LongCall* call = nullptr);
 void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
 void bindEnvironment(SceneClass& scene);                   ///< places, paths, rules

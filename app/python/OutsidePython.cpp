@@ -129,6 +129,14 @@ bool OutsidePython::isInterrupted()
     return m_isInterrupted;
 }
 
+bool OutsidePython::asked(const std::function<bool()>& question)
+{
+    takeLock(m_state);
+    const bool answer = question();
+    m_state = PyEval_SaveThread();
+    return answer;
+}
+
 void raiseSignals()
 {
     if (PyErr_CheckSignals() != 0) {
@@ -155,14 +163,15 @@ py::object callPython(const py::object& callable, const py::tuple& arguments)
     return py::reinterpret_steal<py::object>(result);
 }
 
-void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work)
+void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work,
+                    const std::function<bool()>& goesOn)
 {
     std::future<void> done;
     {
         OutsidePython others;
         done = std::async(std::launch::async, work);
         while (done.wait_for(kMoment) != std::future_status::ready) {
-            if (others.isInterrupted()) {
+            if (others.isInterrupted() || (goesOn && !others.asked(goesOn))) {
                 isCancelled = true;
                 done.wait();
             }

@@ -37,6 +37,8 @@ public:
     /// Lets Python handle its signals where a moment has passed since it did. True: one raised, an
     /// exception waits in Python, and what is being done is to end; also as Python ends.
     [[nodiscard]] bool isInterrupted();
+    /// The answer, with Python's lock.
+    [[nodiscard]] bool asked(const std::function<bool()>& question);
 
 private:
     void leave();
@@ -66,7 +68,9 @@ void raiseSignals();
 /// Does work that takes long and needs no Python on another thread, while this one minds Python's
 /// signals. Where one raises, isCancelled becomes true, and its exception comes out of here when
 /// the work has ended. What the work throws comes out as well.
-void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work);
+/// `goesOn`: asked now and then, with Python's lock; false cancels as well, and nothing comes out.
+void mindingSignals(std::atomic<bool>& isCancelled, const std::function<void()>& work,
+                    const std::function<bool()>& goesOn = {});
 
 /// Python's end waits for those who are inside, or outside Python. Once for a module.
 void watchPythonsEnd();

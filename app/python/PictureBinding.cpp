@@ -8,6 +8,7 @@
 
 #include "app/pictures/PictureFile.h"
 #include "app/python/Binding.h"
+#include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptEnvironment.h"
 #include "behavior/session/SceneMotion.h"
@@ -83,7 +84,8 @@ void refuseMissing(const Scene& scene)
 }
 
 py::object picture(const ScenePtr& scene, int width, int height, const CameraKey& camera,
-                   double time, const std::string& look, bool allowsMissing)
+                   double time, const std::string& look, bool allowsMissing,
+                   const LongCall::Listener& progress)
 {
     if (!(std::abs(time) <= behavior::kMostSceneSeconds)) {
         throw ScriptError("time is " + std::string(py::str(py::float_(time))) +
@@ -92,7 +94,8 @@ py::object picture(const ScenePtr& scene, int width, int height, const CameraKey
     if (!allowsMissing) {
         refuseMissing(*scene->scene());
     }
-    return pictureOf(*scene, {width, height}, camera, look, time, nullptr);
+    LongCall call(progress);
+    return pictureOf(*scene, {width, height}, camera, look, time, nullptr, call);
 }
 
 void savePicture(const FilePath& path, const py::array_t<std::uint8_t, py::array::c_style>& array)
@@ -200,7 +203,7 @@ void waitForPictures(const ScriptScene& scene)
 } // namespace
 
 py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey& camera,
-                     const std::string& look, double time, CrowdFramePtr frame)
+                     const std::string& look, double time, CrowdFramePtr frame, LongCall& call)
 {
     constexpr int kMost = 16384;
     if (size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost) {
@@ -212,9 +215,16 @@ py::object pictureOf(ScriptScene& scene, const glm::ivec2& size, const CameraKey
     request.seconds = time;
     request.frame = std::move(frame);
     request.look = lookNamed(look);
-    request.patience = &mindingSignals;
+    constexpr double kSimulated = 0.9; // the rest is drawn
+    request.patience = [&call](Waiting& waiting, const std::function<void()>& work) {
+        mindingSignals(waiting.isCancelled, work,
+                       [&] { return call.hook()(kSimulated * waiting.share); });
+        call.raise();
+    };
     waitForPictures(scene);
     const std::vector<std::uint8_t> pixels = valueOrRaise(scene.pictures().picture(scene, request));
+    (void)call.hook()(1.0);
+    call.raise();
     const py::array_t<std::uint8_t> array({size.y, size.x, 4}, pixels.data());
     return callPython(py::module_::import("crowdbrush").attr("Picture"), py::make_tuple(array));
 }
@@ -225,10 +235,10 @@ void bindPictures(py::module_& module, SceneClass& scene)
     bindPicture(module);
     scene.def("render", &picture, py::arg("width"), py::arg("height"), py::kw_only(),
               py::arg("camera") = CameraKey(), py::arg("time") = 0.0, py::arg("look") = "lit",
-              py::arg("allow_missing") = false,
+              py::arg("allow_missing") = false, py::arg("progress") = py::none(),
               "The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a "
               "week. Where a stage, or a character of whom there is somebody, could not be loaded, "
-              "it fails and says what is missing, unless allow_missing.");
+              "it fails and says what is missing, unless allow_missing. " CROWD_PROGRESS_DOC);
 }
 
 } // namespace crowd::app

@@ -5,6 +5,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
+#include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptPeople.h"
 #include "model/project/LocateAssets.h"
@@ -16,13 +17,16 @@ using namespace model;
 namespace {
 
 py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
-                 const py::kwargs& columns)
+                 const LongCall::Listener& progress, const py::kwargs& columns)
 {
     if (count) {
         valueOrRaise(checkRoom(*scene->scene(), *count));
     }
     const GivenColumns given = columnsFrom(scene, columns, count, {});
-    const auto ids = valueOrRaise(createPeople(*scene, given.count, given.values));
+    LongCall call(progress);
+    auto created = createPeople(*scene, given.count, given.values, call.hook());
+    call.raise();
+    const std::vector<IndividualId> ids = valueOrRaise(std::move(created));
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
 
@@ -62,7 +66,10 @@ void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs
     }
     GivenColumns given = columnsFrom(scene, columns, ids.size(), templates);
     reorder(given.values, order);
-    valueOrRaise(changePeople(*scene, ids, given.values));
+    LongCall call({});
+    auto changed = changePeople(*scene, ids, given.values, call.hook());
+    call.raise();
+    valueOrRaise(std::move(changed));
 }
 
 void send(const ScenePtr& scene, const std::string& event, const py::object& ids, float number)
@@ -210,11 +217,12 @@ void bindPopulation(SceneClass& scene)
             "position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error "
             "for an unknown name.")
         .def("create", &create, py::kw_only(), py::arg("count") = py::none(),
+             py::arg("progress") = py::none(),
              "create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or "
              "one each; a seat brings position, heading and a sitting clip. count: how many, where "
              "no column says so. Raises Error, and creates nobody, for wrong shapes, values that "
              "are "
-             "not finite, unknown templates and clips, seats that are taken.")
+             "not finite, unknown templates and clips, seats that are taken. " CROWD_PROGRESS_DOC)
         .def("remove", &remove, py::arg("ids"),
              "By ids or by a mask over everybody. Raises Error for ids that are dead or named "
              "twice.")

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <pybind11/eval.h>
 
 #include "BrushesSource.h"
 #include "app/python/Binding.h"
+#include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 
 namespace crowd::app {
@@ -29,6 +32,13 @@ py::array_t<IndividualId> present(const ScenePtr& scene, const std::vector<Indiv
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(alive.size()), alive.data());
 }
 
+/// Of all dabs; they are all there when a script paints.
+double shareOf(const ScriptStrokeLink::Progress& progress)
+{
+    return static_cast<double>(progress.taken) /
+           static_cast<double>(std::max(1, progress.taken + progress.waiting + 1));
+}
+
 /// The next dab; false: there are no more. Python's signals come through meanwhile.
 bool nextDab(ScriptStrokeLink& dabs, ScriptDab& dab)
 {
@@ -43,7 +53,8 @@ bool nextDab(ScriptStrokeLink& dabs, ScriptDab& dab)
 
 } // namespace
 
-void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush)
+void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& brush,
+               LongCall* call)
 {
     const py::module_ module = py::module_::import("crowdbrush");
     const py::object selected = module.attr("Selected");
@@ -62,6 +73,9 @@ void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& 
                 callPython(selected, py::make_tuple(scene, ids, dab.seed, toPair(dab.line.from),
                                                     toPair(dab.line.to), dab.heading, report));
             (void)callPython(apply, py::make_tuple(brush, selection));
+        }
+        if (call != nullptr && !scene->ask(call->hook(), shareOf(dabs.progress()))) {
+            call->raise();
         }
     }
 }

@@ -23,8 +23,10 @@ struct ScriptStroke
 
 using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;
 /// Of brush kind Script: `paint` gets the dabs, on the calling thread; what it throws takes the
-/// stroke back and goes on.
+/// stroke back and goes on. `keepGoing`: asked on the calling thread, between dabs where the scene
+/// is its own, else between moves.
 [[nodiscard]] model::Result<model::StrokeOutcome>
-paintStroke(ScriptScene& script, const ScriptStroke& stroke, const PaintWork& paint = {});
+paintStroke(ScriptScene& script, const ScriptStroke& stroke, const PaintWork& paint = {},
+            const model::KeepGoing& keepGoing = {});
 
 } // namespace crowd::app

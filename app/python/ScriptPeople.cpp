@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/ScriptPeople.h"
 
+#include <optional>
+#include <utility>
+
 #include "app/python/ColumnRules.h"
 #include "behavior/session/PoseKeeping.h"
 #include "model/document/GroundEdits.h"
@@ -9,19 +12,75 @@ namespace crowd::app {
 
 using namespace model;
 
-Result<std::vector<IndividualId>> createPeople(ScriptScene& script, std::size_t n,
-                                               std::span<const ColumnValues> values)
+namespace {
+
+/// Of fewer a host makes one piece of work, so that its other scripts never meet an open edit.
+constexpr std::size_t kMany = 100'000;
+
+Error stopped()
 {
-    std::vector<IndividualId> ids;
-    const auto done = script.onDocument([&]() -> Result<void> {
-        auto rows = newRows(script.document().scene(), n, values);
-        if (!rows) {
-            return rows.error();
+    return Error{"It was stopped."};
+}
+
+/// A step over n people of which nothing remains where it is stopped or fails. `prepare` finds
+/// out what is wrong, `write` does it; both where the document is.
+Result<void> stoppableStep(ScriptScene& script, const char* text, std::size_t n,
+                           const KeepGoing& keepGoing, const std::function<Result<void>()>& prepare,
+                           const ScriptScene::Work& write)
+{
+    constexpr double kPrepared = 0.4;
+    const auto add = [&] { return script.edit(stepText(text), write); };
+    if (!script.isOwn() && n < kMany) {
+        if (!script.ask(keepGoing, 1.0)) {
+            return stopped();
         }
-        return script.edit(
-            stepText(QT_TRANSLATE_NOOP("Script", "Create characters")),
-            [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
-    });
+        return script.onDocument([&] {
+            auto prepared = prepare();
+            return prepared ? add() : prepared;
+        });
+    }
+    const bool isPart = script.isInsideEdit(); // which cannot be taken back by halves
+    if (!isPart) {
+        if (auto begun = script.beginEdit(stepText(text).toStdString()); !begun) {
+            return begun;
+        }
+    }
+    Result<void> done = script.onDocument(prepare);
+    const auto ask = [&](double share) {
+        if (done && !script.ask(keepGoing, share)) {
+            done = stopped();
+        }
+    };
+    ask(isPart ? 1.0 : kPrepared);
+    if (done) {
+        done = script.onDocument(add);
+    }
+    if (!isPart) {
+        ask(1.0);
+        script.endEdit(static_cast<bool>(done));
+    }
+    return done;
+}
+
+} // namespace
+
+Result<std::vector<IndividualId>> createPeople(ScriptScene& script, std::size_t n,
+                                               std::span<const ColumnValues> values,
+                                               const KeepGoing& keepGoing)
+{
+    std::optional<IndividualRows> rows;
+    std::vector<IndividualId> ids;
+    const auto make = [&]() -> Result<void> {
+        auto made = newRows(script.document().scene(), n, values);
+        if (!made) {
+            return made.error();
+        }
+        rows = std::move(made).value();
+        return {};
+    };
+    const auto done =
+        stoppableStep(script, QT_TRANSLATE_NOOP("Script", "Create characters"), n, keepGoing, make,
+                      [&](SceneEdit& open) { ids = open.addIndividuals(std::move(rows).value()); });
     if (!done) {
         return done.error();
     }
@@ -40,22 +99,20 @@ Result<void> removePeople(ScriptScene& script, std::span<const IndividualId> ids
 }
 
 Result<void> changePeople(ScriptScene& script, std::span<const IndividualId> ids,
-                          std::span<const ColumnValues> values)
+                          std::span<const ColumnValues> values, const KeepGoing& keepGoing)
 {
-    return script.onDocument([&]() -> Result<void> {
+    const auto check = [&]() -> Result<void> {
         if (auto alive = checkAlive(script.document().scene(), ids); !alive) {
             return alive;
         }
-        if (auto valid = checkChange(script.document().scene(), ids, values); !valid) {
-            return valid;
-        }
-        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Change characters")),
-                           [&](SceneEdit& open) {
-                               for (const ColumnValues& each : values) {
-                                   open.setColumn(each.column, ids, each.bytes);
-                               }
-                           });
-    });
+        return checkChange(script.document().scene(), ids, values);
+    };
+    return stoppableStep(script, QT_TRANSLATE_NOOP("Script", "Change characters"), ids.size(),
+                         keepGoing, check, [&](SceneEdit& open) {
+                             for (const ColumnValues& each : values) {
+                                 open.setColumn(each.column, ids, each.bytes);
+                             }
+                         });
 }
 
 Result<int> keepPose(ScriptScene& script, const Population& shown,

@@ -64,14 +64,16 @@ CrowdFramePtr ScriptPictures::frameAt(ScriptScene& script, double seconds, const
         return script.onDocument([&] { return script.document().frame(seconds); });
     }
     const ScriptScene::Snapshot now = m_motion ? ScriptScene::Snapshot() : script.snapshot();
-    std::atomic<bool> isCancelled{false};
+    Waiting waiting;
     CrowdFramePtr frame;
     try {
-        patience(isCancelled, [&] {
+        patience(waiting, [&] {
             if (!m_motion) {
-                m_motion = std::make_unique<Motion>(now, isCancelled);
+                m_motion = std::make_unique<Motion>(now, waiting.isCancelled);
             }
-            frame = m_motion->motion.at(seconds, &isCancelled);
+            frame = m_motion->motion.at(seconds, &waiting.isCancelled, [&](double simulated) {
+                waiting.share = simulated / seconds;
+            });
         });
     } catch (...) {
         m_motion.reset(); // it stopped anywhere

@@ -22,10 +22,16 @@ class ScriptScene;
 /// For baked animations, of strokes and of pictures each.
 inline constexpr std::size_t kScriptKeyframeBytes = std::size_t{2} << 30U;
 
+/// Between work that takes long and whoever waits for it.
+struct Waiting
+{
+    std::atomic<bool> isCancelled{false};
+    std::atomic<double> share{0.0}; ///< that is done
+};
+
 /// Does work that takes long, on whatever thread, and returns when it is done. May cancel it, and
 /// then throws.
-using Patience =
-    std::function<void(std::atomic<bool>& isCancelled, const std::function<void()>& work)>;
+using Patience = std::function<void(Waiting& waiting, const std::function<void()>& work)>;
 
 /// A picture as a script asks for it.
 struct ScriptPicture
@@ -35,7 +41,7 @@ struct ScriptPicture
     double seconds = 0.0;                ///< of the transport
     model::CrowdFramePtr frame;          ///< people; null: as the scene shows them at that time
     render::Look look = render::Look::Lit;
-    Patience patience = [](std::atomic<bool>&, const std::function<void()>& work) { work(); };
+    Patience patience = [](Waiting&, const std::function<void()>& work) { work(); };
 };
 
 /// The camera, or the scene's first one.

@@ -160,6 +160,10 @@ std::uint64_t ScriptScene::birthOf(TemplateId id) const
 
 Result<void> ScriptScene::refuseDuringEdit(const char* what) const
 {
+    if (m_asking > 0) {
+        return Error{"A longer call is at work on this scene: change nothing until it is done, nor "
+                     "in its progress."};
+    }
     if (m_link) {
         return Error{std::string(what) +
                      " is not possible in a brush: all it does belongs to one stroke."};
@@ -173,6 +177,9 @@ Result<void> ScriptScene::refuseDuringEdit(const char* what) const
 
 Result<void> ScriptScene::refuseDuringStroke() const
 {
+    if (m_stroke && !m_link) {
+        return Error{"A stroke is being painted on this scene: try again when it has ended."};
+    }
     if (!m_edit && !m_link && m_host.document->isEditOpen()) {
         return Error{"Somebody is painting in the window: try again when the stroke has ended."};
     }
@@ -278,6 +285,10 @@ void ScriptScene::leaveStroke()
 
 Result<void> ScriptScene::edit(const QString& text, const Work& work)
 {
+    if (m_asking > 0) {
+        return Error{"A longer call is at work on this scene: change nothing until it is done, nor "
+                     "in its progress."};
+    }
     if (m_link) {
         if (m_link->edit() == nullptr) {
             return Error{"The stroke was taken back."};
@@ -303,6 +314,22 @@ Result<void> ScriptScene::edit(const QString& text, const Work& work)
     work(*own.value());
     own.value()->commit(text);
     return {};
+}
+
+bool ScriptScene::isInsideEdit() const
+{
+    return onDocument([this] { return m_edit != nullptr || m_link != nullptr; });
+}
+
+bool ScriptScene::ask(const KeepGoing& keepGoing, double share)
+{
+    if (!keepGoing) {
+        return true;
+    }
+    ++m_asking;
+    const bool goesOn = keepGoing(share); // throws nothing: what was raised waits with the asker
+    --m_asking;
+    return goesOn;
 }
 
 bool ScriptScene::isOfThisProcess() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -135,8 +136,15 @@ public:
     void holdStroke(std::unique_ptr<model::Stroke> stroke);
     /// Null: it was taken back.
     [[nodiscard]] std::unique_ptr<model::Stroke> takeStroke();
+    [[nodiscard]] model::Stroke* heldStroke() const { return m_stroke.get(); }
     /// Takes back what was painted; on any thread.
     void dropStroke();
+    /// Whether what is edited now belongs to an edit or a stroke that is open. On any thread.
+    [[nodiscard]] bool isInsideEdit() const;
+    /// Asks whether a call is to go on; whoever is asked cannot change the scene meanwhile. Empty:
+    /// it is.
+    [[nodiscard]] bool ask(const model::KeepGoing& keepGoing, double share);
+    [[nodiscard]] bool isOwn() const { return m_own != nullptr; } ///< there is no host
 
 private:
     struct OwnParts;
@@ -158,6 +166,7 @@ private:
     ScriptStrokeLinkPtr m_link;              ///< while a script brush paints
     std::unique_ptr<model::Stroke> m_stroke; ///< the script's own stroke, while its brush paints
     QMetaObject::Connection m_interruption;
+    std::atomic<int> m_asking{0}; ///< calls that are asking
 };
 
 } // namespace crowd::app

@@ -4,6 +4,7 @@
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
 #include "app/python/ColumnRules.h"
+#include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptPeople.h"
 #include "app/python/ScriptSession.h"
@@ -130,7 +131,8 @@ py::object pictureNow(ScriptSession& session, int width, int height, const Camer
                       const std::string& look)
 {
     const CrowdFramePtr frame = frameOf(session);
-    return pictureOf(*session.scene(), {width, height}, camera, look, frame->seconds, frame);
+    LongCall call({});
+    return pictureOf(*session.scene(), {width, height}, camera, look, frame->seconds, frame, call);
 }
 
 using SessionClass = py::class_<ScriptSession, std::shared_ptr<ScriptSession>>;

@@ -4,6 +4,7 @@
 
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
+#include "app/python/LongCall.h"
 #include "app/python/OutsidePython.h"
 #include "app/python/PythonBrush.h"
 #include "app/python/ScriptPainting.h"
@@ -90,7 +91,7 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 
 StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::object& points,
                      const CameraKey& camera, const std::pair<float, float>& size,
-                     std::uint64_t seed, double time)
+                     std::uint64_t seed, double time, const LongCall::Listener& progress)
 {
     if (!(size.first >= 1.0F && size.second >= 1.0F && size.first <= 16384.0F &&
           size.second <= 16384.0F)) {
@@ -105,11 +106,15 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
     request.camera = cameraOf(*scene, camera);
     request.viewSize = {size.first, size.second};
     request.seed = seed;
-    return valueOrRaise(paintStroke(*scene, request, [&](ScriptStrokeLink& dabs) {
+    LongCall call(progress);
+    const auto paint = [&](ScriptStrokeLink& dabs) {
         const py::module_ module = py::module_::import("crowdbrush");
         paintDabs(scene, dabs,
-                  callPython(module.attr("_brush_with"), py::make_tuple(brush, py::dict())));
-    }));
+                  callPython(module.attr("_brush_with"), py::make_tuple(brush, py::dict())), &call);
+    };
+    auto outcome = paintStroke(*scene, request, paint, call.hook());
+    call.raise();
+    return valueOrRaise(std::move(outcome));
 }
 
 } // namespace
@@ -125,10 +130,10 @@ void bindStrokes(py::module_& module, SceneClass& scene)
     scene.def(
         "stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
         py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
-        py::arg("seed") = 1, py::arg("time") = 0.0,
+        py::arg("seed") = 1, py::arg("time") = 0.0, py::arg("progress") = py::none(),
         "Paints as the mouse does: points in logical pixels of a view of this size, "
         "rows of x, y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time "
-        "of what was on screen, for all of them with time=.");
+        "of what was on screen, for all of them with time=. " CROWD_PROGRESS_DOC);
 }
 
 } // namespace crowd::app

@@ -3,7 +3,8 @@
 import re as _re
 
 _PLAIN = {"float": "a number", "int": "a whole number", "bool": "True or False", "str": "a text",
-          "os.PathLike": "a path", "dict": "a dict", "list": "a list", "tuple": "a tuple"}
+          "os.PathLike": "a path", "dict": "a dict", "list": "a list", "tuple": "a tuple",
+          "function": "a function"}
 _LONGEST = 60
 
 
@@ -71,6 +72,8 @@ def _fits(kind, value):
         return not isinstance(value, float) and (hasattr(value, "__index__") or hasattr(value, "__int__"))
     if kind == "bool":
         return isinstance(value, bool) or type(value).__name__ in ("bool_", "bool")
+    if kind == "function":
+        return callable(value)
     if kind == "str":
         return isinstance(value, (str, bytes)) and _is_unicode(value)
     if kind == "os.PathLike":

@@ -1144,11 +1144,13 @@ class Scene:
         """A copy of a column for everybody, rows by ascending id: N numbers, N×3 float32 for
         position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error
         for an unknown name."""
-    def create(self, *, count: Optional[int] = ..., **columns: Array) -> _Array:
+    def create(self, *, count: Optional[int] = ..., progress: Optional[Callable[[float], Any]] = ..., **columns: Array) -> _Array:
         """create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or
         one each; a seat brings position, heading and a sitting clip. count: how many, where
         no column says so. Raises Error, and creates nobody, for wrong shapes, values that are
-        not finite, unknown templates and clips, seats that are taken."""
+        not finite, unknown templates and clips, seats that are taken. progress: is called
+        with the share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C,
+        ends the call, which takes back what it did."""
     def remove(self, ids: Ids) -> None:
         """By ids or by a mask over everybody. Raises Error for ids that are dead or named twice."""
     def change(self, ids: Ids, **columns: Array) -> None:
@@ -1166,10 +1168,12 @@ class Scene:
     def seats(self) -> Dict[Any, Any]:
         """Arrays by name: id, position (N×3, metres), heading (radians), rank, wedge, and free
         (bool)."""
-    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., allow_missing: bool = ...) -> Picture:
+    def render(self, width: int, height: int, *, camera: Union[None, str, Camera] = ..., time: float = ..., look: str = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> Picture:
         """The picture as height × width × 4 uint8. Needs no display. time: seconds, at most a
         week. Where a stage, or a character of whom there is somebody, could not be loaded, it
-        fails and says what is missing, unless allow_missing."""
+        fails and says what is missing, unless allow_missing. progress: is called with the
+        share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the
+        call, which takes back what it did."""
     @property
     def templates(self) -> List[Template]:
         """Characters to make copies of."""
@@ -1220,10 +1224,12 @@ class Scene:
         and so on. Raises Error where a member is wrong, or misspelt, or a rule names a clip
         or slot that no template has. strict=False takes what a project file may hold: members
         of a later version, clips of templates that are gone."""
-    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ...) -> StrokeOutcome:
+    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
-        on screen, for all of them with time=."""
+        on screen, for all of them with time=. progress: is called with the share that is
+        done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call, which
+        takes back what it did."""
     @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of

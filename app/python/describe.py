@@ -42,6 +42,7 @@ TYPES = [
     (r"\bcrowdbrush\.", ""),
     (r"\bos\.PathLike\b", "FilePath"),
     (r"List\[(float|int)\[\d+\]\]", r"Sequence[\1]"),
+    (r"\bfunction\b", "Callable[[float], Any]"),
     (r"\bdict\b", "Dict[Any, Any]"),
     (r"\blist\b", "List[Any]"),
     (r"numpy\.ndarray\[[^\]]*\]", "numpy.ndarray"),

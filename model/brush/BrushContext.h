@@ -5,6 +5,7 @@
 #include <span>
 
 #include "model/bake/KeyframeStore.h"
+#include "model/base/KeepGoing.h"
 #include "model/brush/BrushSettings.h"
 #include "model/pick/StageRays.h"
 #include "model/pick/WalkableGround.h"
@@ -29,6 +30,14 @@ struct BrushContext
     /// Where people can walk; asked only by brushes that create there alone. Empty: anywhere.
     WalkableGroundSource ground{};
     ScriptChange* script = nullptr; ///< what brushes of kind Script do; for those alone
+    /// Asked between dabs, with the share of those of one move. What is done after it said no is of
+    /// no account: the stroke is to be cancelled.
+    KeepGoing keepGoing{};
+
+    [[nodiscard]] bool goesOn(std::size_t done, std::size_t all) const
+    {
+        return !keepGoing || keepGoing(static_cast<double>(done) / static_cast<double>(all));
+    }
 };
 
 } // namespace crowd::model

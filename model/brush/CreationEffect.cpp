@@ -59,6 +59,9 @@ void CreationEffect::create(std::span<const Spot> spots, std::optional<float> st
 void CreationEffect::apply(std::span<const StrokeDab> dabs)
 {
     for (const StrokeDab& dab : dabs) {
+        if (!m_ground.context.goesOn(static_cast<std::size_t>(&dab - dabs.data()), dabs.size())) {
+            return;
+        }
         create(spotsOfDab(m_site, m_ground.settings, m_ground.seed, dab.dab), dab.heading);
     }
 }

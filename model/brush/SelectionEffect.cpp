@@ -194,6 +194,9 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
     const BrushSettings& settings = m_ground.settings;
     std::vector<IndividualId> gone;
     for (const StrokeDab& dab : dabs) {
+        if (!m_ground.context.goesOn(static_cast<std::size_t>(&dab - dabs.data()), dabs.size())) {
+            return;
+        }
         showTime(dab.dab.shownSeconds);
         const bool isMoving = brushType(settings.kind()).info.movesPeople;
         if (isMoving) {
