@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -29,14 +30,14 @@ public:
     [[nodiscard]] static ScreenArea polygon(std::vector<glm::dvec2> corners);
 
     [[nodiscard]] bool isCircle() const { return m_radius >= 0.0; }
-    [[nodiscard]] bool isPolygon() const { return m_corners != nullptr; }
+    [[nodiscard]] bool isPolygon() const { return m_polygon != nullptr; }
     [[nodiscard]] glm::dvec2 low() const { return m_low; }
     [[nodiscard]] glm::dvec2 high() const { return m_high; }
     [[nodiscard]] glm::dvec2 center() const { return (m_low + m_high) * 0.5; }
     [[nodiscard]] double radius() const { return m_radius; } ///< circles only
     [[nodiscard]] const std::vector<glm::dvec2>& corners() const
     {
-        return *m_corners;
+        return m_polygon->corners;
     } ///< polygons
 
     [[nodiscard]] bool contains(glm::dvec2 point) const
@@ -68,6 +69,23 @@ public:
     }
 
 private:
+    /// Its edges by the rows of equal height that they come into, so that a point asks few of them.
+    struct Polygon
+    {
+        std::vector<glm::dvec2> corners;
+        std::vector<std::uint32_t> firstOfRow{}; ///< into `edges`; and the end
+        std::vector<std::uint32_t> edges{};      ///< by their first corner
+        double low = 0.0;                        ///< of the first row
+        double rowsPerPixel = 0.0;
+
+        void sortEdges(double height);
+        [[nodiscard]] glm::dvec2 endOf(std::size_t edge) const
+        {
+            return corners[edge + 1 < corners.size() ? edge + 1 : 0];
+        }
+        [[nodiscard]] std::size_t rowOf(double y) const; ///< the nearest one
+    };
+
     ScreenArea(glm::dvec2 low, glm::dvec2 high, double radius)
         : m_low(low), m_high(high), m_radius(radius)
     {
@@ -78,7 +96,7 @@ private:
     glm::dvec2 m_low;
     glm::dvec2 m_high;
     double m_radius;
-    std::shared_ptr<const std::vector<glm::dvec2>> m_corners; ///< null: no polygon
+    std::shared_ptr<const Polygon> m_polygon; ///< null: no polygon
 };
 
 } // namespace crowd::model

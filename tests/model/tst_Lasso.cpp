@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <QtCore/QElapsedTimer>
+
 #include "model/pick/ScenePicker.h"
 #include "tests/model/BrushScene.h"
 #include "tests/program/Test.h"
@@ -31,6 +35,7 @@ class tst_Lasso : public QObject
 private Q_SLOTS:
     void holdsWhatItGoesRound();
     void crossesItself();
+    void ofManyCornersAsksFewOfThem();
     void withFewCornersHoldsNobody();
     void leavesOutWhoStandsInABay();
     void paintsOnThemAlone();
@@ -55,6 +60,53 @@ void tst_Lasso::crossesItself()
     const ScreenArea twice =
         ScreenArea::polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}, {8, 2}, {8, 8}, {2, 8}});
     QVERIFY(twice.contains({5, 5}));
+}
+
+/// The winding number by all edges, as the area had it before it sorted them.
+bool windsRound(const Corners& corners, glm::dvec2 point)
+{
+    int turns = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec2 a = corners[i];
+        const glm::dvec2 b = corners[(i + 1) % corners.size()];
+        const double side = (b.x - a.x) * (point.y - a.y) - (point.x - a.x) * (b.y - a.y);
+        turns += a.y <= point.y && b.y > point.y && side > 0.0 ? 1 : 0;
+        turns -= a.y > point.y && b.y <= point.y && side < 0.0 ? 1 : 0;
+    }
+    return turns != 0;
+}
+
+void tst_Lasso::ofManyCornersAsksFewOfThem()
+{
+    const auto jagged = [](int corners) {
+        Corners all;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 6.283185307179586 * i / corners;
+            const double radius = 200.0 + 100.0 * std::sin(angle * 41.0) + 3.0 * (i % 5);
+            all.push_back(
+                {300.0 + radius * std::cos(angle * 2.0), 300.0 + radius * std::sin(angle)});
+        }
+        return all;
+    };
+    const Corners few = jagged(997);
+    const ScreenArea area = ScreenArea::polygon(few);
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec2 point(i * 37 % 700 - 50 + (i % 3) * 0.25,
+                               i * 101 % 700 - 50 + (i % 2) * 0.5);
+        QCOMPARE(area.contains(point), windsRound(few, point));
+    }
+    for (const glm::dvec2& corner : few) {
+        QCOMPARE(area.contains(corner), windsRound(few, corner));
+    }
+    const ScreenArea large = ScreenArea::polygon(jagged(100000));
+    QElapsedTimer clock;
+    clock.start();
+    int inside = 0;
+    for (int i = 0; i < 100000; ++i) {
+        inside += large.contains({i % 600, i / 167}) ? 1 : 0;
+    }
+    QVERIFY(inside > 10000);
+    QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
 }
 
 void tst_Lasso::withFewCornersHoldsNobody()
