@@ -16,6 +16,8 @@
 
 #include "app/python/ScriptScene.h"
 #include "model/base/Result.h"
+#include "model/brush/changes/Push.h"
+#include "model/brush/changes/Time.h"
 #include "model/describe/Field.h"
 #include "model/population/PropertyValues.h"
 
@@ -177,6 +179,10 @@ template<>
 inline constexpr bool kIsBound<model::BrushOperator> = true;
 template<>
 inline constexpr bool kIsBound<model::HeadingMode> = true;
+template<>
+inline constexpr bool kIsBound<model::TimeMode> = true;
+template<>
+inline constexpr bool kIsBound<model::PushMode> = true;
 
 /// pybind11 says what C++ it could not call; from now on these say which argument is wrong. After
 /// all has been bound.

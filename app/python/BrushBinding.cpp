@@ -29,6 +29,8 @@ void bindEnums(py::module_& module)
                                kOperatorChoices);
     bindChoices<HeadingMode>(module, "Facing", "Which way: a direction, or after something.",
                              kHeadingModes);
+    bindChoices<TimeMode>(module, "Timing", "How the delays of people go over them.", kTimeModes);
+    bindChoices<PushMode>(module, "Movement", "How people are moved.", kPushModes);
 }
 
 /// Classes of the settings that scripts may set.

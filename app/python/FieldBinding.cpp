@@ -91,6 +91,39 @@ void choiceAttribute(py::object& type, const FieldInfo& field, const StructOf& s
         [](Enum value) { return FieldValue(static_cast<std::int64_t>(value)); });
 }
 
+std::int64_t choiceNamed(std::span<const FieldChoice> choices, const std::string& key,
+                         const std::string& name)
+{
+    std::string all;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (key == choices[i].key) {
+            return static_cast<std::int64_t>(i);
+        }
+        all += (all.empty() ? "" : ", ") + std::string(choices[i].key);
+    }
+    throw ScriptError(name + " must be one of: " + all);
+}
+
+/// As choiceAttribute; scripts that were written while it had no class name the choice's key.
+template<class Enum>
+void choiceOrKeyAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
+{
+    const FieldInfo* kept = &field;
+    const std::string name = nameIn(type, field);
+    const auto get = [kept, structOf](const py::object& self) {
+        return static_cast<Enum>(std::get<std::int64_t>(kept->get(structOf(self))));
+    };
+    const auto set = [kept, name, structOf](const py::object& self,
+                                            const std::variant<Enum, std::string>& value) {
+        const auto* key = std::get_if<std::string>(&value);
+        kept->set(structOf(self), key != nullptr
+                                      ? choiceNamed(kept->meta.choices, *key, name)
+                                      : static_cast<std::int64_t>(std::get<Enum>(value)));
+    };
+    define(type, field, py::cpp_function(get, py::is_method(type)),
+           py::cpp_function(set, py::is_method(type)));
+}
+
 /// A member of an enumeration that has no class in Python: its choice's key.
 void keyAttribute(py::object& type, const FieldInfo& field, const StructOf& structOf)
 {
@@ -102,14 +135,7 @@ void keyAttribute(py::object& type, const FieldInfo& field, const StructOf& stru
             return choices[static_cast<std::size_t>(std::get<std::int64_t>(value))].key;
         },
         [choices, name](const std::string& key) {
-            std::string all;
-            for (std::size_t i = 0; i < choices.size(); ++i) {
-                if (key == choices[i].key) {
-                    return FieldValue(static_cast<std::int64_t>(i));
-                }
-                all += (all.empty() ? "" : ", ") + std::string(choices[i].key);
-            }
-            throw ScriptError(name + " must be one of: " + all);
+            return FieldValue(choiceNamed(choices, key, name));
         });
 }
 
@@ -136,6 +162,10 @@ void integerAttribute(py::object& type, const FieldInfo& field, const StructOf& 
         choiceAttribute<BrushSelection>(type, field, structOf);
     } else if (choices == kOperatorChoices) {
         choiceAttribute<BrushOperator>(type, field, structOf);
+    } else if (choices == kTimeModes) {
+        choiceOrKeyAttribute<TimeMode>(type, field, structOf);
+    } else if (choices == kPushModes) {
+        choiceOrKeyAttribute<PushMode>(type, field, structOf);
     } else if (choices != nullptr) {
         keyAttribute(type, field, structOf);
     } else {

@@ -184,6 +184,26 @@ class Facing:
     value: int
 
 
+class Timing:
+    """How the delays of people go over them."""
+    RANGE: ClassVar[Timing]
+    WAVE: ClassVar[Timing]
+    RIPPLE: ClassVar[Timing]
+    IN_STEP: ClassVar[Timing]
+    name: str
+    value: int
+
+
+class Movement:
+    """How people are moved."""
+    PUSH: ClassVar[Movement]
+    GATHER: ClassVar[Movement]
+    SPREAD: ClassVar[Movement]
+    COMB: ClassVar[Movement]
+    name: str
+    value: int
+
+
 class HeadingSettings:
     """Which way people face. Radians."""
     @property
@@ -702,10 +722,10 @@ class RestoreSettings:
 class TimeSettings:
     """When people begin their clips."""
     @property
-    def mode(self) -> str:
+    def mode(self) -> Timing:
         ...
     @mode.setter
-    def mode(self, value: str) -> None:
+    def mode(self, value: Timing) -> None:
         ...
     @property
     def delay(self) -> Tuple[float, float]:
@@ -828,10 +848,10 @@ class SmoothSettings:
 class PushSettings:
     """How people are moved on the ground."""
     @property
-    def mode(self) -> str:
+    def mode(self) -> Movement:
         ...
     @mode.setter
-    def mode(self, value: str) -> None:
+    def mode(self, value: Movement) -> None:
         ...
     @property
     def strength(self) -> float:

@@ -93,6 +93,8 @@ std::string textOf(const FieldInfo& field, std::int64_t value)
     const char* type = choices.data() == kSelections        ? "Selection"
                        : choices.data() == kOperatorChoices ? "Operator"
                        : choices.data() == kHeadingModes    ? "Facing"
+                       : choices.data() == kTimeModes       ? "Timing"
+                       : choices.data() == kPushModes       ? "Movement"
                                                             : nullptr;
     return type != nullptr ? std::string("crowdbrush.") + type + '.' + key
                            : pythonText(std::string_view(key));

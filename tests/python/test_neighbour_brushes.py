@@ -34,6 +34,10 @@ class Neighbours(unittest.TestCase):
         scene = crowd()
         brush = whole(BrushKind.TIME)
         brush.time.mode = "IN_STEP"
+        self.assertEqual(brush.time.mode, crowdbrush.Timing.IN_STEP)
+        with self.assertRaisesRegex(crowdbrush.Error, "TimeSettings.mode must be one of: RANGE, WAVE"):
+            brush.time.mode = "IN STEP"
+        brush.time.mode = crowdbrush.Timing.IN_STEP
         brush.time.delay = (0.5, 0.5)
         paint(scene, brush)
         self.assertEqual(len(set(scene.column("phase").tolist())), 1)
@@ -71,7 +75,7 @@ class Neighbours(unittest.TestCase):
         scene = crowd()
         before = scene.column("position").copy()
         brush = whole(BrushKind.PUSH)
-        brush.push.mode = "SPREAD"
+        brush.push.mode = crowdbrush.Movement.SPREAD
         brush.push.distance = 1.5
         self.assertGreater(paint(scene, brush).affected, 0)
         self.assertFalse((scene.column("position") == before).all())
