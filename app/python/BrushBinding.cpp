@@ -129,6 +129,10 @@ BrushClass bindBrush(py::module_& module)
         .def(
             "__eq__", [](const PythonBrush& a, const PythonBrush& b) { return a == b; },
             py::is_operator())
+        .def("__copy__", [](const PythonBrush& brush) { return PythonBrush(brush); })
+        .def("__deepcopy__",
+             [](const PythonBrush& brush, const py::dict& /*made*/) { return PythonBrush(brush); })
+        .def(py::pickle(&asDict, &fromDict)) // whose the templates are is known here alone
         .def_readwrite("kind", &PythonBrush::kind);
     bindFields(type, fieldsOf<BrushSettings>(),
                [](const py::handle& self) -> void* { return &self.cast<PythonBrush&>().area; });

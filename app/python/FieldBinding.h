@@ -64,6 +64,9 @@ py::class_<Owner> bindStruct(py::module_& module, const char* name, const char* 
     bindFields(type, fields, [](const py::handle& self) -> void* {
         return static_cast<Struct*>(&self.cast<Owner&>());
     });
+    type.def("__copy__", [](const Owner& given) { return Owner(given); });
+    type.def("__deepcopy__",
+             [](const Owner& given, const py::dict& /*made*/) { return Owner(given); });
     return type;
 }
 

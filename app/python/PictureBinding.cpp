@@ -149,6 +149,27 @@ Camera exactCamera(const Point3& position, const std::array<float, 4>& orientati
     return camera;
 }
 
+/// All of a camera, bit by bit: what exact() takes.
+py::tuple stateOf(const Camera& camera)
+{
+    const glm::quat& q = camera.orientation;
+    return py::make_tuple(Point3{camera.position.x, camera.position.y, camera.position.z},
+                          std::array<float, 4>{q.w, q.x, q.y, q.z},
+                          camera.projection == Projection::Orthographic, camera.fovYRadians,
+                          camera.orthographicHeight, camera.pivotDistance);
+}
+
+Camera cameraOfState(const py::tuple& state)
+{
+    constexpr std::size_t kParts = 6;
+    if (state.size() != kParts) {
+        throw ScriptError("This was pickled by another version of Crowdbrush.");
+    }
+    return exactCamera(state[0].cast<Point3>(), state[1].cast<std::array<float, 4>>(),
+                       state[2].cast<bool>(), state[3].cast<float>(), state[4].cast<float>(),
+                       state[5].cast<float>());
+}
+
 void bindCamera(py::module_& module)
 {
     py::class_<Camera>(module, "Camera", "Where a picture is taken from. World frame, metres.")
@@ -183,7 +204,8 @@ void bindCamera(py::module_& module)
         .def_readonly("fov_radians", &Camera::fovYRadians, "Vertical.")
         .def_readonly("height", &Camera::orthographicHeight, "Metres, orthographic.")
         .def_readonly("pivot_distance", &Camera::pivotDistance, "Metres.")
-        .def(py::self == py::self);
+        .def(py::self == py::self)
+        .def(py::pickle(&stateOf, &cameraOfState));
 }
 
 /// Another thread may be at one, which lets Python's other threads run.
