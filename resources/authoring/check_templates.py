@@ -27,10 +27,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 RESOURCES = os.path.normpath(os.path.join(HERE, ".."))
 PEOPLE_CLIPS = ("idle idle_2 walk walk_2 run sit sit_2 sit_clap sit_cheer clap cheer wave sad "
                 "sit_sad bored sit_bored angry talk look_around dance dance_2 sit_down stand_up "
-                ).split()
+                "sit_talk sit_look_around sit_angry sit_wave").split()
 CLIPS = {"person": PEOPLE_CLIPS, "animal": ["idle", "walk", "run"], "machine": ["idle"],
          "helicopter": ["idle", "hover", "fly"], "forklift": ["idle", "drive", "lift"]}
 ONCE = ("sit_down", "stand_up")
+NO_REST = ("sit_clap", "sit_cheer", "sit_sad", "sit_bored", "sit_angry", "sit_wave")
 GAITS = ("walk", "walk_2", "run", "drive", "fly")
 FEWEST_CAMERAS = 3
 PEOPLE_SLOTS = {"skin", "hair", "top", "shoes"}  # a dress has no lower half of its own
@@ -110,6 +111,8 @@ def check_promises(report, clip, extras):
                   f"{clip} has the speed {extras['speed']}")
     report.demand(("seatHeight" in extras) == (clip.startswith("sit") or clip in ONCE),
                   f"{clip} has the wrong seat height")
+    report.demand(extras.get("role") == ("other" if clip in NO_REST else None),
+                  f"{clip} has the role {extras.get('role')}")
 
 
 def check_bounds(template, report, clip, world):

@@ -26,6 +26,12 @@ GESTURES = (
     ("look_around", 192, standing.look_around_pose), ("dance", 128, standing.dance_pose),
     ("dance_2", 96, standing.dance_2_pose))
 ONCE = (("sit_down", 56, seated.sitting_down_pose), ("stand_up", 56, seated.standing_up_pose))
+SEATED_GESTURES = (
+    ("sit_talk", 192, seated.sit_talk_pose), ("sit_look_around", 208, seated.sit_look_around_pose),
+    ("sit_angry", 96, seated.sit_angry_pose), ("sit_wave", 80, seated.sit_wave_pose))
+
+# Seated, and only where a brush or a rule asks for it.
+NO_REST = ("sit_clap", "sit_cheer", "sit_sad", "sit_bored", "sit_angry", "sit_wave")
 
 
 class Clip:
@@ -60,8 +66,10 @@ class ClipMaker:
     def listed(self, items, extras, loop=True):
         """Calmer people take longer."""
         pace = 1 if self.body.energy == 1 else 1.15
-        return [sample(name, 2 * round(frames * pace / 2), dict({"speed": 0.0}, **extras),
-                       self.bones, lambda phase, f=pose: f(self.body, self.bones, phase), loop)
+        role = lambda name: {"role": "other"} if name in NO_REST else {}
+        return [sample(name, 2 * round(frames * pace / 2),
+                       {"speed": 0.0, **extras, **role(name)}, self.bones,
+                       lambda phase, f=pose: f(self.body, self.bones, phase), loop)
                 for name, frames, pose in items]
 
 
@@ -72,7 +80,7 @@ def make_clips(body, bones):
     return make.listed(IN_PLACE, {}) + gaits + make.listed(SEATED, sitting) \
         + make.listed(MOODS, {}) + make.listed(SEATED_MOODS, sitting) + make.listed(MORE, {}) \
         + make.listed(SEATED_MORE, sitting) + make.listed(GESTURES, {}) \
-        + make.listed(ONCE, sitting, loop=False)
+        + make.listed(ONCE, sitting, loop=False) + make.listed(SEATED_GESTURES, sitting)
 
 
 def foot_slide(clip, bones):

@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 from body_skirt import is_gathered
-from clips_standing import clap_hands, hang, raise_arm, sine, standing
-from geometry import FULL_TURN, lerp, rot_x, rot_y, rot_z, smoothstep, unit, vec
+from clips_standing import beat, clap_hands, hang, in_chest, raise_arm, sine, standing, turned
+from geometry import (FULL_TURN, lerp, periodic_curve, rot_x, rot_y, rot_z, smoothstep, unit, vec)
 from skeleton import SIDES, ArmTarget, LegTarget, Pose, plant_foot
 
 SEAT_HEIGHT = .44
@@ -143,6 +143,95 @@ def sit_bored_pose(body, bones, phase):
     pose.arms["R"] = ArmTarget(chin, vec(-.05, .05, 1), vec(.8, .5, 0), vec(-.35, -.45, -1))
     pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1)
     return pose
+
+
+def sit_talk_pose(body, bones, phase):
+    """Turned to the neighbour at the left: nods, then explains with the right hand, with a glance
+    ahead for the word that does not come."""
+    talking = smoothstep(phase, .14, .27) - smoothstep(phase, .76, .91)
+    turn = 1 - .55 * (smoothstep(phase, .43, .50) - smoothstep(phase, .57, .66))
+    nod, stress = (1 - talking) * (1 - beat(phase, 11)), talking * sine(phase, .4, 9)
+    pose = seated_trunk(body, bones, phase, 1 + 1.5 * talking, 0, 2)
+    turned(pose, "spine", rot_z(7 * turn) @ rot_y(2))
+    turned(pose, "chest", rot_z(10 * turn + 1.5 * talking * sine(phase, 0, 4)))
+    turned(pose, "neck", rot_z(13 * turn) @ rot_x(1.5 * nod))
+    turned(pose, "head", rot_z(20 * turn) @ rot_y(3 + 2.5 * talking * sine(phase, 1.1, 3))
+           @ rot_x(8 * nod + 2.2 * stress - 5 * (1 - turn)))
+    pose.solve()
+    chest = pose.rotation["chest"]
+    wide, rise = sine(phase, .6, 4), .65 * sine(phase, .2, 9) + .35 * sine(phase, 1.9, 5)
+    above_lap = .025 + (.025 if body.skirt else 0) + .0035 * body.stoop
+    wrist = in_chest(pose, -.150 - .050 * wide, .255 + body.belly * .6 + .020 * rise,
+                     above_lap + .055 * rise)
+    gesture = ArmTarget(wrist, chest @ vec(.30 - .30 * wide, -1, .20 + .25 * rise),
+                        chest @ vec(.75, .12, .50 + .35 * wide), chest @ vec(-.75, .6, -.7))
+    pose.arms["R"] = between(hand_on_thigh(pose, phase, "R", -1), gesture, talking)
+    pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1, .48)
+    return pose
+
+
+def sit_look_around_pose(body, bones, phase):
+    """Past the neighbour at the left, up at something with the back straightened, and to the right,
+    bent forward."""
+    late = lambda delay: periodic_curve((phase - delay) % 1.0, [
+        (0, .04), (.07, .50), (.14, .95), (.20, 1), (.29, .94), (.38, .10), (.45, -.28),
+        (.53, -.34), (.60, -.40), (.68, -.88), (.74, -1), (.84, -.96), (.93, -.35)])
+    up = smoothstep(phase, .36, .48) - smoothstep(phase, .58, .69)
+    left = smoothstep(phase, .08, .21) - smoothstep(phase, .28, .40)
+    right = smoothstep(phase, .64, .77) - smoothstep(phase, .84, .97)
+    pose = seated_trunk(body, bones, phase, 5 * right - 5 * up, 0, 1.5)
+    turned(pose, "hips", rot_z(2 * late(.05)) @ rot_y(2 * left - 2 * right))
+    turned(pose, "spine", rot_z(7 * late(.04)) @ rot_y(5 * left - 3 * right))
+    turned(pose, "chest", rot_z(12 * late(.03)) @ rot_y(5 * left - 2 * right))
+    turned(pose, "neck", rot_z(15 * late(.01)) @ rot_x(-7 * up + 2 * right)
+           @ rot_y(-3 * left + 2 * right))
+    turned(pose, "head", rot_z(31 * late(0)) @ rot_x(-18 * up - 3 * left + 3 * right)
+           @ rot_y(-3 * left + 4 * up))
+    pose.solve()
+    for side, sign in SIDES:
+        pose.arms[side] = hand_on_thigh(pose, phase, side, sign, .56)
+    return pose
+
+
+def sit_angry_pose(body, bones, phase):
+    """Leaning forward on the left hand, the right fist shaken; three shouts in the clip."""
+    shout, force = beat(phase, 3) ** 1.5, .75 + .25 * sine(phase, .8)
+    shake = force * sine(phase, .9, 6)
+    pose = seated_trunk(body, bones, phase, 11 + 1.5 * shout - body.stoop * .4, 0, 1)
+    turned(pose, "chest", rot_z(7 + 2 * shake) @ rot_y(3))
+    turned(pose, "neck", rot_x(3 + 4 * shout))
+    turned(pose, "head", rot_x(-5 - 5 * shout) @ rot_z(-6 + 5 * sine(phase, .5, 2)))
+    pose.local["shoulder_R"] = rot_y(12)
+    pose.solve()
+    wrist = in_chest(pose, -.320, .290 + .075 * shake, .455 - .070 * shake)
+    pose.arms["R"] = ArmTarget(wrist, vec(.25, -.80 - .50 * shake, .8), vec(1, -.1, 0),
+                               vec(-.8, -.1, -1))
+    pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1, .78)
+    return pose
+
+
+def sit_wave_pose(body, bones, phase):
+    """The right hand waves four times overhead, the trunk giving way to the left."""
+    swing = sine(phase, 0, 4)
+    pose = seated_trunk(body, bones, phase, -1, 0, 3)
+    turned(pose, "spine", rot_y(3))
+    turned(pose, "chest", rot_y(3 + 1.2 * swing) @ rot_z(2))
+    turned(pose, "head", rot_x(-5) @ rot_y(-3 + 3 * sine(phase, .4, 2)) @ rot_z(-3))
+    pose.local["shoulder_R"] = rot_y(20)
+    pose.solve()
+    wrist = in_chest(pose, -.375 - .100 * swing, .09, .600 - .025 * swing * swing)
+    pose.arms["R"] = ArmTarget(wrist, vec(-.50 * swing - .06, -.05, 1), vec(0, -1, -.05),
+                               vec(-1, .10, -.35))
+    pose.arms["L"] = hand_on_thigh(pose, phase, "L", 1)
+    return pose
+
+
+def between(first, second, share):
+    """A hand on its way from one target to another."""
+    return ArmTarget(lerp(first.wrist, second.wrist, share),
+                     lerp(unit(first.fingers), unit(second.fingers), share),
+                     lerp(unit(first.palm), unit(second.palm), share),
+                     lerp(first.pole, second.pole, share))
 
 
 def sitting_down_pose(body, bones, phase):
