@@ -26,6 +26,9 @@ struct TriggerContext
     glm::vec3 origin{0.0F};
     bool hasOrigin = false;
     model::IndividualId sender = 0; ///< 0: nobody
+    /// When the artist made the call that was passed on to here, seconds of the session; below 0:
+    /// it begins here.
+    double calledAt = -1.0;
 };
 
 /// A Repeat whose lines run.

@@ -40,7 +40,7 @@ void deliverEvents(const RuleScope& scope)
 void notify(const RuleScope& scope, std::uint32_t agent, const QueuedEvent& event)
 {
     RuleState& state = scope.state;
-    const TriggerContext context{event.payload, event.origin, true, event.sender};
+    const TriggerContext context{event.payload, event.origin, true, event.sender, event.calledAt};
     AgentRuleState& self = state.agents[agent];
     if (isWaitingFor(state, self, event.name)) {
         self.progress.hasHeardEvent = true;

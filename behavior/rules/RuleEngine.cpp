@@ -125,7 +125,8 @@ void RuleEngine::send(const std::string& event, float payload, std::uint32_t age
 {
     const std::span<const model::IndividualId> ids = m_state.agents.ids();
     if (agent < ids.size() && std::isfinite(payload)) {
-        m_state.events.post({m_state.clock.seconds, event, payload, ids[agent], origin, 0});
+        const double now = m_state.clock.seconds;
+        m_state.events.post({now, event, payload, ids[agent], origin, 0, now});
     }
 }
 

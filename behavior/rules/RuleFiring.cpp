@@ -24,13 +24,22 @@ bool isQueueable(const RuleState& state, std::uint32_t index, std::uint32_t agen
            (rule.limit == 0 || count + static_cast<std::size_t>(waiting) < rule.limit);
 }
 
-bool mayInterrupt(const RuleState& state, std::uint32_t other, std::uint32_t busy)
+/// A call that is still being passed on does not break off what a later one began.
+bool isOutdated(const AgentRuleState& self, const TriggerContext& context)
 {
-    switch (state.rules[busy].data.yields) {
+    return context.calledAt >= 0.0 && context.calledAt < self.context.calledAt;
+}
+
+bool mayInterrupt(const RuleState& state, std::uint32_t other, const AgentRuleState& self,
+                  const TriggerContext& context)
+{
+    switch (state.rules[self.rule].data.yields) {
     case model::RuleYield::FurtherUp:
-        return other <= busy;
+        return other <= self.rule;
     case model::RuleYield::Anybody:
-        return true;
+        return !isOutdated(self, context);
+    case model::RuleYield::Others:
+        return other < self.rule;
     case model::RuleYield::Nobody:
         break;
     }
@@ -69,6 +78,9 @@ void begin(const RuleScope& scope, std::uint32_t rule, std::uint32_t agent,
     self.loops.clear();
     self.progress = {};
     self.context = context;
+    if (context.calledAt < 0.0) {
+        self.context.calledAt = state.clock.seconds;
+    }
     state.log.add({state.clock.seconds, state.rules[rule].data.id, scope.host.id(agent)}, agent);
 }
 
@@ -97,7 +109,7 @@ bool fire(const RuleScope& scope, std::uint32_t rule, std::uint32_t agent,
             return true;
         }
         if (data.meeting != model::RuleMeeting::Interrupt ||
-            !mayInterrupt(state, rule, self.rule)) {
+            !mayInterrupt(state, rule, self, context)) {
             return false;
         }
         scope.host.endClip(agent);

@@ -17,10 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kYields{"further up", "anybody", "nobody"};
+constexpr std::array kYields{"further up", "anybody", "nobody", "others further up"};
 constexpr std::array kCueReaches{"everybody", "selected", "tagged"};
 constexpr std::array<const char*, 3> kMeetings{"interrupt", "queue", "ignore"};
-constexpr std::array<std::string_view, 8> kCueKeys{"F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10"};
 constexpr float kMaxPayload = 1e6F;
 constexpr std::size_t kMaxParts = 1000; ///< of one rule
 

@@ -26,7 +26,7 @@ constexpr std::array kReaches{FieldChoice{"everybody", ""}, FieldChoice{"selecte
 constexpr std::array kMeetings{FieldChoice{"interrupt", ""}, FieldChoice{"queue", ""},
                                FieldChoice{"ignore", ""}};
 constexpr std::array kYields{FieldChoice{"further up", ""}, FieldChoice{"anybody", ""},
-                             FieldChoice{"nobody", ""}};
+                             FieldChoice{"nobody", ""}, FieldChoice{"others further up", ""}};
 
 template<class Owner, class... Fields>
 std::vector<FieldInfo> described(const Fields&... fields)

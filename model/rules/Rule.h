@@ -76,7 +76,8 @@ enum class RuleMeeting : std::uint8_t { Interrupt, Queue, Ignore };
 enum class RuleYield : std::uint8_t {
     FurtherUp, ///< rules above it in the list, and itself
     Anybody,
-    Nobody
+    Nobody,
+    Others ///< rules above it in the list, but not itself
 };
 
 struct Rule

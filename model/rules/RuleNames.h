@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct NumberName
 };
 /// Numbers, and cues, that a scene may have.
 inline constexpr std::size_t kMaxNamed = 256;
+
+/// Keys that a cue may have: those that no tool or camera has.
+inline constexpr std::array<std::string_view, 8> kCueKeys{"F3", "F4", "F5", "F6",
+                                                          "F7", "F8", "F9", "F10"};
 
 /// Whom a cue speaks to.
 enum class CueReach : std::uint8_t { Everybody, Selected, Tagged };

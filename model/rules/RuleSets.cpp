@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <QtCore/QCoreApplication>
 
@@ -16,6 +17,7 @@ struct Names
 };
 
 constexpr float kOverAnAisle = 2.8F; ///< metres from a seat to the next one beyond it
+constexpr float kNoEcho = 6.5F;      ///< seconds after which nobody near passes a call on any more
 
 std::string named(const QString& text)
 {
@@ -91,26 +93,70 @@ Action leave(PlaceChoice choice = PlaceChoice::Given)
     return leave;
 }
 
-/// One rule for those who sit and one for those who stand.
-std::vector<Rule> reaction(const Scene& scene, const char* event, const QString& name)
+/// The latest call wins, whichever it is.
+void letOthersInterrupt(Rule& rule)
+{
+    rule.meeting = RuleMeeting::Interrupt;
+    rule.yields = RuleYield::Anybody;
+}
+
+/// One rule for those who sit and one for those who stand. For 0 seconds: until something else.
+std::vector<Rule> reaction(const Scene& scene, const char* event, const QString& name,
+                           float seconds)
 {
     std::vector<Rule> rules;
     for (const bool isSeated : {true, false}) {
         Rule rule = onEvent(event, isSeated ? Names::tr("%1, seated").arg(name) : name);
         rule.conditions = {{conditions::IsSeated(), !isSeated}, chance(0.85F)};
         rule.actions = {passOn(event, kOverAnAisle, 0.35F), wait(0.3F),
-                        play(clipsLike(scene, event, isSeated), 6.0F)};
-        rule.cooldownSeconds = 8.0F;
-        rule.meeting = RuleMeeting::Ignore;
+                        play(clipsLike(scene, event, isSeated), seconds)};
+        rule.cooldownSeconds = kNoEcho;
+        letOthersInterrupt(rule);
         rules.push_back(std::move(rule));
     }
+    return rules;
+}
+
+/// Whoever is called breaks off what the others let him do, and is as he was before.
+Rule calm()
+{
+    Rule rule = onEvent("calm", Names::tr("All calm down"));
+    rule.actions = {passOn("calm", kOverAnAisle, 0.2F)};
+    rule.cooldownSeconds = kNoEcho;
+    letOthersInterrupt(rule);
+    return rule;
+}
+
+/// Moods of which no template has a clip are left out.
+std::vector<Rule> audience(const Scene& scene)
+{
+    struct Reaction
+    {
+        const char* event;
+        QString name;
+        float seconds;
+    };
+    const Reaction reactions[]{
+        {"clap", Names::tr("Applause spreads"), 6.0F}, {"cheer", Names::tr("Cheers spread"), 6.0F},
+        {"wave", Names::tr("Waving spreads"), 6.0F},   {"sad", Names::tr("Sadness spreads"), 0.0F},
+        {"bored", Names::tr("Boredom spreads"), 0.0F}, {"angry", Names::tr("Anger spreads"), 0.0F}};
+    std::vector<Rule> rules;
+    for (const Reaction& each : reactions) {
+        for (Rule& rule : reaction(scene, each.event, each.name, each.seconds)) {
+            const bool isUsual = rules.size() < 4; // clapping and cheering wait for their clips
+            if (isUsual || !rule.actions.back().as<actions::PlayClip>()->clips.empty()) {
+                rules.push_back(std::move(rule));
+            }
+        }
+    }
+    rules.push_back(calm());
     return rules;
 }
 
 /// Up and down again, and on to those beside.
 std::vector<Rule> wave(const Scene& scene)
 {
-    std::vector<Rule> rules = reaction(scene, "wave", Names::tr("The wave runs on"));
+    std::vector<Rule> rules = reaction(scene, "wave", Names::tr("The wave runs on"), 1.6F);
     for (Rule& rule : rules) {
         const bool isSeated = !rule.conditions.front().isNot;
         rule.conditions.resize(1);
@@ -176,7 +222,7 @@ std::vector<Rule> queue(const Scene& scene)
     const PathId path = line != scene.paths.end() ? line->id : kNotChosen;
     Rule join = onEvent("queue", Names::tr("Line up"));
     join.actions = {goTo(PlaceChoice::FirstFree, path)};
-    join.meeting = RuleMeeting::Ignore;
+    join.yields = RuleYield::Others; // whoever is called again keeps his place
     Rule serve;
     serve.name = named(Names::tr("Be served, then leave"));
     serve.trigger =
@@ -190,7 +236,62 @@ std::vector<Rule> queue(const Scene& scene)
     moveUp.trigger = triggers::AheadFree{path};
     moveUp.actions = {wait(0.5F), goTo(PlaceChoice::Ahead, path)};
     moveUp.meeting = RuleMeeting::Ignore;
-    return {join, serve, moveUp};
+    return {moveUp, join, serve};
+}
+
+/// What a button says for an event of the sets; empty: as the event is called.
+std::string cueName(const std::string& event)
+{
+    const std::pair<const char*, QString> names[]{
+        {"clap", Names::tr("Applause")},       {"cheer", Names::tr("Cheers")},
+        {"wave", Names::tr("Wave")},           {"sad", Names::tr("Sad")},
+        {"bored", Names::tr("Bored")},         {"angry", Names::tr("Angry")},
+        {"calm", Names::tr("Calm")},           {"run", Names::tr("Run")},
+        {"walk", Names::tr("Walk")},           {"stop", Names::tr("Stop")},
+        {"panic", Names::tr("Panic")},         {"startle", Names::tr("Startle")},
+        {"queue", Names::tr("Line up", "cue")}};
+    const auto found = std::ranges::find(names, event, [](const auto& each) { return each.first; });
+    return found == std::end(names) ? std::string() : named(found->second);
+}
+
+/// Everybody, but where it is to begin with some.
+CueReach reachOf(RuleSet set)
+{
+    return set == RuleSet::StadiumWave || set == RuleSet::Queue ? CueReach::Selected
+                                                                : CueReach::Everybody;
+}
+
+bool isSent(const std::vector<Cue>& cues, const std::string& event)
+{
+    return std::ranges::find(cues, event, &Cue::event) != cues.end();
+}
+
+/// With the next id and, as long as there are any, a key of its own.
+Cue cueOf(const std::string& event, const std::vector<Cue>& others)
+{
+    Cue cue;
+    cue.id = 1;
+    for (const Cue& each : others) {
+        cue.id = std::max(cue.id, each.id + 1);
+    }
+    const auto free = std::ranges::find_if(kCueKeys, [&](std::string_view key) {
+        return std::ranges::find(others, key, &Cue::key) == others.end();
+    });
+    cue.key = free == kCueKeys.end() ? std::string() : std::string(*free);
+    cue.event = event;
+    return cue;
+}
+
+std::vector<std::string> eventsOf(const std::vector<Rule>& rules)
+{
+    std::vector<std::string> events;
+    for (const Rule& rule : rules) {
+        const auto* event = rule.trigger.as<triggers::Event>();
+        if (event != nullptr && std::ranges::find(events, event->event) == events.end()) {
+            events.push_back(event->event);
+        }
+    }
+    return events;
 }
 
 } // namespace
@@ -198,12 +299,8 @@ std::vector<Rule> queue(const Scene& scene)
 std::vector<Rule> rulesOf(RuleSet set, const Scene& scene)
 {
     switch (set) {
-    case RuleSet::Audience: {
-        std::vector<Rule> rules = reaction(scene, "clap", Names::tr("Applause spreads"));
-        const std::vector<Rule> cheer = reaction(scene, "cheer", Names::tr("Cheers spread"));
-        rules.insert(rules.end(), cheer.begin(), cheer.end());
-        return rules;
-    }
+    case RuleSet::Audience:
+        return audience(scene);
     case RuleSet::StadiumWave:
         return wave(scene);
     case RuleSet::Pedestrians:
@@ -222,14 +319,29 @@ std::vector<Rule> rulesOf(RuleSet set, const Scene& scene)
 
 std::vector<std::string> eventsOf(const Scene& scene)
 {
-    std::vector<std::string> events;
-    for (const Rule& rule : scene.rules) {
-        const auto* event = rule.trigger.as<triggers::Event>();
-        if (event != nullptr && std::ranges::find(events, event->event) == events.end()) {
-            events.push_back(event->event);
+    return eventsOf(scene.rules);
+}
+
+std::vector<Cue> cuesWith(RuleSet set, const std::vector<Rule>& rules, const Scene& scene)
+{
+    std::vector<Cue> cues = scene.cues;
+    for (const std::string& event : eventsOf(rules)) {
+        if (cues.size() < kMaxNamed && !isSent(cues, event)) {
+            cues.push_back(cueOf(event, cues));
+            cues.back().name = cueName(event);
+            cues.back().reach = reachOf(set);
         }
     }
-    return events;
+    return cues;
+}
+
+Cue nextCue(const Scene& scene)
+{
+    const std::vector<std::string> events = eventsOf(scene);
+    const auto unsent = std::ranges::find_if(
+        events, [&](const std::string& event) { return !isSent(scene.cues, event); });
+    const std::string usual = events.empty() ? std::string("cheer") : events.front();
+    return cueOf(unsent != events.end() ? *unsent : usual, scene.cues);
 }
 
 void giveIds(std::vector<Rule>& rules, const Scene& scene)

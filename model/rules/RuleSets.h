@@ -20,8 +20,14 @@ enum class RuleSet : std::uint8_t {
 
 /// Without ids: they are given when the rules are added. Empty names stay for what a scene has not.
 [[nodiscard]] std::vector<Rule> rulesOf(RuleSet set, const Scene& scene);
-/// What the rules of a set listen to, for the event brush.
+/// What the scene's rules listen to, each once, in their order.
 [[nodiscard]] std::vector<std::string> eventsOf(const Scene& scene);
+/// The scene's cues and one each for what the rules of the set listen to and no cue sends yet, as
+/// many as a scene may have.
+[[nodiscard]] std::vector<Cue> cuesWith(RuleSet set, const std::vector<Rule>& rules,
+                                        const Scene& scene);
+/// A cue to add: for the first event of the rules that none sends, with a key that none has.
+[[nodiscard]] Cue nextCue(const Scene& scene);
 /// Gives ids that no rule of the scene has.
 void giveIds(std::vector<Rule>& rules, const Scene& scene);
 

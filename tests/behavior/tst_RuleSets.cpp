@@ -129,6 +129,9 @@ class TestRuleSets : public QObject
 
 private Q_SLOTS:
     void applauseSpreadsAndDiesDown();
+    void theLatestCallWins();
+    void moodsLastUntilAllIsCalm();
+    void setsBringTheirCues();
     void aWaveRunsRoundTheStadium();
     void panicEmptiesASmallStage();
     void panicEmptiesTheCity();
@@ -159,6 +162,87 @@ void TestRuleSets::applauseSpreadsAndDiesDown()
         }
         QVERIFY(session.problems().empty());
     }
+}
+
+/// Share of the people who play a clip with the word in its name.
+double shareOf(const Session& session, const model::Scene& scene, const char* word)
+{
+    std::size_t count = 0;
+    for (std::uint32_t agent = 0; agent < scene.population.size(); ++agent) {
+        const model::TemplateId id = scene.population.column(model::columns::templateId)[agent];
+        const model::TemplateEntry* entry = scene.findTemplate(id);
+        count += entry->clipNames[clipOf(session, agent)].find(word) != std::string::npos ? 1 : 0;
+    }
+    return static_cast<double>(count) / static_cast<double>(scene.population.size());
+}
+
+/// Also over one that is still being passed on.
+void TestRuleSets::theLatestCallWins()
+{
+    model::Scene scene = readyMade("theatre");
+    addSet(scene, RuleSet::Audience);
+    const std::vector<model::IndividualId> all = idsOf(scene);
+    for (const bool isFromOne : {false, true}) {
+        Session session(scene);
+        session.send("clap", 0.0F, isFromOne ? std::vector{all.front()} : all);
+        run(session, 60);
+        QVERIFY(shareOf(session, scene, "clap") > (isFromOne ? 0.01 : 0.75));
+        session.send("cheer", 0.0F, all);
+        for (int second = 0; second < 4; ++second) {
+            run(session, 30);
+            const double share = shareOf(session, scene, "cheer");
+            QVERIFY2(share > 0.75, QByteArray::number(share));
+        }
+        QVERIFY(shareOf(session, scene, "clap") < 0.1);
+    }
+}
+
+void TestRuleSets::moodsLastUntilAllIsCalm()
+{
+    model::Scene scene = readyMade("theatre");
+    addSet(scene, RuleSet::Audience);
+    const std::vector<model::IndividualId> all = idsOf(scene);
+    for (const char* mood : {"sad", "bored", "angry"}) {
+        Session session(scene);
+        session.send(mood, 0.0F, all);
+        run(session, 30 * 60);
+        QVERIFY2(shareOf(session, scene, mood) > 0.75, mood);
+        session.send("calm", 0.0F, all);
+        run(session, 30);
+        for (std::uint32_t agent = 0; agent < all.size(); ++agent) {
+            QCOMPARE(clipOf(session, agent), scene.population.column(model::columns::clip)[agent]);
+        }
+        QVERIFY(session.problems().empty());
+    }
+}
+
+/// With keys, without those that are there, and no more than a scene may have.
+void TestRuleSets::setsBringTheirCues()
+{
+    model::Scene scene = readyMade("theatre");
+    const auto eventsSent = [&] {
+        std::vector<std::string> events;
+        for (const model::Cue& cue : scene.cues) {
+            events.push_back(cue.event);
+        }
+        return events;
+    };
+    scene.cues = {model::Cue{.id = 7, .name = {}, .event = "sad", .key = "F3"}};
+    scene.cues =
+        model::cuesWith(RuleSet::Audience, model::rulesOf(RuleSet::Audience, scene), scene);
+    QCOMPARE(eventsSent(),
+             (std::vector<std::string>{"sad", "clap", "cheer", "wave", "bored", "angry", "calm"}));
+    QCOMPARE(scene.cues[1].id, model::CueId{8});
+    QCOMPARE(scene.cues[1].key, std::string("F4"));
+    QVERIFY(!scene.cues[1].name.empty());
+    addSet(scene, RuleSet::Panic);
+    QCOMPARE(model::nextCue(scene).event, std::string("panic"));
+    scene.cues.push_back(model::nextCue(scene));
+    QCOMPARE(scene.cues.back().key, std::string("F10"));
+    QCOMPARE(model::nextCue(scene).key, std::string());
+    scene.cues.resize(model::kMaxNamed);
+    const auto full = model::cuesWith(RuleSet::Flock, model::rulesOf(RuleSet::Flock, scene), scene);
+    QCOMPARE(full.size(), model::kMaxNamed);
 }
 
 void TestRuleSets::aWaveRunsRoundTheStadium()

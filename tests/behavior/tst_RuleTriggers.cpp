@@ -92,6 +92,8 @@ void TestRuleTriggers::aRuleYieldsAsItSays_data()
         << static_cast<int>(model::RuleYield::FurtherUp) << true << false;
     QTest::newRow("to anybody") << static_cast<int>(model::RuleYield::Anybody) << true << true;
     QTest::newRow("to nobody") << static_cast<int>(model::RuleYield::Nobody) << false << false;
+    QTest::newRow("to others further up")
+        << static_cast<int>(model::RuleYield::Others) << true << false;
 }
 
 void TestRuleTriggers::aRuleYieldsAsItSays()

@@ -156,21 +156,8 @@ void CueBar::addCue()
             tr("There are %1 cues already, as many as can be.").arg(model::kMaxNamed));
         return;
     }
-    model::Cue made;
-    made.id = 1;
-    for (const model::Cue& each : cues) {
-        made.id = std::max(made.id, each.id + 1);
-    }
-    for (const char* key : kCueKeys) {
-        const bool isTaken = std::ranges::find(cues, key, &model::Cue::key) != cues.end();
-        if (made.key.empty() && !isTaken) {
-            made.key = key;
-        }
-    }
-    const std::vector<std::string> events = model::eventsOf(m_state.scene());
-    made.event = events.empty() ? std::string("cheer") : events.front();
-    cues.push_back(made);
-    m_edited = made.id;
+    cues.push_back(model::nextCue(m_state.scene()));
+    m_edited = cues.back().id;
     setCues(std::move(cues), tr("Add a cue"));
 }
 

@@ -107,7 +107,8 @@ void CueForm::addKeys(QHBoxLayout* row)
 {
     std::vector<std::string> keys{{}};
     QStringList names{tr("none")};
-    for (const std::string key : kCueKeys) {
+    for (const std::string_view each : model::kCueKeys) {
+        const std::string key(each);
         const bool isTaken = std::ranges::any_of(m_scene.cues, [&](const Cue& other) {
             return other.id != m_cue.id && other.key == key;
         });

@@ -171,14 +171,22 @@ void RuleCommands::addSet(model::RuleSet set)
     model::giveIds(made, m_state.scene());
     m_current = made.front().id;
     // The event brush is ready for it.
-    if (const auto* event = made.front().trigger.as<model::triggers::Event>()) {
+    const auto listens = std::ranges::find_if(made, [](const Rule& rule) {
+        return rule.trigger.as<model::triggers::Event>() != nullptr;
+    });
+    if (listens != made.end()) {
+        const auto* event = listens->trigger.as<model::triggers::Event>();
         model::BrushSettings brush = m_state.brush(model::BrushKind::Event);
         brush.as<model::EventSettings>().name = event->event;
         m_state.setBrush(brush);
     }
+    std::vector<model::Cue> cues = model::cuesWith(set, made, m_state.scene());
     std::vector<Rule> rules = m_state.scene().rules;
     rules.insert(rules.end(), made.begin(), made.end());
-    setRules(std::move(rules), tr("Add rules: %1").arg(ruleSetName(set)));
+    m_state.document().edit(tr("Add rules: %1").arg(ruleSetName(set)), [&](model::SceneEdit& edit) {
+        edit.setRules(std::move(rules));
+        edit.setCues(std::move(cues));
+    });
 }
 
 void RuleCommands::duplicateRule()

@@ -39,7 +39,8 @@ QStringList meetingNames()
 QStringList yieldNames()
 {
     return {RuleNamesText::tr("yields to rules further up"),
-            RuleNamesText::tr("yields to any rule"), RuleNamesText::tr("yields to no rule")};
+            RuleNamesText::tr("yields to any rule"), RuleNamesText::tr("yields to no rule"),
+            RuleNamesText::tr("yields to others further up")};
 }
 
 QStringList cueReachNames()

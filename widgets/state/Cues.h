@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
 #include <QtCore/QObject>
 
 #include "widgets/state/EditorState.h"
@@ -11,9 +9,6 @@ class QShortcut;
 class QWidget;
 
 namespace crowd::widgets {
-
-/// Keys that a cue may have: those that no tool or camera has.
-inline constexpr std::array kCueKeys{"F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10"};
 
 /// Lets a cue speak to the running session; says in the status line what became of it.
 void sendCue(EditorState& state, const model::Cue& cue);

@@ -23,7 +23,8 @@ inline ActionStatus run(const ActionScope& scope, const model::actions::PlayClip
     const std::string clip = drawClip(scope, action.clips);
     const float seconds =
         clip.empty() ? -1.0F : scope.host.play(scope.agent, clip, action.isLooped);
-    progress.until = scope.now() + static_cast<double>(action.isLooped ? action.seconds : seconds);
+    progress.until = action.isLooped ? endAfter(scope, action.seconds)
+                                     : scope.now() + static_cast<double>(seconds);
     progress.isStarted = true;
     return seconds < 0.0F ? ActionStatus::Done : ActionStatus::Running;
 }

@@ -18,7 +18,7 @@ inline void sendEventTo(const ActionScope& scope, std::uint32_t other,
     const float away = host.isGone(other) ? 0.0F : flatDistance(host.position(other), at);
     const double delay = static_cast<double>(away * action.secondsPerMetre);
     scope.state.events.post({scope.now() + delay, action.event, action.value, host.id(other), at,
-                             host.id(scope.agent)});
+                             host.id(scope.agent), scope.self().context.calledAt});
 }
 
 /// Arrives in the next step at the earliest: no circle of events can close within one.

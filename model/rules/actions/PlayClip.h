@@ -13,7 +13,7 @@ struct PlayClip
 
     std::vector<ClipWeight> clips;
     bool isLooped = false; ///< for `seconds`, else once
-    float seconds = 3.0F;
+    float seconds = 3.0F;  ///< 0: until another rule comes
 
     static constexpr auto fields()
     {
@@ -26,12 +26,18 @@ struct PlayClip
                                         .choices = kOnceOrFor,
                                         .isBeside = true}),
             field(&PlayClip::seconds,
-                  rulefields::seconds({.doc = "how long a loop goes on", .isBeside = true}))
+                  rulefields::seconds(
+                      {.doc = "how long a loop goes on; 0: until another rule comes",
+                       .isBeside = true,
+                       .zero = QT_TRANSLATE_NOOP("Rules", "until something else comes")}))
                 .when([](const PlayClip& s, const FieldContext&) { return s.isLooped; }));
     }
     static constexpr auto sentences()
     {
-        return std::array{Sentence<PlayClip>{QT_TRANSLATE_NOOP("Rules", "play {clips}")}};
+        return std::array{Sentence<PlayClip>{
+                              QT_TRANSLATE_NOOP("Rules", "play {clips} until something else comes"),
+                              [](const PlayClip& s) { return s.isLooped && s.seconds <= 0.0F; }},
+                          Sentence<PlayClip>{QT_TRANSLATE_NOOP("Rules", "play {clips}")}};
     }
     static constexpr std::array kOnceOrFor{FieldChoice{"false", QT_TRANSLATE_NOOP("Rules", "once")},
                                            FieldChoice{"true", QT_TRANSLATE_NOOP("Rules", "for")}};
