@@ -47,6 +47,24 @@ std::optional<std::uint16_t> chosenClip(const TemplateEntry& entry,
     return offers.empty() ? std::nullopt : std::optional(offers.back().column);
 }
 
+std::optional<std::uint16_t>
+suitingClip(const TemplateEntry& entry, std::span<const ClipWeight> wanted, bool isSeated, double u)
+{
+    std::vector<ClipWeight> suiting;
+    for (const ClipWeight& each : wanted) {
+        const int clip = entry.asset ? entry.asset->clipIndex(each.clip) : -1;
+        if (clip >= 0) {
+            const Clip& known = entry.asset->clips[static_cast<std::size_t>(clip)];
+            const bool sits = known.seatHeight.has_value() || known.role == ClipRole::Sit;
+            if (sits == isSeated) {
+                suiting.push_back(each);
+            }
+        }
+    }
+    const auto chosen = chosenClip(entry, suiting, u);
+    return chosen ? chosen : chosenClip(entry, wanted, u);
+}
+
 std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip)
 {
     if (!entry.asset || assetClip < 0 ||
@@ -125,6 +143,36 @@ std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated)
     }
     const auto seated = isSeated ? clipColumnOf(entry, entry.asset->seatedClip) : std::nullopt;
     return seated ? *seated : clipColumnOf(entry, entry.asset->defaultClip).value_or(0);
+}
+
+bool isRest(const TemplateEntry& entry, std::uint16_t column, bool isSeated)
+{
+    if (column == usualClip(entry, isSeated)) {
+        return true;
+    }
+    if (!entry.asset || column >= entry.clipNames.size()) {
+        return false;
+    }
+    const int clip = entry.asset->clipIndex(entry.clipNames[column]);
+    return clip >= 0 && clipRole(entry, column, static_cast<std::size_t>(clip)) ==
+                            (isSeated ? ClipRole::Sit : ClipRole::Idle);
+}
+
+std::uint16_t seatedClip(const TemplateEntry& entry, double u)
+{
+    const std::uint16_t usual = usualClip(entry, true);
+    std::vector<std::uint16_t> others;
+    for (std::size_t i = 0; i < entry.clipNames.size(); ++i) {
+        const auto column = static_cast<std::uint16_t>(i);
+        if (column != usual && isRest(entry, column, true)) {
+            others.push_back(column);
+        }
+    }
+    if (u < 0.5 || others.empty()) {
+        return usual;
+    }
+    const auto at = static_cast<std::size_t>((u - 0.5) * 2.0 * static_cast<double>(others.size()));
+    return others[std::min(at, others.size() - 1)];
 }
 
 std::uint32_t defaultParts(const Template& asset)

@@ -15,6 +15,11 @@ namespace crowd::model {
 [[nodiscard]] std::optional<std::uint16_t> chosenClip(const TemplateEntry& entry,
                                                       std::span<const ClipWeight> wanted, double u);
 
+/// As above; where some of them are for sitting and some are not, one that suits.
+[[nodiscard]] std::optional<std::uint16_t> suitingClip(const TemplateEntry& entry,
+                                                       std::span<const ClipWeight> wanted,
+                                                       bool isSeated, double u);
+
 /// Value of the clip column for a clip of the asset; nothing when the entry does not list its name.
 [[nodiscard]] std::optional<std::uint16_t> clipColumnOf(const TemplateEntry& entry, int assetClip);
 
@@ -37,6 +42,12 @@ namespace crowd::model {
 
 /// How somebody new stands (or sits, on a seat) when no clip is wanted.
 [[nodiscard]] std::uint16_t usualClip(const TemplateEntry& entry, bool isSeated);
+
+/// How somebody new sits when no clip is wanted: at the share u (0..1), half of them as usual, the
+/// others with the further clips for sitting, evenly.
+[[nodiscard]] std::uint16_t seatedClip(const TemplateEntry& entry, double u);
+/// Whether somebody who plays the clip just sits, or stands.
+[[nodiscard]] bool isRest(const TemplateEntry& entry, std::uint16_t column, bool isSeated);
 
 /// Which parts somebody new wears: bit i shows part i.
 [[nodiscard]] std::uint32_t defaultParts(const Template& asset);

@@ -7,6 +7,7 @@
 
 #include "model/brush/ClipChoice.h"
 #include "model/brush/Operator.h"
+#include "model/brush/Posture.h"
 #include "model/population/Properties.h"
 
 namespace crowd::model {
@@ -158,13 +159,7 @@ SitResult sitDown(SceneEdit& edit, IndividualId id, SeatId seat)
     const std::array ids{id};
     IndividualRows rows = scene.population.rows(ids);
     const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[0]);
-    std::uint16_t& clip = rows.column(columns::clip)[0];
-    if (entry != nullptr && clip == usualClip(*entry, false)) {
-        clip = usualClip(*entry, true);
-    }
-    rows.column(columns::seat)[0] = seat;
-    rows.column(columns::position)[0] = target->seat.position;
-    rows.column(columns::heading)[0] = wrappedAngle(target->seat.headingRadians);
+    sitDown(entry, rows, 0, *target);
     writeChanges(edit, ids, rows);
     return SitResult::Done;
 }
@@ -175,12 +170,7 @@ void standUp(SceneEdit& edit, std::span<const IndividualId> ids)
     IndividualRows rows = scene.population.rows(ids);
     for (std::size_t row = 0; row < ids.size(); ++row) {
         const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[row]);
-        std::uint16_t& clip = rows.column(columns::clip)[row];
-        SeatId& seat = rows.column(columns::seat)[row];
-        if (entry != nullptr && seat != kNoSeat && clip == usualClip(*entry, true)) {
-            clip = usualClip(*entry, false);
-        }
-        seat = kNoSeat;
+        standUp(entry, rows, row);
     }
     writeChanges(edit, ids, rows);
 }

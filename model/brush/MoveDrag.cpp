@@ -2,12 +2,14 @@
 #include "model/brush/MoveDrag.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "model/brush/ClipChoice.h"
-#include "model/brush/Operator.h"
+#include "model/brush/Posture.h"
 #include "model/brush/StrokeText.h"
 #include "model/document/SceneEdit.h"
 
@@ -21,6 +23,20 @@ constexpr float kSnapMetres = 0.7F;
 
 struct MoveDrag::Private
 {
+    /// A seat, and who of those who are not dragged sits there; 0: nobody.
+    struct Place
+    {
+        WorldSeat seat;
+        IndividualId sitter = 0;
+        bool isTaken = false; ///< by one of the dragged, as far as they are placed
+    };
+    /// Who has to leave his seat to one of the dragged, by the row of that one.
+    struct Displaced
+    {
+        IndividualId id = 0;
+        std::size_t by = 0;
+    };
+
     SceneDocument& document;
     BrushContext context;
     std::vector<IndividualId> ids; ///< ascending
@@ -28,32 +44,32 @@ struct MoveDrag::Private
     PointerInput press;
     PointerInput current;
     std::unique_ptr<SceneEdit> edit;
-    std::vector<WorldSeat> freeSeats; ///< those of the dragged included
-    std::optional<SurfaceHit> grip;   ///< surface under the press
+    std::vector<Place> places;
+    std::optional<SurfaceHit> grip; ///< surface under the press
     bool isOver = false;
 
-    void findFreeSeats();
+    void findPlaces();
     void apply();
     [[nodiscard]] std::optional<glm::vec3> displacement() const;
-    [[nodiscard]] const WorldSeat* nearestSeat(const glm::vec3& to,
-                                               const std::vector<bool>& isTaken) const;
-    void standUp(const TemplateEntry* entry, SeatId seatBefore, std::uint16_t& clip) const;
+    [[nodiscard]] Place* nearestPlace(const glm::vec3& to);
+    [[nodiscard]] std::vector<Displaced> moveDragged(IndividualRows& rows, const glm::vec3& way);
+    void moveDisplaced(const std::vector<Displaced>& displaced, const IndividualRows& former);
+    void write(std::span<const IndividualId> whom, const IndividualRows& rows);
 };
 
-void MoveDrag::Private::findFreeSeats()
+void MoveDrag::Private::findPlaces()
 {
-    const Scene& scene = document.scene();
-    std::vector<SeatId> taken;
-    for (std::size_t row = 0; row < scene.population.size(); ++row) {
-        if (!std::ranges::binary_search(ids, scene.population.ids()[row])) {
-            taken.push_back(scene.population.column(columns::seat)[row]);
+    const Population& people = document.scene().population;
+    std::unordered_map<SeatId, IndividualId> sitters;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (!std::ranges::binary_search(ids, people.ids()[row])) {
+            sitters.emplace(people.column(columns::seat)[row], people.ids()[row]);
         }
     }
-    std::ranges::sort(taken);
-    freeSeats = scene.worldSeats();
-    std::erase_if(freeSeats, [&](const WorldSeat& seat) {
-        return std::ranges::binary_search(taken, seat.id);
-    });
+    for (const WorldSeat& seat : document.scene().worldSeats()) {
+        const auto sitter = sitters.find(seat.id);
+        places.push_back({seat, sitter == sitters.end() ? 0 : sitter->second});
+    }
 }
 
 std::optional<glm::vec3> MoveDrag::Private::displacement() const
@@ -65,26 +81,91 @@ std::optional<glm::vec3> MoveDrag::Private::displacement() const
     return target->point - grip->point;
 }
 
-const WorldSeat* MoveDrag::Private::nearestSeat(const glm::vec3& to,
-                                                const std::vector<bool>& isTaken) const
+MoveDrag::Private::Place* MoveDrag::Private::nearestPlace(const glm::vec3& to)
 {
-    const WorldSeat* nearest = nullptr;
+    Place* nearest = nullptr;
     float nearestDistance = kSnapMetres;
-    for (std::size_t i = 0; i < freeSeats.size(); ++i) {
-        const float distance = glm::distance(freeSeats[i].seat.position, to);
-        if (!isTaken[i] && distance < nearestDistance) {
-            nearest = &freeSeats[i];
+    for (Place& place : places) {
+        const float distance = glm::distance(place.seat.seat.position, to);
+        if (!place.isTaken && distance < nearestDistance) {
+            nearest = &place;
             nearestDistance = distance;
         }
     }
     return nearest;
 }
 
-void MoveDrag::Private::standUp(const TemplateEntry* entry, SeatId seatBefore,
-                                std::uint16_t& clip) const
+/// Those who come onto a seat change places with whoever sits there.
+std::vector<MoveDrag::Private::Displaced> MoveDrag::Private::moveDragged(IndividualRows& rows,
+                                                                         const glm::vec3& way)
 {
-    if (entry != nullptr && seatBefore != kNoSeat && clip == usualClip(*entry, true)) {
-        clip = usualClip(*entry, false);
+    std::vector<Displaced> displaced;
+    for (Place& place : places) {
+        place.isTaken = false;
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const TemplateEntry* entry =
+            edit->scene().findTemplate(rows.column(columns::templateId)[i]);
+        glm::vec3& position = rows.column(columns::position)[i];
+        position += way;
+        Place* target = ontoSeats ? nearestPlace(position) : nullptr;
+        if (target == nullptr) {
+            position.y = context.stage.heightNear(position);
+            standUp(entry, rows, i);
+            continue;
+        }
+        target->isTaken = true;
+        if (target->sitter != 0) {
+            displaced.push_back({target->sitter, i});
+        }
+        sitDown(entry, rows, i, target->seat);
+    }
+    return displaced;
+}
+
+/// To where the one who displaced them was; if another of the dragged has come there, to where one
+/// of the others was.
+void MoveDrag::Private::moveDisplaced(const std::vector<Displaced>& displaced,
+                                      const IndividualRows& former)
+{
+    std::vector<bool> isLeft(ids.size(), true); // the seat or spot that a dragged one had
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const SeatId seat = former.column(columns::seat)[i];
+        isLeft[i] = std::ranges::none_of(
+            places, [seat](const Place& place) { return place.isTaken && place.seat.id == seat; });
+    }
+    std::vector<IndividualId> whom;
+    for (const Displaced& each : displaced) {
+        whom.push_back(each.id);
+    }
+    std::ranges::sort(whom);
+    IndividualRows rows = edit->scene().population.rows(whom);
+    for (const Displaced& each : displaced) {
+        const auto free = isLeft[each.by] ? isLeft.begin() + static_cast<std::ptrdiff_t>(each.by)
+                                          : std::ranges::find(isLeft, true);
+        const auto from = static_cast<std::size_t>(free - isLeft.begin());
+        *free = false;
+        const auto row =
+            static_cast<std::size_t>(std::ranges::lower_bound(whom, each.id) - whom.begin());
+        const TemplateEntry* entry =
+            edit->scene().findTemplate(rows.column(columns::templateId)[row]);
+        const auto seat = std::ranges::find(places, former.column(columns::seat)[from],
+                                            [](const Place& place) { return place.seat.id; });
+        if (seat != places.end()) {
+            sitDown(entry, rows, row, seat->seat);
+        } else {
+            rows.column(columns::position)[row] = former.column(columns::position)[from];
+            standUp(entry, rows, row);
+        }
+    }
+    write(whom, rows);
+}
+
+void MoveDrag::Private::write(std::span<const IndividualId> whom, const IndividualRows& rows)
+{
+    for (const ColumnId column :
+         {ColumnId::Position, ColumnId::Heading, ColumnId::Clip, ColumnId::Seat}) {
+        edit->setColumn(column, whom, rows.bytes[static_cast<std::size_t>(column)]);
     }
 }
 
@@ -95,33 +176,12 @@ void MoveDrag::Private::apply()
     if (!way || press.grid == current.grid) {
         return;
     }
-    const Scene& scene = edit->scene();
-    IndividualRows rows = scene.population.rows(ids);
-    std::vector<bool> isTaken(freeSeats.size(), false);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        const TemplateEntry* entry = scene.findTemplate(rows.column(columns::templateId)[i]);
-        glm::vec3& position = rows.column(columns::position)[i];
-        SeatId& seat = rows.column(columns::seat)[i];
-        std::uint16_t& clip = rows.column(columns::clip)[i];
-        position += *way;
-        const WorldSeat* target = ontoSeats ? nearestSeat(position, isTaken) : nullptr;
-        if (target != nullptr) {
-            isTaken[static_cast<std::size_t>(target - freeSeats.data())] = true;
-            if (entry != nullptr && clip == usualClip(*entry, false)) {
-                clip = usualClip(*entry, true);
-            }
-            seat = target->id;
-            position = target->seat.position;
-            rows.column(columns::heading)[i] = wrappedAngle(target->seat.headingRadians);
-        } else {
-            position.y = context.stage.heightNear(position);
-            standUp(entry, seat, clip);
-            seat = kNoSeat;
-        }
-    }
-    for (const ColumnId column :
-         {ColumnId::Position, ColumnId::Heading, ColumnId::Clip, ColumnId::Seat}) {
-        edit->setColumn(column, ids, rows.bytes[static_cast<std::size_t>(column)]);
+    const IndividualRows former = edit->scene().population.rows(ids);
+    IndividualRows rows = former;
+    const std::vector<Displaced> displaced = moveDragged(rows, *way);
+    write(ids, rows);
+    if (!displaced.empty()) {
+        moveDisplaced(displaced, former);
     }
 }
 
@@ -148,7 +208,7 @@ std::unique_ptr<MoveDrag> MoveDrag::begin(SceneDocument& document, const BrushCo
                                                   false});
     data->grip = context.stage.hit(context.view.rayThrough(glm::vec2(press.pixels())));
     if (ontoSeats) {
-        data->findFreeSeats();
+        data->findPlaces();
     }
     return std::unique_ptr<MoveDrag>(new MoveDrag(std::move(data)));
 }

@@ -12,7 +12,8 @@
 namespace crowd::model {
 
 /// Dragging individuals with the select tool: on the ground they keep their places to each other
-/// and stand up from their seats; with the seat grid on, those near a free seat sit down in it.
+/// and stand up from their seats; with the seat grid on, those near a seat sit down in it, and
+/// whoever sat there takes the place that they had.
 /// Owned by the drag; destruction without finish() takes everything back. Main thread.
 class MoveDrag
 {

@@ -47,7 +47,9 @@ public:
     {
         const CreateSettings& create = m_settings.as<CreateSettings>();
         const bool isSeated = spot.seat != kNoSeat;
-        const auto wanted = chosenClip(entry, create.clips, draw(spot, DrawPurpose::Clip));
+        const double share = draw(spot, DrawPurpose::Clip);
+        const auto wanted = suitingClip(entry, create.clips, isSeated, share);
+        const auto usual = isSeated ? seatedClip(entry, share) : usualClip(entry, false);
         m_rows.column(columns::templateId)[row] = entry.id;
         m_rows.column(columns::position)[row] = spot.position;
         m_rows.column(columns::heading)[row] = heading(spot);
@@ -55,7 +57,7 @@ public:
         m_rows.column(columns::girth)[row] = varied(spot, DrawPurpose::Girth, create.girth);
         m_rows.column(columns::phase)[row] = varied(spot, DrawPurpose::Phase, create.phase);
         m_rows.column(columns::parts)[row] = parts(*entry.asset, spot);
-        m_rows.column(columns::clip)[row] = wanted.value_or(usualClip(entry, isSeated));
+        m_rows.column(columns::clip)[row] = wanted.value_or(usual);
         m_rows.column(columns::seat)[row] = spot.seat;
         m_rows.column(columns::group)[row] = create.group;
         m_rows.column(columns::seed)[row] = static_cast<std::uint32_t>(

@@ -25,7 +25,7 @@ void tst_BrushAnimation::animatesWithClipsOfTheTemplate()
     BrushSettings settings = brush(BrushKind::Animation, BrushSelection::Rectangle);
     settings.op = BrushOperator::Random;
     settings.as<AnimationSettings>().clips = {
-        {"sit", 1.0F}, {"cheer", 3.0F}, {"no such clip", 9.0F}};
+        {"idle", 1.0F}, {"cheer", 3.0F}, {"sit", 5.0F}, {"no such clip", 9.0F}};
     settings.as<AnimationSettings>().setsSpeed = true;
     settings.as<AnimationSettings>().speed = {0.5F, 1.5F};
     QCOMPARE(scene.paint(fromAbove(), settings, {{1.0, 1.0}, {1279.0, 767.0}}).affected, 60);
@@ -36,13 +36,16 @@ void tst_BrushAnimation::animatesWithClipsOfTheTemplate()
         const float speed = scene.people().column(columns::playbackSpeed)[row];
         QVERIFY(phase >= 0.0F && phase < 1.0F && speed >= 0.5F && speed < 1.5F);
     }
-    QCOMPARE(clips[0], 0);
-    QVERIFY(clips[1] >= 5 && clips[1] <= 26);
+    QCOMPARE(clips[1], 0); // nobody has a seat
+    QVERIFY(clips[0] >= 5 && clips[0] <= 26);
     settings.op = BrushOperator::Uniform;
     settings.as<AnimationSettings>().phase = {0.25F, 1.0F};
     scene.paint(fromAbove(), settings, {{1.0, 1.0}, {1279.0, 767.0}});
-    QCOMPARE(scene.people().column(columns::clip)[9], std::uint16_t{1});
+    QCOMPARE(scene.people().column(columns::clip)[9], std::uint16_t{0});
     QCOMPARE(scene.people().column(columns::phase)[9], 0.25F);
+    settings.as<AnimationSettings>().clips = {{"sit", 1.0F}}; // who wants nothing else gets it
+    scene.paint(fromAbove(), settings, {{1.0, 1.0}, {1279.0, 767.0}});
+    QCOMPARE(scene.people().column(columns::clip)[9], std::uint16_t{1});
 }
 
 void tst_BrushAnimation::stylesAreClipsToWalkWith()

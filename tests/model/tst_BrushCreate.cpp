@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 
 #include <QtTest/QTest>
 
+#include "model/brush/ClipChoice.h"
 #include "model/brush/MoveDrag.h"
 #include "model/brush/Stroke.h"
 #include "tests/model/BrushScene.h"
@@ -77,6 +80,9 @@ private Q_SLOTS:
     void saysWhyNobodyCame();
     void dragsOnTheGround();
     void dragsToAFreeSeat();
+    void whoIsDraggedOntoAnotherChangesPlaces();
+    void severalDraggedAlongARowChangePlaces();
+    void audiencesSitInSeveralWays();
     void aDragCanBeCancelled();
 };
 
@@ -576,6 +582,89 @@ void tst_BrushCreate::dragsToAFreeSeat()
     QCOMPARE(scene.people().column(columns::clip)[0], std::uint16_t{0});
     QVERIFY(dragTo(seats[0].seat.position, true));
     QCOMPARE(scene.people().column(columns::clip)[0], std::uint16_t{1});
+}
+
+/// From a seat they swap seats; from the ground the other one stands up there.
+void tst_BrushCreate::whoIsDraggedOntoAnotherChangesPlaces()
+{
+    BrushScene scene({stageOf({}, seatRows(2, 8))});
+    const View view = fromAbove();
+    const std::vector<WorldSeat> seats = scene.document.scene().worldSeats();
+    for (const std::size_t seat : {2, 5}) {
+        scene.paint(view, creator(BrushSelection::Point),
+                    {pixelOf(view, seats[seat].seat.position)});
+    }
+    const Ids ids(scene.people().ids().begin(), scene.people().ids().end());
+    const auto dragFirst = [&](const glm::vec3& to) {
+        const glm::vec3 from = scene.people().column(columns::position)[0];
+        const auto drag = MoveDrag::begin(scene.document, scene.context(view), std::array{ids[0]},
+                                          true, PointerInput::at(pixelOf(view, from), 0.0));
+        drag->move(PointerInput::at(pixelOf(view, {0.0F, 0.0F, 3.0F}), 0.1));
+        drag->move(PointerInput::at(pixelOf(view, to), 0.2));
+        return drag->finish().isCommitted;
+    };
+    const auto seatOf = [&](std::size_t row) { return scene.people().column(columns::seat)[row]; };
+    const Population before = scene.people();
+    QVERIFY(dragFirst(seats[5].seat.position));
+    QCOMPARE(seatOf(0), seats[5].id);
+    QCOMPARE(seatOf(1), seats[2].id);
+    QCOMPARE(scene.people().column(columns::position)[1], seats[2].seat.position);
+    scene.document.undoStack().undo();
+    QVERIFY(scene.people() == before);
+    const glm::vec3 ground{0.0F, 0.0F, 4.0F};
+    QVERIFY(dragFirst(ground));
+    QVERIFY(dragFirst(seats[5].seat.position));
+    QCOMPARE(seatOf(0), seats[5].id);
+    QCOMPARE(seatOf(1), kNoSeat);
+    QVERIFY(glm::distance(scene.people().column(columns::position)[1], ground) < 0.05F);
+    QCOMPARE(scene.people().column(columns::clip)[1], std::uint16_t{0}); // he stands
+}
+
+/// Three beside each other by one seat, onto the fourth, who comes to where the first was.
+void tst_BrushCreate::severalDraggedAlongARowChangePlaces()
+{
+    BrushScene scene({stageOf({}, seatRows(1, 4))});
+    const View view = fromAbove();
+    const std::vector<WorldSeat> seats = scene.document.scene().worldSeats();
+    for (const WorldSeat& seat : seats) {
+        scene.paint(view, creator(BrushSelection::Point), {pixelOf(view, seat.seat.position)});
+    }
+    const Ids ids(scene.people().ids().begin(), scene.people().ids().end());
+    const std::vector<glm::vec3> at = {seats[0].seat.position, seats[1].seat.position};
+    const auto drag =
+        MoveDrag::begin(scene.document, scene.context(view), std::array{ids[0], ids[1], ids[2]},
+                        true, PointerInput::at(pixelOf(view, at[0]), 0.0));
+    drag->move(PointerInput::at(pixelOf(view, at[1]), 0.1));
+    QVERIFY(drag->finish().isCommitted);
+    const auto now = scene.people().column(columns::seat);
+    QCOMPARE((std::vector<SeatId>{now.begin(), now.end()}),
+             (std::vector<SeatId>{seats[1].id, seats[2].id, seats[3].id, seats[0].id}));
+}
+
+void tst_BrushCreate::audiencesSitInSeveralWays()
+{
+    TemplateEntry entry;
+    auto asset = std::make_shared<Template>();
+    for (const char* name : {"idle", "sit", "sit_clap", "sit_talk", "sit_2"}) {
+        Clip clip;
+        clip.name = name;
+        clip.role = clip.name == "idle"       ? ClipRole::Idle
+                    : clip.name == "sit_clap" ? ClipRole::Other
+                                              : ClipRole::Sit;
+        asset->clips.push_back(clip);
+        entry.clipNames.push_back(clip.name);
+    }
+    asset->seatedClip = 1;
+    entry.asset = asset;
+    std::map<std::uint16_t, int> counts;
+    for (int i = 0; i < 1000; ++i) {
+        ++counts[seatedClip(entry, i / 1000.0)];
+    }
+    QCOMPARE(counts, (std::map<std::uint16_t, int>{{1, 500}, {3, 250}, {4, 250}}));
+    QCOMPARE(seatedClip(entry, 1.0), std::uint16_t{4});
+    QVERIFY(isRest(entry, 3, true) && !isRest(entry, 2, true) && !isRest(entry, 3, false));
+    entry.clipNames = {"idle", "sit"};
+    QCOMPARE(seatedClip(entry, 0.9), std::uint16_t{1});
 }
 
 void tst_BrushCreate::aDragCanBeCancelled()

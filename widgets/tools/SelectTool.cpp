@@ -124,7 +124,7 @@ private:
     int m_count = 0;
 };
 
-/// Press on somebody: a click selects, a drag moves what is selected.
+/// Press on somebody who is selected: a click selects him alone, a drag moves all who are.
 class ClickOrMove : public DragSession
 {
 public:
@@ -174,13 +174,9 @@ public:
 private:
     void beginMove()
     {
-        Selection& selection = m_context.state.selection();
-        if (!selection.contains(m_hit)) {
-            selection.apply(std::array{m_hit}, SelectionMode::Replace);
-        }
-        m_move = model::MoveDrag::begin(m_context.state.document(),
-                                        m_context.queries.brushContext(), selection.ids(),
-                                        m_context.state.isSeatGridOn(), m_press.pointer);
+        m_move = model::MoveDrag::begin(
+            m_context.state.document(), m_context.queries.brushContext(),
+            m_context.state.selection().ids(), m_context.state.isSeatGridOn(), m_press.pointer);
     }
 
     ToolContext m_context;
@@ -202,7 +198,8 @@ SelectionMode selectionModeFor(Qt::KeyboardModifiers modifiers)
 QString SelectTool::hint() const
 {
     return SelectToolText::tr(
-        "Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from "
+        "Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas "
+        "from "
         "anywhere · L: lasso or rectangle · Delete: remove · F: show the selection");
 }
 
@@ -224,7 +221,8 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     if (!hit) {
         return std::make_unique<AreaSelect>(m_context, input, std::nullopt);
     }
-    if (selectionModeFor(input.modifiers) != SelectionMode::Replace) {
+    if (selectionModeFor(input.modifiers) != SelectionMode::Replace ||
+        !m_context.state.selection().contains(hit->id)) {
         // In a dense crowd there is no empty ground to begin a rectangle on.
         return std::make_unique<AreaSelect>(m_context, input, hit->id);
     }
@@ -246,7 +244,8 @@ void SelectTool::preview(const ToolInput& input, ToolPicture& picture) const
     const auto hit =
         m_context.queries.picker(input.pointer.shownSeconds).individualAt(input.pointer.pixels());
     picture.hovered = hit ? hit->id : 0;
-    picture.cursor = hit ? Qt::PointingHandCursor : Qt::ArrowCursor;
+    const bool isMovable = hit && m_context.state.selection().contains(hit->id);
+    picture.cursor = isMovable ? Qt::SizeAllCursor : hit ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
 
 } // namespace crowd::widgets

@@ -12,6 +12,7 @@ ChangeResult AnimationSettings::change(const ChangeRequest& request)
     const auto templates = people.column(columns::templateId);
     const auto clips = people.column(columns::clip);
     const auto phases = people.column(columns::phase);
+    const auto seats = people.column(columns::seat);
     const auto speeds = people.column(columns::playbackSpeed);
     const OperatorShares shares(request);
     const auto clipShares = shares.of(DrawPurpose::Clip).shares;
@@ -24,7 +25,8 @@ ChangeResult AnimationSettings::change(const ChangeRequest& request)
     forEachRow(request, [&](std::size_t i, std::size_t row, IndividualId id) {
         const TemplateEntry* entry = scene.findTemplate(templates[row]);
         if (entry != nullptr) {
-            const auto chosen = chosenClip(*entry, settings.clips, clipShares[i]);
+            const auto chosen =
+                suitingClip(*entry, settings.clips, seats[row] != kNoSeat, clipShares[i]);
             hasValue = hasValue || chosen;
             clipChange.set(id, clips[row], chosen.value_or(clips[row]));
         }

@@ -45,7 +45,7 @@ inline constexpr BrushInfo AnimationSettings::kInfo{
     .doc = "What people do.",
     .hint = QT_TRANSLATE_NOOP(
         "BrushTool", "Drag: change what characters do · + −: speed · Ctrl+click: take the clip"),
-    .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters do something else"),
+    .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters move differently"),
     .undo = QT_TRANSLATE_N_NOOP("Brushes", "Animate %n character(s)"),
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already move like this"),
     .operatorPlace = OperatorPlace::Last,
