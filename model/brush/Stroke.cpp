@@ -26,6 +26,12 @@ constexpr double kPointSpacing = 3.0;
 /// The way is measured over at least so many pixels before it has a direction.
 constexpr double kDirectionPixels = 8.0;
 
+bool dependsOnThePast(const BrushSettings& settings)
+{
+    const auto* restore = settings.find<RestoreSettings>();
+    return restore != nullptr && restore->source != RestoreSource::Template;
+}
+
 Sampler samplerFor(const BrushSettings& settings)
 {
     if (settings.selection == BrushSelection::Spray) {
@@ -153,13 +159,14 @@ void Stroke::Private::endRecording()
     recording.selected = std::move(ground.selected);
 }
 
-/// Whether there may be clips on screen that are not all there, or people elsewhere.
+/// Whether it does something that the scene before it does not say: people are given back what they
+/// had, there may be clips on screen that are not all there, or people elsewhere.
 bool Stroke::Private::seesStandIns() const
 {
     const KeyframeStore& keyframes = ground.context.keyframes;
     const KeyframeStore::Progress progress = keyframes.progress();
-    return ground.context.pose || progress.pendingClips > 0 || progress.isBudgetReached ||
-           progress.isPaused || keyframes.version() != bakedBefore;
+    return dependsOnThePast(ground.settings) || ground.context.pose || progress.pendingClips > 0 ||
+           progress.isBudgetReached || progress.isPaused || keyframes.version() != bakedBefore;
 }
 
 void Stroke::Private::follow(const Dab& dab, double atLeastPixels)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/document/SceneDocument.h"
 
+#include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "model/base/Translated.h"
 #include "model/document/SceneCommand.h"
+#include "model/document/SceneDelta.h"
 #include "model/document/SceneEdit.h"
 
 namespace crowd::model {
@@ -45,6 +48,7 @@ void SceneDocument::replaceScene(Scene scene, const QString& path)
 {
     interruptEdit();
     m_scene = std::move(scene);
+    m_earlier = {m_scene.population, m_scene.population, m_scene.population};
     m_path = path;
     m_undoStack.clear();
     announce(SceneReplaced{});
@@ -54,6 +58,7 @@ void SceneDocument::replaceScene(Scene scene, const QString& path)
 void SceneDocument::markSaved(const QString& path)
 {
     m_undoStack.setClean();
+    m_earlier.saved = m_scene.population;
     if (path != m_path) {
         m_path = path;
         Q_EMIT pathChanged();
@@ -102,8 +107,24 @@ CrowdFramePtr SceneDocument::frame(double seconds) const
     return frame;
 }
 
+/// A stroke that is laid anew creates the same people once more.
+void SceneDocument::noteCreated(const SceneDelta& delta)
+{
+    const std::vector<IndividualId>& added = delta.added.ids;
+    if (added.empty()) {
+        return;
+    }
+    std::vector<IndividualId> known;
+    std::ranges::copy_if(added, std::back_inserter(known), [this](IndividualId id) {
+        return m_earlier.created.rowOf(id) != Population::npos;
+    });
+    (void)m_earlier.created.remove(known);
+    m_earlier.created.add(m_scene.population.rows(added));
+}
+
 void SceneDocument::push(SceneDelta delta, const QString& text, const RecordedStroke* stroke)
 {
+    noteCreated(delta);
     Q_EMIT stepCommitted({&delta, text, stroke});
     m_undoStack.push(new SceneCommand(*this, std::move(delta), text));
     watchUndoMemory();

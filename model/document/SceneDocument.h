@@ -11,6 +11,7 @@
 #include <QtGui/QUndoStack>
 
 #include "model/base/Result.h"
+#include "model/document/EarlierPeople.h"
 #include "model/document/UndoMemory.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
@@ -66,6 +67,10 @@ public:
     /// After a successful save.
     void markSaved(const QString& path);
 
+    [[nodiscard]] const EarlierPeople& earlierPeople() const { return m_earlier; }
+    /// People as they are now are what EarlierPeople::before says.
+    void rememberPeople() { m_earlier.before = m_scene.population; }
+
     /// Does `work` as one undo step of this text, or as none where nothing changes. Refused while
     /// another edit is open: the work is not done, and editRefused() says why.
     EditOutcome edit(const QString& text, const std::function<void(SceneEdit&)>& work);
@@ -107,6 +112,7 @@ private:
     /// False: refused, and so are all further steps of the same move along the stack.
     [[nodiscard]] bool applyStep(StoredDelta& stored, DeltaDirection direction);
     void settleRefusal();
+    void noteCreated(const SceneDelta& delta);
     void watchUndoMemory();
 
     Scene m_scene;
@@ -116,6 +122,7 @@ private:
     bool m_isMemoryExceeded = false;
     std::uint64_t m_revision = 0;
     QString m_path;
+    EarlierPeople m_earlier;
     SceneEdit* m_openEdit = nullptr;
     mutable std::shared_ptr<const std::vector<TemplateEntry>> m_sharedTemplates;
 };

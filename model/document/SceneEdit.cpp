@@ -119,6 +119,11 @@ const Scene& SceneEdit::scene() const
     return m_document.m_scene;
 }
 
+const EarlierPeople& SceneEdit::earlierPeople() const
+{
+    return m_document.m_earlier;
+}
+
 std::vector<IndividualId> SceneEdit::addIndividuals(IndividualRows rows)
 {
     Scene& target = m_document.m_scene;

@@ -27,6 +27,7 @@ public:
     SceneEdit& operator=(const SceneEdit&) = delete;
 
     [[nodiscard]] const Scene& scene() const;
+    [[nodiscard]] const EarlierPeople& earlierPeople() const;
 
     /// Adds rows with fresh ids (rows.ids are overwritten by ascending new ones, which are
     /// returned).

@@ -132,7 +132,7 @@ inline void enliven(BrushSettings& settings)
         *shuffle = {true, true, true, true, true};
     }
     if (auto* restore = settings.find<RestoreSettings>()) {
-        *restore = {true, true, true, true, true};
+        *restore = {RestoreSource::Template, true, true, true, true, true};
     }
 }
 

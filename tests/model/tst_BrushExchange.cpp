@@ -47,6 +47,7 @@ private Q_SLOTS:
     void shuffleGivesEachValueOnOnce();
     void shuffleKeepsWhatIsNotChosen();
     void restoreIsAsTheTemplateHasIt();
+    void restoreIsAsItWasEarlier();
     void nothingChosenIsSaid();
 };
 
@@ -163,7 +164,7 @@ void tst_BrushExchange::restoreIsAsTheTemplateHasIt()
     edit->setColumn(columns::clip, ids, std::span<const std::uint16_t>(cheering));
     edit->commit(QStringLiteral("Cheer"));
     BrushSettings settings = brush(BrushKind::Restore, kAll);
-    settings.as<RestoreSettings>() = {true, true, true, true, true};
+    settings.as<RestoreSettings>() = {RestoreSource::Template, true, true, true, true, true};
     QVERIFY(paintAll(scene, settings).isCommitted);
     const Population& people = scene.people();
     for (std::size_t row = 0; row < people.size(); ++row) {
@@ -179,12 +180,68 @@ void tst_BrushExchange::restoreIsAsTheTemplateHasIt()
     QCOMPARE(paintAll(scene, settings).reason, StrokeReason::Unchanged);
 }
 
+/// Whitened three times over: what was there at creation, at the last save and before the brush
+/// comes back, to whom was there then.
+void tst_BrushExchange::restoreIsAsItWasEarlier()
+{
+    LivelyScene scene;
+    const Ids ids = scene.addCrowd();
+    const auto tints = [&scene] {
+        const auto column = scene.people().column(columns::tint(1));
+        return std::vector<Tint>(column.begin(), column.end());
+    };
+    const auto paint = [&](const Tint& tint) {
+        const std::vector<Tint> all(scene.people().size(), tint);
+        const auto edit = scene.document.beginEdit().value();
+        const Ids everybody(scene.people().ids().begin(), scene.people().ids().end());
+        edit->setColumn(columns::tint(1), everybody, std::span<const Tint>(all));
+        edit->commit(QStringLiteral("Paint"));
+        return all;
+    };
+    const auto restored = [&](RestoreSource source) {
+        BrushSettings settings = brush(BrushKind::Restore, kAll);
+        settings.as<RestoreSettings>() = {source, true, false, false, false, false};
+        (void)paintAll(scene, settings);
+        return tints();
+    };
+    std::vector<Tint> created(ids.size()); // then nobody wore anything
+    const std::vector<Tint> saved = paint({10, 20, 30, 255});
+    for (std::size_t row = 0; row < ids.size(); ++row) { // who became somebody else stays so
+        const bool isOther = scene.people().column(columns::templateId)[row] == kOtherMan;
+        created[row] = isOther ? saved[row] : created[row];
+    }
+    scene.document.markSaved({});
+    const std::vector<Tint> before = paint({40, 50, 60, 255});
+    scene.document.rememberPeople();
+    const std::vector<Tint> now = paint({70, 80, 90, 255});
+    QVERIFY(restored(RestoreSource::Before) == before);
+    scene.document.undoStack().undo();
+    QVERIFY(restored(RestoreSource::Saved) == saved);
+    QVERIFY(restored(RestoreSource::Created) == created);
+    QVERIFY(restored(RestoreSource::Template) == std::vector<Tint>(ids.size()));
+    const Ids late = scene.addPeople({{0.0F, 0.0F, 0.0F}});
+    QVERIFY(paint(now.front()) == std::vector<Tint>(ids.size() + 1, now.front()));
+    std::vector<Tint> expected = saved; // who came later keeps what he has
+    expected.push_back(now.front());
+    QVERIFY(restored(RestoreSource::Saved) == expected);
+    scene.document.undoStack().undo();
+    BrushSettings settings = brush(BrushKind::Restore, kAll);
+    settings.as<RestoreSettings>().source = RestoreSource::Created;
+    bool isExact = true; // a script cannot say it again
+    const auto connection =
+        QObject::connect(&scene.document, &SceneDocument::stepCommitted,
+                         [&isExact](const StepCommitted& step) { isExact = step.stroke->isExact; });
+    QVERIFY(paintAll(scene, settings).isCommitted);
+    QVERIFY(!isExact);
+    QObject::disconnect(connection);
+}
+
 void tst_BrushExchange::nothingChosenIsSaid()
 {
     LivelyScene scene;
     scene.addCrowd();
     BrushSettings restore = brush(BrushKind::Restore, kAll);
-    restore.as<RestoreSettings>() = {false, false, false, false, false};
+    restore.as<RestoreSettings>() = {RestoreSource::Template, false, false, false, false, false};
     QCOMPARE(paintAll(scene, restore).reason, StrokeReason::NothingChosen);
     BrushSettings shuffle = brush(BrushKind::Shuffle, kAll);
     shuffle.as<ShuffleSettings>() = {false, false, false, false, false};

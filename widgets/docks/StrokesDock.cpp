@@ -153,8 +153,8 @@ void StrokesDock::choose(int row)
     m_note->setText(
         !m_chosen ? tr("The last strokes are listed here. Their settings can be changed until "
                        "something else is edited.")
-                  : tr("People were elsewhere when this was painted. Whom it meant then stays, "
-                       "until its area is changed."));
+                  : tr("People were elsewhere when this was painted, or got back what they had. "
+                       "Whom it meant then stays, until its area is changed."));
     m_note->setVisible(!m_chosen || !isExact);
     for (QToolButton* button : m_buttons) {
         button->setEnabled(m_chosen.has_value());

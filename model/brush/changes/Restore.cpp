@@ -7,6 +7,25 @@ namespace crowd::model {
 
 namespace {
 
+std::vector<ColumnId> restoredColumns(const RestoreSettings& settings)
+{
+    std::vector<ColumnId> restored;
+    const auto add = [&restored](bool isOn, std::initializer_list<ColumnId> columns) {
+        if (isOn) {
+            restored.insert(restored.end(), columns);
+        }
+    };
+    if (settings.colours) {
+        restored.assign(kTintColumns.begin(), kTintColumns.end());
+    }
+    add(settings.colours, {ColumnId::TintReplaces});
+    add(settings.materials, {ColumnId::MaterialChoices});
+    add(settings.size, {ColumnId::Height, ColumnId::Girth});
+    add(settings.clips, {ColumnId::PlaybackSpeed, ColumnId::Clip});
+    add(settings.parts, {ColumnId::Parts});
+    return restored;
+}
+
 /// Columns as somebody new has them, whatever the template.
 void putDefaults(const ChangeRequest& request, std::span<const ColumnId> restored,
                  std::vector<IndividualId>& changed)
@@ -39,30 +58,11 @@ void putOfTemplate(const ChangeRequest& request, ColumnKey<T> key, const ValueOf
     change.apply(request.edit, key, changed);
 }
 
-} // namespace
-
-void RestoreSettings::prepare(BrushSettings& brush)
-{
-    brush.selection = BrushSelection::AllInCircle;
-}
-
-ChangeResult RestoreSettings::change(const ChangeRequest& request)
+ChangeResult restoreTemplate(const ChangeRequest& request)
 {
     const auto& settings = request.settings.as<RestoreSettings>();
     ChangeResult result;
-    std::vector<ColumnId> usual;
-    if (settings.colours) {
-        usual.assign(kTintColumns.begin(), kTintColumns.end());
-        usual.push_back(ColumnId::TintReplaces);
-    }
-    if (settings.materials) {
-        usual.push_back(ColumnId::MaterialChoices);
-    }
-    if (settings.size) {
-        usual.insert(usual.end(), {ColumnId::Height, ColumnId::Girth});
-    }
     if (settings.clips) {
-        usual.push_back(ColumnId::PlaybackSpeed);
         const auto seats = request.edit.scene().population.column(columns::seat);
         putOfTemplate(
             request, columns::clip,
@@ -77,9 +77,56 @@ ChangeResult RestoreSettings::change(const ChangeRequest& request)
             [](const TemplateEntry& entry, std::size_t) { return defaultParts(*entry.asset); },
             result.changed);
     }
+    std::vector<ColumnId> usual = restoredColumns(settings);
+    std::erase(usual, ColumnId::Parts);
+    std::erase(usual, ColumnId::Clip);
     putDefaults(request, usual, result.changed);
-    const bool hasAny = !usual.empty() || settings.parts;
-    result.reason = hasAny ? StrokeReason::Unchanged : StrokeReason::NothingChosen;
+    return result;
+}
+
+const Population& peopleOf(const EarlierPeople& earlier, RestoreSource source)
+{
+    return source == RestoreSource::Created ? earlier.created
+           : source == RestoreSource::Saved ? earlier.saved
+                                            : earlier.before;
+}
+
+ChangeResult restoreEarlier(const ChangeRequest& request)
+{
+    const auto& settings = request.settings.as<RestoreSettings>();
+    const Population source = peopleOf(request.edit.earlierPeople(), settings.source);
+    const auto formerTemplates = source.column(columns::templateId);
+    ChangeResult result;
+    for (const ColumnId column : restoredColumns(settings)) {
+        const Population& people = request.edit.scene().population;
+        const auto templates = people.column(columns::templateId);
+        ByteChange change(people, column);
+        const ByteChange former(source, column);
+        forEachRow(request, [&](std::size_t, std::size_t row, IndividualId id) {
+            const std::size_t before = source.rowOf(id);
+            if (before != Population::npos && formerTemplates[before] == templates[row]) {
+                change.set(id, row, former.of(before));
+            }
+        });
+        change.apply(request.edit, result.changed);
+    }
+    return result;
+}
+
+} // namespace
+
+void RestoreSettings::prepare(BrushSettings& brush)
+{
+    brush.selection = BrushSelection::AllInCircle;
+}
+
+ChangeResult RestoreSettings::change(const ChangeRequest& request)
+{
+    const auto& settings = request.settings.as<RestoreSettings>();
+    ChangeResult result = settings.source == RestoreSource::Template ? restoreTemplate(request)
+                                                                     : restoreEarlier(request);
+    result.reason =
+        restoredColumns(settings).empty() ? StrokeReason::NothingChosen : StrokeReason::Unchanged;
     return result;
 }
 

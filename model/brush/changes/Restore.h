@@ -9,14 +9,25 @@ namespace crowd::model {
 struct ChangeRequest;
 struct ChangeResult;
 
-/// Gives people back what their template has.
+/// What people get back of theirs.
+enum class RestoreSource : std::uint8_t { Template, Created, Saved, Before };
+
+inline constexpr FieldChoice kRestoreSources[] = {
+    {"TEMPLATE", QT_TRANSLATE_NOOP("Fields", "What their template has")},
+    {"CREATED", QT_TRANSLATE_NOOP("Fields", "As they were created")},
+    {"SAVED", QT_TRANSLATE_NOOP("Fields", "As last saved")},
+    {"BEFORE", QT_TRANSLATE_NOOP("Fields", "As before the last brush")}};
+
+/// Gives people back what their template has, or what they had earlier, see EarlierPeople; who was
+/// not there then, or was of another template, stays as he is.
 struct RestoreSettings
 {
-    bool colours = true;   ///< no tints
-    bool materials = true; ///< the first of each slot
-    bool parts = true;     ///< those that are shown by default
-    bool size = false;     ///< 1
-    bool clips = false;    ///< what suits standing or sitting, at speed 1
+    RestoreSource source = RestoreSource::Template;
+    bool colours = true;   ///< of the template: no tints
+    bool materials = true; ///< of the template: the first of each slot
+    bool parts = true;     ///< of the template: those that are shown by default
+    bool size = false;     ///< of the template: 1
+    bool clips = false;    ///< of the template: what suits standing or sitting, at speed 1
 
     static const BrushInfo kInfo;
     static constexpr auto fields();
@@ -29,27 +40,34 @@ inline constexpr BrushInfo RestoreSettings::kInfo{
     .id = "restore",
     .name = QT_TRANSLATE_NOOP("Tools", "Restore Brush"),
     .menu = QT_TRANSLATE_NOOP("Actions", "&Restore"),
-    .tip = QT_TRANSLATE_NOOP("Actions",
-                             "Give the characters under the brush back what their template has"),
+    .tip = QT_TRANSLATE_NOOP("Actions", "Give the characters under the brush back what they had"),
     .shortcut = "Shift+R",
     .order = 40,
     .section = BrushSection::Any,
     .scriptKind = "RESTORE",
     .scriptName = "restore",
     .scriptClass = "RestoreSettings",
-    .doc = "What people get back from their template.",
-    .hint = QT_TRANSLATE_NOOP("BrushTool", "Drag: restore what the template has"),
+    .doc = "What people get back.",
+    .hint = QT_TRANSLATE_NOOP("BrushTool", "Drag: give back what they had"),
     .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters restored"),
     .undo = QT_TRANSLATE_N_NOOP("Brushes", "Restore %n character(s)"),
-    .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them are as their template has it")};
+    .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them are like that already")};
 
 constexpr auto RestoreSettings::fields()
 {
     using S = RestoreSettings;
     return std::tuple(
-        field(&S::colours, {.key = "colours",
-                            .label = QT_TRANSLATE_NOOP("Fields", "Colours"),
-                            .section = QT_TRANSLATE_NOOP("Fields", "Restore")}),
+        field(&S::source,
+              {.key = "source",
+               .label = QT_TRANSLATE_NOOP("Fields", "Source"),
+               .tip = QT_TRANSLATE_NOOP(
+                   "Fields", "As they were created: those of a file as they were when it was "
+                             "opened. As before the last brush: before the brush was taken up "
+                             "that was used before this one."),
+               .doc = "Where it comes from.",
+               .choices = kRestoreSources,
+               .section = QT_TRANSLATE_NOOP("Fields", "Restore")}),
+        field(&S::colours, {.key = "colours", .label = QT_TRANSLATE_NOOP("Fields", "Colours")}),
         field(&S::materials,
               {.key = "materials", .label = QT_TRANSLATE_NOOP("Fields", "Materials")}),
         field(&S::parts, {.key = "parts", .label = QT_TRANSLATE_NOOP("Fields", "Parts")}),
@@ -57,7 +75,8 @@ constexpr auto RestoreSettings::fields()
         field(&S::clips, {.key = "clips",
                           .label = QT_TRANSLATE_NOOP("Fields", "Clips"),
                           .tip = QT_TRANSLATE_NOOP(
-                              "Fields", "What suits standing or sitting, at the usual speed")}));
+                              "Fields", "From the template: what suits standing or sitting, at the "
+                                        "usual speed")}));
 }
 
 } // namespace crowd::model
