@@ -52,10 +52,11 @@ void editGroups(EditorState& state, const QString& undoText,
     state.document().edit(undoText, apply);
 }
 
-void groupSelection(EditorState& state)
+namespace {
+
+/// Of these people; 0: it could not be made.
+GroupId makeGroup(EditorState& state, std::span<const model::IndividualId> ids)
 {
-    const auto selected = state.selection().ids();
-    const std::vector<model::IndividualId> ids(selected.begin(), selected.end());
     GroupId made = 0;
     editGroups(state, GroupCommandsText::tr("New group"), [&](model::SceneEdit& edit) {
         model::Group group;
@@ -67,8 +68,26 @@ void groupSelection(EditorState& state)
             model::putInGroup(edit, ids, made);
         }
     });
-    if (made != 0) {
+    return made;
+}
+
+} // namespace
+
+void groupSelection(EditorState& state)
+{
+    const auto selected = state.selection().ids();
+    const std::vector<model::IndividualId> ids(selected.begin(), selected.end());
+    if (const GroupId made = makeGroup(state, ids); made != 0) {
         setActiveGroup(state, made);
+    }
+}
+
+void makeFirstGroup(EditorState& state)
+{
+    model::BrushSettings brush = state.brush(BrushKind::Group);
+    if (brush.as<model::GroupSettings>().group == 0 && state.scene().groups.empty()) {
+        brush.as<model::GroupSettings>().group = makeGroup(state, {});
+        state.setBrush(brush);
     }
 }
 

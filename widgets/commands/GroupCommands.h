@@ -18,6 +18,8 @@ void setActiveGroup(EditorState& state, model::GroupId group);
 
 /// A new group of those who are selected, if any; it becomes the active one.
 void groupSelection(EditorState& state);
+/// Where there are no groups and the group brush has none: makes one for it.
+void makeFirstGroup(EditorState& state);
 /// Takes the selected ones into a group; 0: out of theirs. Says so where nobody is selected.
 void putSelectionInGroup(EditorState& state, model::GroupId group);
 void selectGroup(EditorState& state, model::GroupId group);

@@ -8,6 +8,7 @@
 
 #include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
+#include "widgets/state/BrushStart.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
@@ -113,6 +114,12 @@ void EditorState::setTool(ToolId id)
     setPicking(Picking::None);
     m_previousTool = m_tool;
     m_tool = id;
+    if (const auto kind = brushKindOf(id)) {
+        startBrush(*this, *kind);
+        if (*kind != BrushKind::Restore) {
+            m_document.rememberPeople();
+        }
+    }
     Q_EMIT toolChanged(id);
 }
 
@@ -288,6 +295,9 @@ void EditorState::beginScene()
     refreshEvent(*this);
     refreshMix(true);
     refreshSeatGrid(true);
+    if (const auto kind = brushKindOf(m_tool)) {
+        startBrush(*this, *kind);
+    }
     m_transport.rewind();
     m_transport.setSpeed(1.0);
     const auto& cameras = scene().cameras;

@@ -7,6 +7,8 @@
 #include <QtCore/QCoreApplication>
 
 #include "model/base/Random.h"
+#include "widgets/commands/GroupCommands.h"
+#include "widgets/state/BrushStart.h"
 #include "widgets/tools/BrushDrags.h"
 #include "widgets/tools/Candidates.h"
 #include "widgets/tools/GhostPreview.h"
@@ -89,6 +91,14 @@ std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) cons
     return modifiers == Qt::ControlModifier ? pickOfBrush(m_kind) : std::nullopt;
 }
 
+/// Then a click chooses whom to clone, as it does with Ctrl.
+bool BrushTool::isSourceMissing() const
+{
+    const auto* clone = settings().find<model::CloneSettings>();
+    return clone != nullptr &&
+           m_context.state.scene().population.rowOf(clone->source) == model::Population::npos;
+}
+
 void BrushTool::showTarget(ToolPicture& picture) const
 {
     const model::HeadingSettings* heading = settings().heading();
@@ -116,6 +126,12 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
     }
     if (input.modifiers.testFlag(Qt::ShiftModifier) && settings().hasCircle()) {
         return std::make_unique<ResizeDrag>(m_context, m_kind, input);
+    }
+    if (isSourceMissing()) {
+        return std::make_unique<PickDrag>(m_context, m_kind, PickKind::Person, input);
+    }
+    if (m_kind == BrushKind::Group) {
+        makeFirstGroup(m_context.state);
     }
     const std::uint64_t seed = nextSeed();
     ++m_strokes;
@@ -152,6 +168,10 @@ void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const
         return;
     }
     showBrush(settings(), input.position(), 1.0, picture);
+    picture.mode = missingOf(m_context.state, m_kind);
+    if (isSourceMissing()) {
+        picture.cursor = Qt::CrossCursor;
+    }
 }
 
 void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const

@@ -26,6 +26,7 @@ private:
     /// What a click picks instead of painting.
     [[nodiscard]] std::optional<PickKind> pickFor(Qt::KeyboardModifiers modifiers) const;
     [[nodiscard]] DragSessionPtr scriptStroke(std::uint64_t seed, const ToolInput& input);
+    [[nodiscard]] bool isSourceMissing() const;
     void showTarget(ToolPicture& picture) const;
 
     ToolContext m_context;

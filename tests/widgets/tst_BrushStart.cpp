@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/BrushStart.h"
+
+#include <QtTest/QTest>
+
+#include "tests/program/Test.h"
+#include "tests/widgets/Hand.h"
+
+using namespace crowd;
+using model::BrushKind;
+using testing::Hand;
+using widgets::ToolId;
+
+/// Brushes that are taken up for the first time, as a new artist takes them up.
+class TestBrushStart : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theTemplateBrushBeginsWithThoseTicked();
+    void theAnimationBrushBeginsWithClipsThatFit();
+    void thePartsBrushTakesOffWhatEverybodyWears();
+    void theGroupBrushMakesAGroup();
+    void theCloneBrushAsksWhomToClone();
+    void theScriptBrushSaysWhatIsMissing();
+    void whatIsChosenStays();
+    void whatWasThereBeforeTheBrushIsKept();
+};
+
+void TestBrushStart::theTemplateBrushBeginsWithThoseTicked()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushTemplate);
+    const auto& chosen = hand.state.brush(BrushKind::Template).as<model::TemplateSettings>();
+    QCOMPARE(chosen.templates, std::vector<int>{1});
+    QCOMPARE(widgets::missingOf(hand.state, BrushKind::Template), QString());
+}
+
+/// Standing people get what stands: the first stroke shows.
+void TestBrushStart::theAnimationBrushBeginsWithClipsThatFit()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 3);
+    hand.state.setTool(ToolId::BrushAnimation);
+    const auto& animation = hand.state.brush(BrushKind::Animation).as<model::AnimationSettings>();
+    QVERIFY(!animation.clips.empty());
+    const model::TemplateEntry& entry = hand.document.scene().templates[0];
+    for (const model::ClipWeight& each : animation.clips) {
+        const model::Clip& clip =
+            entry.asset->clips[static_cast<std::size_t>(entry.asset->clipIndex(each.clip))];
+        QVERIFY2(clip.loop && clip.speed <= 0.0F, each.clip.c_str());
+    }
+    const QPointF at = hand.pixelOf(ids[1]);
+    hand.drag(at, at + QPointF(3.0, 0.0));
+    QCOMPARE(hand.document.undoStack().count(), 2);
+}
+
+void TestBrushStart::thePartsBrushTakesOffWhatEverybodyWears()
+{
+    Hand hand;
+    testing::addPeople(hand.document, 3); // they wear all that they have
+    hand.state.setTool(ToolId::BrushParts);
+    QVERIFY(!hand.state.brush(BrushKind::Parts).as<model::PartsSettings>().isShown);
+}
+
+/// One step for the group and one for those who come into it.
+void TestBrushStart::theGroupBrushMakesAGroup()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 3);
+    hand.state.setTool(ToolId::BrushGroup);
+    hand.hover(hand.pixelOf(ids[0]));
+    QVERIFY2(hand.tools.picture().mode.contains(QStringLiteral("new group")),
+             qPrintable(hand.tools.picture().mode));
+    const QPointF at = hand.pixelOf(ids[1]);
+    hand.drag(at, at + QPointF(3.0, 0.0));
+    const auto& groups = hand.document.scene().groups;
+    QCOMPARE(groups.size(), std::size_t{1});
+    const model::Population& people = hand.document.scene().population;
+    QCOMPARE(people.column(model::columns::group)[people.rowOf(ids[1])], groups[0].id);
+    QCOMPARE(widgets::missingOf(hand.state, BrushKind::Group), QString());
+    hand.drag(at, at + QPointF(3.0, 0.0));
+    QCOMPARE(groups.size(), std::size_t{1});
+}
+
+void TestBrushStart::theCloneBrushAsksWhomToClone()
+{
+    Hand hand;
+    const auto ids = testing::addPeople(hand.document, 3);
+    hand.state.setTool(ToolId::BrushClone);
+    hand.hover(hand.pixelOf(ids[0]));
+    QVERIFY2(hand.tools.picture().mode.contains(QStringLiteral("to be like")),
+             qPrintable(hand.tools.picture().mode));
+    hand.drag(hand.pixelOf(ids[2]), hand.pixelOf(ids[2]));
+    QCOMPARE(hand.state.brush(BrushKind::Clone).as<model::CloneSettings>().source, ids[2]);
+    QCOMPARE(hand.document.undoStack().count(), 1); // nobody was changed
+    hand.hover(hand.pixelOf(ids[0]));
+    QCOMPARE(hand.tools.picture().mode, QString());
+}
+
+void TestBrushStart::theScriptBrushSaysWhatIsMissing()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushScript);
+    QVERIFY(!widgets::missingOf(hand.state, BrushKind::Script).isEmpty());
+}
+
+void TestBrushStart::whatIsChosenStays()
+{
+    Hand hand;
+    testing::addPeople(hand.document, 3);
+    model::BrushSettings brush = hand.state.brush(BrushKind::Animation);
+    brush.as<model::AnimationSettings>().clips = {{"cheer", 1.0F}};
+    hand.state.setBrush(brush);
+    hand.state.setTool(ToolId::BrushAnimation);
+    QVERIFY(hand.state.brush(BrushKind::Animation) == brush);
+}
+
+/// The restoring brush itself is no brush whose work it takes back.
+void TestBrushStart::whatWasThereBeforeTheBrushIsKept()
+{
+    Hand hand;
+    testing::addPeople(hand.document, 3);
+    hand.state.setTool(ToolId::BrushColour);
+    const model::Population before = hand.document.scene().population;
+    testing::addPeople(hand.document, 1, 5.0F);
+    hand.state.setTool(ToolId::BrushRestore);
+    QVERIFY(hand.document.earlierPeople().before == before);
+    hand.state.setTool(ToolId::BrushColour);
+    QVERIFY(!(hand.document.earlierPeople().before == before));
+}
+
+CROWD_TEST(TestBrushStart)
+#include "tst_BrushStart.moc"

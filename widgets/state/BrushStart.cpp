@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/state/BrushStart.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/brush/ClipChoice.h"
+
+namespace crowd::widgets {
+
+using model::BrushKind;
+using model::BrushSettings;
+
+namespace {
+
+struct BrushStartText
+{
+    Q_DECLARE_TR_FUNCTIONS(BrushStart)
+};
+
+/// Templates of the people, of all that are loaded where there is nobody.
+std::vector<const model::TemplateEntry*> entriesInUse(const model::Scene& scene)
+{
+    const auto column = scene.population.column(model::columns::templateId);
+    const std::set<model::TemplateId> used(column.begin(), column.end());
+    std::vector<const model::TemplateEntry*> entries;
+    for (const model::TemplateEntry& entry : scene.templates) {
+        if (entry.asset && (used.empty() || used.contains(entry.id))) {
+            entries.push_back(&entry);
+        }
+    }
+    return entries;
+}
+
+/// What goes on for ever on the spot.
+bool staysInPlace(const model::TemplateEntry& entry, std::size_t column)
+{
+    const int clip = entry.asset->clipIndex(entry.clipNames[column]);
+    return clip >= 0 && entry.asset->clips[static_cast<std::size_t>(clip)].loop &&
+           !model::movesOverGround(entry, column, static_cast<std::size_t>(clip));
+}
+
+void chooseTemplates(const EditorState& state, BrushSettings& brush)
+{
+    std::vector<int>& chosen = brush.as<model::TemplateSettings>().templates;
+    for (const model::TemplateWeight& item :
+         state.brush(BrushKind::Create).as<model::CreateSettings>().mix) {
+        if (item.weight > 0.0F) {
+            chosen.push_back(static_cast<int>(item.id));
+        }
+    }
+}
+
+void chooseClips(const EditorState& state, BrushSettings& brush)
+{
+    std::vector<model::ClipWeight>& clips = brush.as<model::AnimationSettings>().clips;
+    for (const model::TemplateEntry* entry : entriesInUse(state.scene())) {
+        for (std::size_t i = 0; i < entry->clipNames.size(); ++i) {
+            const std::string& name = entry->clipNames[i];
+            if (staysInPlace(*entry, i) &&
+                std::ranges::find(clips, name, &model::ClipWeight::clip) == clips.end()) {
+                clips.push_back({name, 1.0F});
+            }
+        }
+    }
+}
+
+/// Of all parts, where everybody wears all that he has.
+void chooseWhetherPartsShow(const EditorState& state, BrushSettings& brush)
+{
+    auto& settings = brush.as<model::PartsSettings>();
+    const model::Scene& scene = state.scene();
+    const auto parts = scene.population.column(model::columns::parts);
+    const auto templates = scene.population.column(model::columns::templateId);
+    for (std::size_t row = 0; row < parts.size(); ++row) {
+        const model::TemplateEntry* entry = scene.findTemplate(templates[row]);
+        const std::size_t count = entry != nullptr && entry->asset ? entry->asset->parts.size() : 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if ((parts[row] & (std::uint32_t{1} << i)) == 0) {
+                return; // there is something to be shown
+            }
+        }
+    }
+    settings.isShown = false;
+}
+
+} // namespace
+
+void startBrush(EditorState& state, BrushKind kind)
+{
+    BrushSettings brush = state.brush(kind);
+    if (const auto* templates = brush.find<model::TemplateSettings>()) {
+        if (templates->templates.empty()) {
+            chooseTemplates(state, brush);
+        }
+    } else if (const auto* animation = brush.find<model::AnimationSettings>()) {
+        if (animation->clips.empty()) {
+            chooseClips(state, brush);
+        }
+    } else if (const auto* parts = brush.find<model::PartsSettings>()) {
+        if (parts->part.empty() && parts->isShown) {
+            chooseWhetherPartsShow(state, brush);
+        }
+    } else if (const auto* script = brush.find<model::ScriptSettings>()) {
+        if (script->brush.empty() && !state.scriptBrushes().empty()) {
+            const BrushSettings first = state.scriptBrushes().front().settings;
+            state.chooseScriptBrush(first.as<model::ScriptSettings>().brush);
+        }
+        return;
+    }
+    state.setBrush(brush);
+}
+
+QString missingOf(const EditorState& state, BrushKind kind)
+{
+    const BrushSettings& brush = state.brush(kind);
+    const model::Scene& scene = state.scene();
+    if (const auto* clone = brush.find<model::CloneSettings>()) {
+        return scene.population.rowOf(clone->source) != model::Population::npos
+                   ? QString()
+                   : BrushStartText::tr("Click the character that the others are to be like");
+    }
+    if (const auto* group = brush.find<model::GroupSettings>();
+        group != nullptr && group->group == 0) {
+        return scene.groups.empty()
+                   ? BrushStartText::tr("The first stroke makes a new group")
+                   : BrushStartText::tr(
+                         "No group is chosen: strokes take characters out of theirs");
+    }
+    if (kind == BrushKind::Script && state.scriptBrushes().empty()) {
+        return BrushStartText::tr(
+            "No script has brought a brush along yet: run one in the Python console");
+    }
+    const auto* templates = brush.find<model::TemplateSettings>();
+    if (templates != nullptr && templates->templates.empty()) {
+        return BrushStartText::tr("Choose in the settings which templates characters become");
+    }
+    return {};
+}
+
+} // namespace crowd::widgets
