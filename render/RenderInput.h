@@ -108,6 +108,8 @@ struct RenderInput
     bool showShadows = true;
     /// Background instead of the sky when its alpha is above zero.
     glm::vec4 background{0.0F};
+    /// Neither sky nor ground plane: what nothing covers has alpha 0, and colours come times alpha.
+    bool isTransparent = false;
 };
 
 /// What drawing the last picture took.

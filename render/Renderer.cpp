@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLeastVersion = 33;
 
-void beginState()
+void beginState(bool isTransparent)
 {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -28,8 +28,12 @@ void beginState()
     glDisable(GL_STENCIL_TEST);
     glStencilMask(0xFFU);
     glDisable(GL_BLEND);
-    // The picture stays opaque whatever is blended over it.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    if (isTransparent) {
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    } else {
+        // The picture stays opaque whatever is blended over it.
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
     glEnable(GL_FRAMEBUFFER_SRGB);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
@@ -132,7 +136,7 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     if (auto begun = passes->target.begin(size, input.samples); !begun) {
         return begun;
     }
-    beginState();
+    beginState(input.isTransparent);
     model::Result<void> drawn = passes->crowd.prepare(context);
     if (drawn) {
         drawn = passes->draw(context);

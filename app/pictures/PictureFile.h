@@ -13,8 +13,10 @@
 namespace crowd::app {
 
 /// Writes RGBA8 rows from the top to a picture file whose kind its ending tells; whole or not at
-/// all.
-[[nodiscard]] model::Result<void>
-writePicture(const QString& path, const std::vector<std::uint8_t>& rgba, glm::ivec2 size);
+/// all. One that is transparent has its colours times alpha, as the renderer leaves them; the alpha
+/// of another one says nothing.
+[[nodiscard]] model::Result<void> writePicture(const QString& path,
+                                               const std::vector<std::uint8_t>& rgba,
+                                               glm::ivec2 size, bool isTransparent = false);
 
 } // namespace crowd::app

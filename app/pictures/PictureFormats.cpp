@@ -29,12 +29,17 @@ constexpr const char* kTiff[] = {"tif", "tiff"};
 constexpr const char* kWebp[] = {"webp"};
 
 constexpr PictureFormat kFormats[] = {
-    {"PNG", kPng, [](const QImage& image) { return encoded(image, "png"); }},
-    {"JPEG", kJpeg, [](const QImage& image) { return encoded(image, "jpg", kJpegQuality); }},
-    {"TIFF", kTiff, [](const QImage& image) { return encoded(image, "tiff"); }},
-    {"WebP", kWebp, [](const QImage& image) { return encoded(image, "webp", 100); }}};
+    {"PNG", kPng, true, [](const QImage& image) { return encoded(image, "png"); }},
+    {"JPEG", kJpeg, false, [](const QImage& image) { return encoded(image, "jpg", kJpegQuality); }},
+    {"TIFF", kTiff, true, [](const QImage& image) { return encoded(image, "tiff"); }},
+    {"WebP", kWebp, true, [](const QImage& image) { return encoded(image, "webp", 100); }}};
 
 } // namespace
+
+std::span<const PictureFormat> pictureFormats()
+{
+    return kFormats;
+}
 
 const PictureFormat* pictureFormatOf(const QString& path)
 {

@@ -15,6 +15,8 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     input.seatsVersion = request.seatsVersion;
     input.lighting = request.lighting;
     input.look = request.look;
+    input.showShadows = request.showShadows;
+    input.isTransparent = request.isTransparent;
     input.levels.hysteresis = 0.0F; // a picture does not depend on the one before
     return input;
 }

@@ -26,6 +26,8 @@ struct PictureRequest
     model::Camera camera;
     glm::ivec2 size{1280, 720}; ///< pixels
     render::Look look = render::Look::Lit;
+    bool showShadows = true;
+    bool isTransparent = false; ///< see render::RenderInput
 };
 
 /// Draws scenes without a window: owns a context and a renderer. Used on the thread that made it,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/MainWindow.h"
 
+#include <cmath>
 #include <string>
 
 #include <QtCore/QFileInfo>
@@ -55,8 +56,8 @@ QStringList localFiles(const QMimeData* data)
 
 MainWindow::MainWindow()
     : m_state(m_document), m_brushes(m_state, nullptr), m_actions(this), m_files(m_state, this),
-      m_assets(m_state, this), m_queue(m_files, m_assets, this), m_interpreter(m_state),
-      m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
+      m_assets(m_state, this), m_pictures(m_state, this), m_queue(m_files, m_assets, this),
+      m_interpreter(m_state), m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
       m_viewport(new widgets::ViewportWidget(m_state, this)), m_layout(*this),
       m_bookmarks(m_state, m_actions, this), m_language([this] { return isFree(); }, this)
 {
@@ -140,11 +141,19 @@ void MainWindow::renewAround()
     setUpdatesEnabled(true);
 }
 
+void MainWindow::savePicture()
+{
+    const QSizeF pixels = QSizeF(m_viewport->size()) * m_viewport->devicePixelRatioF();
+    m_pictures.save({static_cast<int>(std::lround(pixels.width())),
+                     static_cast<int>(std::lround(pixels.height()))});
+}
+
 bool MainWindow::isFree()
 {
     return !m_document.isEditOpen() && !m_viewport->tools().isDragging() && !m_files.isBusy() &&
-           !m_assets.isBusy() && m_queue.isEmpty() && !m_interpreter.isRunning() &&
-           m_state.longWork().total == 0 && QApplication::activeModalWidget() == nullptr &&
+           !m_assets.isBusy() && !m_pictures.isBusy() && m_queue.isEmpty() &&
+           !m_interpreter.isRunning() && m_state.longWork().total == 0 &&
+           QApplication::activeModalWidget() == nullptr &&
            QApplication::activePopupWidget() == nullptr;
 }
 

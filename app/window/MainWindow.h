@@ -13,6 +13,7 @@
 #include "app/window/FileController.h"
 #include "app/window/FileQueue.h"
 #include "app/window/LanguageMenu.h"
+#include "app/window/PictureController.h"
 #include "model/document/SceneDocument.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -57,6 +58,7 @@ public:
     [[nodiscard]] bool isFree();
     void chooseLanguage(const QString& code) { m_language.choose(code); }
     void showPreferences();
+    void savePicture();
     void showWelcome();
     void showShortcuts();
     void showAbout();
@@ -88,6 +90,7 @@ private:
     widgets::ActionRegistry m_actions;
     FileController m_files;
     AssetController m_assets;
+    PictureController m_pictures;
     FileQueue m_queue;
     Interpreter m_interpreter;
     StrokePainter m_painter;

@@ -97,6 +97,9 @@ const WindowAction kFileActions[] = {
     {{"collect", QT_TRANSLATE_NOOP("Actions", "&Collect Assets"), "collect", "Ctrl+Alt+S",
       QT_TRANSLATE_NOOP("Actions", "Save the scene with copies of all its models beside it")},
      [](MainWindow& w, bool) { (void)w.files().collectAssets(); }},
+    {{"save-picture", QT_TRANSLATE_NOOP("Actions", "Save &Picture…"), "picture", "Ctrl+Shift+E",
+      QT_TRANSLATE_NOOP("Actions", "Save the view as a picture, in any size")},
+     [](MainWindow& w, bool) { w.savePicture(); }},
     {{"library", QT_TRANSLATE_NOOP("Actions", "Add from &Library…"), "add", "Ctrl+Alt+L",
       QT_TRANSLATE_NOOP("Actions", "Choose built-in characters to paint with")},
      [](MainWindow& w, bool) { w.assets().addFromLibrary(); }},
@@ -328,10 +331,22 @@ const WindowAction kOtherActions[] = {
      [](MainWindow& w, bool) { w.showAbout(); }},
 };
 
-constexpr const char* kFileMenu[] = {"new-theatre",  "new-ground", "open",    "@recent",
-                                     "@examples",    "",           "save",    "save-as",
-                                     "collect",      "",           "library", "import-template",
-                                     "import-stage", "",           "quit"};
+constexpr const char* kFileMenu[] = {"new-theatre",
+                                     "new-ground",
+                                     "open",
+                                     "@recent",
+                                     "@examples",
+                                     "",
+                                     "save",
+                                     "save-as",
+                                     "save-picture",
+                                     "collect",
+                                     "",
+                                     "library",
+                                     "import-template",
+                                     "import-stage",
+                                     "",
+                                     "quit"};
 constexpr const char* kEditMenu[] = {
     "undo",     "redo", "",          "delete",     "put-on-ground", "@path-of-places",
     "path-end", "",     "@language", "preferences"};

@@ -25,7 +25,7 @@ struct PassInfo
 
 bool hasSky(const RenderInput& input)
 {
-    return input.background.w <= 0.0F;
+    return input.background.w <= 0.0F && !input.isTransparent;
 }
 
 /// In the order in which they are drawn. People first: they hide more of the stage than it hides of
@@ -38,7 +38,8 @@ constexpr PassInfo kPasses[] = {
          p.background.drawGround(c);
          return model::Result<void>();
      },
-     Mark::Others, [](const RenderInput& input) { return input.showGround; }},
+     Mark::Others,
+     [](const RenderInput& input) { return input.showGround && !input.isTransparent; }},
     {"sky",
      [](Passes& p, const PassContext& c) {
          p.background.drawSky(c);
@@ -74,10 +75,14 @@ void setMark(const RenderInput& input, Mark mark)
 
 void clear(const PassContext& context)
 {
-    const glm::vec3 color = hasSky(context.input)
-                                ? context.light.horizon
-                                : model::linearFromSrgb(glm::vec3(context.input.background));
-    glClearColor(color.x, color.y, color.z, 1.0F);
+    if (context.input.isTransparent) {
+        glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    } else {
+        const glm::vec3 color = hasSky(context.input)
+                                    ? context.light.horizon
+                                    : model::linearFromSrgb(glm::vec3(context.input.background));
+        glClearColor(color.x, color.y, color.z, 1.0F);
+    }
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 

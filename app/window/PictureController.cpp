@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/PictureController.h"
+
+#include <QtCore/QFileInfo>
+#include <QtCore/QSettings>
+#include <QtCore/QStandardPaths>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QMessageBox>
+
+#include "app/pictures/PictureFile.h"
+#include "app/pictures/PictureFormats.h"
+#include "app/pictures/PictureMaker.h"
+#include "app/window/PictureDialog.h"
+#include "model/base/Translated.h"
+
+namespace crowd::app {
+
+namespace {
+
+const QString kFolder = QStringLiteral("picture/folder");
+constexpr std::size_t kKeyframeBytes = std::size_t{2} << 30U;
+
+/// All that a picture shows, apart from the document: the artist paints on meanwhile.
+struct PictureJob
+{
+    QString path;
+    model::CrowdFramePtr frame;
+    std::vector<model::StageEntry> stages;
+    std::vector<model::WorldSeat> seats;
+    PictureRequest request; ///< its spans are set where it is drawn
+};
+
+model::Result<void> drawPicture(PictureJob job)
+{
+    model::KeyframeStore keyframes(kKeyframeBytes);
+    auto maker = PictureMaker::create(keyframes);
+    if (!maker) {
+        return maker.error();
+    }
+    job.request.frame = job.frame;
+    job.request.stages = job.stages;
+    job.request.seats = job.seats;
+    if (auto drawn = maker.value()->draw(job.request); !drawn) {
+        return drawn;
+    }
+    return writePicture(job.path, maker.value()->pixels(), maker.value()->size(),
+                        job.request.isTransparent);
+}
+
+} // namespace
+
+PictureController::PictureController(widgets::EditorState& state, QWidget* window)
+    : QObject(window), m_state(state), m_window(window),
+      m_task(window, [&state] { return !state.document().isEditOpen(); })
+{
+}
+
+void PictureController::save(glm::ivec2 view)
+{
+    if (m_task.isRunning()) {
+        m_state.showStatus(tr("Another picture is still being drawn."));
+        return;
+    }
+    PictureDialog dialog(view, m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    const QString path = askForPath();
+    if (!path.isEmpty()) {
+        draw(path, dialog.chosenSize(), dialog.isTransparent());
+    }
+}
+
+QString PictureController::askForPath()
+{
+    QSettings settings;
+    const QString document = m_state.document().path();
+    const QString usual = document.isEmpty()
+                              ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
+                              : QFileInfo(document).absolutePath();
+    const QString folder = settings.value(kFolder, usual).toString();
+    QString filters;
+    for (const PictureFormat& format : pictureFormats()) {
+        QStringList patterns;
+        for (const char* ending : format.endings) {
+            patterns << QStringLiteral("*.") + QLatin1String(ending);
+        }
+        filters += (filters.isEmpty() ? QString() : QStringLiteral(";;")) +
+                   QStringLiteral("%1 (%2)").arg(QLatin1String(format.name),
+                                                 patterns.join(QLatin1Char(' ')));
+    }
+    QFileDialog dialog(m_window, tr("Save Picture"), folder, filters);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QLatin1String(pictureFormats().front().endings.front()));
+    const QString name =
+        document.isEmpty() ? tr("picture") : QFileInfo(document).completeBaseName();
+    dialog.selectFile(name + QLatin1Char('.') + dialog.defaultSuffix());
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
+        for (const PictureFormat& format : pictureFormats()) {
+            if (filter.startsWith(QLatin1String(format.name))) {
+                dialog.setDefaultSuffix(QLatin1String(format.endings.front()));
+            }
+        }
+    });
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
+        return {};
+    }
+    const QString path = dialog.selectedFiles().front();
+    settings.setValue(kFolder, QFileInfo(path).absolutePath());
+    return path;
+}
+
+void PictureController::draw(const QString& path, glm::ivec2 size, bool isTransparent)
+{
+    const widgets::ViewOptions& options = m_state.viewOptions();
+    PictureJob job;
+    job.path = path;
+    job.frame = m_state.frame();
+    job.stages = m_state.scene().stages;
+    job.seats = m_state.scene().worldSeats();
+    job.request.lighting = m_state.scene().lighting;
+    job.request.lighting.showGroundGrid &= options.showGroundGrid;
+    job.request.camera = m_state.camera();
+    job.request.size = size;
+    job.request.look = options.look;
+    job.request.showShadows = options.showShadows;
+    job.request.isTransparent = isTransparent;
+    m_task.start(
+        tr("Saving the picture…"),
+        [job = std::move(job)](const widgets::TaskReport& report) {
+            report(tr("Drawing %1").arg(QFileInfo(job.path).fileName()), 0.0F);
+            return drawPicture(job);
+        },
+        [this, path](const model::Result<void>& saved) {
+            if (saved) {
+                m_state.showStatus(tr("Saved %1").arg(QFileInfo(path).fileName()));
+                return;
+            }
+            QMessageBox::warning(m_window, tr("The picture could not be saved"),
+                                 model::translated(saved.error()));
+        });
+}
+
+} // namespace crowd::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QObject>
+
+#include "app/window/DialogTask.h"
+#include "widgets/viewport/ViewportWidget.h"
+
+namespace crowd::app {
+
+/// File > Save Picture: the view as it is at this moment, without marks and handles, in a size of
+/// its own, drawn in the background. Main thread only.
+class PictureController : public QObject
+{
+    Q_OBJECT
+
+public:
+    PictureController(widgets::EditorState& state, QWidget* window);
+
+    /// Asks for size and file, then draws. `view`: the picture in the window, physical pixels.
+    void save(glm::ivec2 view);
+    [[nodiscard]] bool isBusy() const { return m_task.isRunning(); }
+
+private:
+    [[nodiscard]] QString askForPath();
+    void draw(const QString& path, glm::ivec2 size, bool isTransparent);
+
+    widgets::EditorState& m_state;
+    QWidget* m_window;
+    DialogTask m_task;
+};
+
+} // namespace crowd::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/PictureDialog.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+
+namespace crowd::app {
+
+namespace {
+
+const QString kSize = QStringLiteral("picture/size"); ///< invalid: as the window
+const QString kTransparent = QStringLiteral("picture/transparent");
+constexpr int kLeastPixels = 16;
+constexpr int kMostPixels = 8192;
+
+QSpinBox* pixelField(const char* name, QWidget* parent)
+{
+    auto* box = new QSpinBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->setRange(kLeastPixels, kMostPixels);
+    return box;
+}
+
+} // namespace
+
+PictureDialog::PictureDialog(glm::ivec2 view, QWidget* parent)
+    : QDialog(parent), m_sizes(new QComboBox(this)), m_width(pixelField("pictureWidth", this)),
+      m_height(pixelField("pictureHeight", this)), m_transparent(new QCheckBox(this))
+{
+    setWindowTitle(tr("Save Picture"));
+    m_sizes->setObjectName(QStringLiteral("pictureSizes"));
+    m_sizes->addItem(tr("As in the window"), QSize(view.x, view.y));
+    m_sizes->addItem(tr("Full HD"), QSize(1920, 1080));
+    m_sizes->addItem(tr("4K"), QSize(3840, 2160));
+    m_sizes->addItem(tr("Square"), QSize(2048, 2048));
+    m_sizes->addItem(tr("Another size"), QSize());
+    m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
+    m_transparent->setText(tr("Transparent background"));
+    m_transparent->setToolTip(
+        tr("Without sky and ground plane, to be laid over something else. Not as JPEG."));
+    auto* pixels = new QHBoxLayout;
+    pixels->addWidget(m_width);
+    pixels->addWidget(new QLabel(tr("×"), this));
+    pixels->addWidget(m_height);
+    pixels->addWidget(new QLabel(tr("pixels"), this));
+    pixels->addStretch(1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    buttons->addButton(tr("Save…"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &PictureDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &PictureDialog::reject);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Size"), m_sizes);
+    form->addRow(QString(), pixels);
+    form->addRow(QString(), m_transparent);
+    form->addRow(buttons);
+    connect(m_sizes, &QComboBox::currentIndexChanged, this, &PictureDialog::chooseSize);
+    for (QSpinBox* box : {m_width, m_height}) {
+        connect(box, &QSpinBox::valueChanged, this, &PictureDialog::noteOwnSize);
+    }
+    const QSettings settings;
+    const QSize last = settings.value(kSize).toSize();
+    m_transparent->setChecked(settings.value(kTransparent).toBool());
+    chooseSize(0);
+    if (last.isValid()) {
+        m_width->setValue(last.width());
+        m_height->setValue(last.height());
+    }
+}
+
+glm::ivec2 PictureDialog::chosenSize() const
+{
+    return {m_width->value(), m_height->value()};
+}
+
+bool PictureDialog::isTransparent() const
+{
+    return m_transparent->isChecked();
+}
+
+void PictureDialog::chooseSize(int index)
+{
+    const QSize size = m_sizes->itemData(index).toSize();
+    if (!size.isValid()) {
+        return; // the artist's own
+    }
+    const QSignalBlocker width(m_width);
+    const QSignalBlocker height(m_height);
+    m_width->setValue(size.width());
+    m_height->setValue(size.height());
+}
+
+/// The list shows the name of the size that stands in the fields.
+void PictureDialog::noteOwnSize()
+{
+    const QSignalBlocker blocker(m_sizes);
+    const int found = m_sizes->findData(QSize(m_width->value(), m_height->value()));
+    m_sizes->setCurrentIndex(found >= 0 ? found : m_sizes->count() - 1);
+}
+
+void PictureDialog::accept()
+{
+    QSettings settings;
+    const bool isWindow = m_sizes->currentIndex() == 0;
+    settings.setValue(kSize, isWindow ? QSize() : QSize(m_width->value(), m_height->value()));
+    settings.setValue(kTransparent, m_transparent->isChecked());
+    QDialog::accept();
+}
+
+} // namespace crowd::app
