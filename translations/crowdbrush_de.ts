@@ -716,10 +716,6 @@
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Give the characters under the brush back what their template has</source>
-        <translation>Den Figuren unter dem Pinsel zurückgeben, was ihre Vorlage hat</translation>
-    </message>
-    <message>
         <source>Shu&amp;ffle</source>
         <translation>&amp;Mischen</translation>
     </message>
@@ -775,12 +771,47 @@
         <source>Let the characters under the brush begin sooner or later: waves</source>
         <translation>Die Figuren unter dem Pinsel früher oder später beginnen lassen: Wellen</translation>
     </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>&amp;Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save the view as a picture, in any size</source>
+        <translation>Die Ansicht als Bild speichern, in beliebiger Größe</translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush back what they had</source>
+        <translation>Den Figuren unter dem Pinsel zurückgeben, was sie hatten</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
     <message>
         <source>Reading %1…</source>
         <translation>%1 wird gelesen …</translation>
+    </message>
+</context>
+<context>
+    <name>BrushStart</name>
+    <message>
+        <source>Click the character that the others are to be like</source>
+        <translation>Die Figur anklicken, der die anderen gleichen sollen</translation>
+    </message>
+    <message>
+        <source>The first stroke makes a new group</source>
+        <translation>Der erste Strich legt eine neue Gruppe an</translation>
+    </message>
+    <message>
+        <source>No group is chosen: strokes take characters out of theirs</source>
+        <translation>Keine Gruppe ist gewählt: Striche nehmen Figuren aus ihrer heraus</translation>
+    </message>
+    <message>
+        <source>No script has brought a brush along yet: run one in the Python console</source>
+        <translation>Noch kein Skript hat einen Pinsel mitgebracht: in der Python-Konsole eines ausführen</translation>
+    </message>
+    <message>
+        <source>Choose in the settings which templates characters become</source>
+        <translation>In den Einstellungen wählen, zu welchen Vorlagen Figuren werden</translation>
     </message>
 </context>
 <context>
@@ -985,13 +1016,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters do something else</source>
-        <translation>
-            <numerusform>%n Figur tut etwas anderes</numerusform>
-            <numerusform>%n Figuren tun etwas anderes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n characters walk differently</source>
         <translation>
             <numerusform>Eine Figur geht anders</numerusform>
@@ -1117,10 +1141,6 @@
             <numerusform>%n Figuren in die Gruppe genommen</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Drag: restore what the template has</source>
-        <translation>Ziehen: wiederherstellen, was die Vorlage hat</translation>
-    </message>
     <message numerus="yes">
         <source>%n characters restored</source>
         <translation>
@@ -1216,6 +1236,17 @@
     <message>
         <source>Nothing to take there for this brush</source>
         <translation>Dort gibt es für diesen Pinsel nichts zu übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters move differently</source>
+        <translation>
+            <numerusform>%n Figur bewegt sich anders</numerusform>
+            <numerusform>%n Figuren bewegen sich anders</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give back what they had</source>
+        <translation>Ziehen: zurückgeben, was sie hatten</translation>
     </message>
 </context>
 <context>
@@ -1447,10 +1478,6 @@
             <numerusform>%n Figur wiederherstellen</numerusform>
             <numerusform>%n Figuren wiederherstellen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>All of them are as their template has it</source>
-        <translation>Alle sind schon so, wie ihre Vorlage es hat</translation>
     </message>
     <message numerus="yes">
         <source>Shuffle %n character(s)</source>
@@ -2243,10 +2270,6 @@
         <translation>Materialien</translation>
     </message>
     <message>
-        <source>What suits standing or sitting, at the usual speed</source>
-        <translation>Was zum Stehen oder Sitzen passt, im üblichen Tempo</translation>
-    </message>
-    <message>
         <source>Colours and materials</source>
         <translation>Farben und Materialien</translation>
     </message>
@@ -2385,6 +2408,34 @@
     <message>
         <source>Speed of the wave</source>
         <translation>Tempo der Welle</translation>
+    </message>
+    <message>
+        <source>What their template has</source>
+        <translation>Was ihre Vorlage hat</translation>
+    </message>
+    <message>
+        <source>As they were created</source>
+        <translation>Wie sie erstellt wurden</translation>
+    </message>
+    <message>
+        <source>As last saved</source>
+        <translation>Wie zuletzt gespeichert</translation>
+    </message>
+    <message>
+        <source>As before the last brush</source>
+        <translation>Wie vor dem letzten Pinsel</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>As they were created: those of a file as they were when it was opened. As before the last brush: before the brush was taken up that was used before this one.</source>
+        <translation>Wie sie erstellt wurden: die aus einer Datei so, wie sie beim Öffnen waren. Wie vor dem letzten Pinsel: bevor der Pinsel zur Hand genommen wurde, mit dem vor diesem gemalt wurde.</translation>
+    </message>
+    <message>
+        <source>From the template: what suits standing or sitting, at the usual speed</source>
+        <translation>Aus der Vorlage: was zum Stehen oder Sitzen passt, im üblichen Tempo</translation>
     </message>
 </context>
 <context>
@@ -3909,6 +3960,66 @@
         <source>Something else is being edited: finish or cancel (Esc) it first.</source>
         <translation>Erst beenden oder abbrechen (Esc), was gerade bearbeitet wird.</translation>
     </message>
+    <message>
+        <source>%1: a %2 file cannot be transparent. Let the name end in .png, or switch the transparency off.</source>
+        <translation>%1: Eine Datei der Art %2 kann nicht durchsichtig sein. Der Name soll auf .png enden, oder die Durchsichtigkeit soll aus sein.</translation>
+    </message>
+</context>
+<context>
+    <name>Names</name>
+    <message>
+        <source>Applause</source>
+        <translation>Beifall</translation>
+    </message>
+    <message>
+        <source>Cheers</source>
+        <translation>Jubel</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Winken</translation>
+    </message>
+    <message>
+        <source>Sad</source>
+        <translation>Traurig</translation>
+    </message>
+    <message>
+        <source>Bored</source>
+        <translation>Gelangweilt</translation>
+    </message>
+    <message>
+        <source>Angry</source>
+        <translation>Wütend</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Panic</source>
+        <translation>Panik</translation>
+    </message>
+    <message>
+        <source>Startle</source>
+        <translation>Erschrecken</translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <comment>cue</comment>
+        <translation>Anstellen</translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -4141,6 +4252,26 @@
     <message>
         <source>Move up</source>
         <translation>Aufrücken</translation>
+    </message>
+    <message>
+        <source>All calm down</source>
+        <translation>Alle beruhigen sich</translation>
+    </message>
+    <message>
+        <source>Waving spreads</source>
+        <translation>Winken breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Sadness spreads</source>
+        <translation>Trauer breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Boredom spreads</source>
+        <translation>Langeweile breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Anger spreads</source>
+        <translation>Wut breitet sich aus</translation>
     </message>
 </context>
 <context>
@@ -5380,6 +5511,14 @@
         <source>event</source>
         <translation>Ereignis</translation>
     </message>
+    <message>
+        <source>play {clips} until something else comes</source>
+        <translation>{clips} spielen, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>yields to others further up</source>
+        <translation>weicht anderen Regeln weiter oben</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5458,8 +5597,8 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
-        <translation>Klick: auswählen · Ziehen: Bereich, oder jemanden bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <translation>Klick: auswählen · Ziehen: Bereich, oder Ausgewählte bewegen · Umschalt: dazu, Strg: umkehren, Bereiche von überall · L: Lasso oder Rechteck · Entf: löschen · F: Auswahl zeigen</translation>
     </message>
 </context>
 <context>
@@ -6298,6 +6437,88 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Time shown: minutes and seconds from the start</source>
         <translation>Gezeigte Zeit: Minuten und Sekunden vom Anfang an</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureController</name>
+    <message>
+        <source>Another picture is still being drawn.</source>
+        <translation>Ein anderes Bild wird noch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Saving the picture…</source>
+        <translation>Das Bild wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>%1 wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>The picture could not be saved</source>
+        <translation>Das Bild konnte nicht gespeichert werden</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureDialog</name>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Andere Größe</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Without sky and ground plane, to be laid over something else. Not as JPEG.</source>
+        <translation>Ohne Himmel und Bodenfläche, um es über etwas anderes zu legen. Nicht als JPEG.</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
     </message>
 </context>
 <context>
@@ -8085,12 +8306,12 @@ Verworfen ist sie fort.</translation>
         <translation>Hier stehen die letzten Striche. Ihre Einstellungen lassen sich ändern, bis etwas anderes bearbeitet wird.</translation>
     </message>
     <message>
-        <source>People were elsewhere when this was painted. Whom it meant then stays, until its area is changed.</source>
-        <translation>Die Figuren waren woanders, als dies gemalt wurde. Wen der Strich meinte, bleibt gemeint, bis seine Fläche geändert wird.</translation>
-    </message>
-    <message>
         <source>Laid anew: %1</source>
         <translation>Neu gelegt: %1</translation>
+    </message>
+    <message>
+        <source>People were elsewhere when this was painted, or got back what they had. Whom it meant then stays, until its area is changed.</source>
+        <translation>Die Leute waren anderswo, als dies gemalt wurde, oder bekamen zurück, was sie hatten. Wer damals gemeint war, bleibt es, bis der Bereich geändert wird.</translation>
     </message>
 </context>
 <context>

@@ -716,10 +716,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give the characters under the brush back what their template has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shu&amp;ffle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -775,11 +771,46 @@
         <source>Let the characters under the brush begin sooner or later: waves</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the view as a picture, in any size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the characters under the brush back what they had</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
     <message>
         <source>Reading %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BrushStart</name>
+    <message>
+        <source>Click the character that the others are to be like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first stroke makes a new group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No group is chosen: strokes take characters out of theirs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No script has brought a brush along yet: run one in the Python console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose in the settings which templates characters become</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -985,13 +1016,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters do something else</source>
-        <translation>
-            <numerusform>%n character does something else</numerusform>
-            <numerusform>%n characters do something else</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n characters walk differently</source>
         <translation>
             <numerusform>%n character walks differently</numerusform>
@@ -1117,10 +1141,6 @@
             <numerusform>%n characters taken into the group</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Drag: restore what the template has</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n characters restored</source>
         <translation>
@@ -1215,6 +1235,17 @@
     </message>
     <message>
         <source>Nothing to take there for this brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters move differently</source>
+        <translation>
+            <numerusform>%n character moves differently</numerusform>
+            <numerusform>%n characters move differently</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: give back what they had</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1447,10 +1478,6 @@
             <numerusform>Restore %n character</numerusform>
             <numerusform>Restore %n characters</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>All of them are as their template has it</source>
-        <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
         <source>Shuffle %n character(s)</source>
@@ -2243,10 +2270,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What suits standing or sitting, at the usual speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Colours and materials</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2384,6 +2407,34 @@
     </message>
     <message>
         <source>Speed of the wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What their template has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As they were created</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As last saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As before the last brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As they were created: those of a file as they were when it was opened. As before the last brush: before the brush was taken up that was used before this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the template: what suits standing or sitting, at the usual speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3909,6 +3960,66 @@
         <source>Something else is being edited: finish or cancel (Esc) it first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: a %2 file cannot be transparent. Let the name end in .png, or switch the transparency off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Names</name>
+    <message>
+        <source>Applause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cheers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Startle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <comment>cue</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>NavigateTool</name>
@@ -4140,6 +4251,26 @@
     </message>
     <message>
         <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All calm down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waving spreads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sadness spreads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boredom spreads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anger spreads</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5380,6 +5511,14 @@
         <source>event</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>play {clips} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yields to others further up</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5458,7 +5597,7 @@
         </translation>
     </message>
     <message>
-        <source>Click: select · Drag: area, or move somebody · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
+        <source>Click: select · Drag: area, or move who is selected · Shift: add, Ctrl: toggle, areas from anywhere · L: lasso or rectangle · Delete: remove · F: show the selection</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6292,6 +6431,88 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Time shown: minutes and seconds from the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureController</name>
+    <message>
+        <source>Another picture is still being drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving the picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture could not be saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::PictureDialog</name>
+    <message>
+        <source>Save Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without sky and ground plane, to be laid over something else. Not as JPEG.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8078,11 +8299,11 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>People were elsewhere when this was painted. Whom it meant then stays, until its area is changed.</source>
+        <source>Laid anew: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Laid anew: %1</source>
+        <source>People were elsewhere when this was painted, or got back what they had. Whom it meant then stays, until its area is changed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -686,7 +686,13 @@ class ShuffleSettings:
 
 
 class RestoreSettings:
-    """What people get back from their template."""
+    """What people get back."""
+    @property
+    def source(self) -> str:
+        """Where it comes from."""
+    @source.setter
+    def source(self, value: str) -> None:
+        ...
     @property
     def colours(self) -> bool:
         ...
@@ -1676,7 +1682,7 @@ class actions:
         loop: bool
         """for so many seconds, else once; begins as False"""
         seconds: float
-        """how long a loop goes on; 0 to 86400 s; begins as 3.0"""
+        """how long a loop goes on; 0: until another rule comes; 0 to 86400 s; begins as 3.0"""
         depth: int
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
@@ -2085,7 +2091,7 @@ class Cue(Entry):
 
 class Rule(Entry):
     """When this happens, and the conditions hold, do this."""
-    def __init__(self, *, id: int, name: str = ..., enabled: bool = ..., any: bool = ..., meeting: Literal["interrupt", "queue", "ignore"] = ..., yields: Literal["further up", "anybody", "nobody"] = ..., cooldown: float = ..., limit: int = ..., when: Union[Trigger, Dict[str, Any]] = ..., if_: Sequence[Union[Condition, Dict[str, Any]]] = ..., do: Sequence[Union[Action, Dict[str, Any]]] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., enabled: bool = ..., any: bool = ..., meeting: Literal["interrupt", "queue", "ignore"] = ..., yields: Literal["further up", "anybody", "nobody", "others further up"] = ..., cooldown: float = ..., limit: int = ..., when: Union[Trigger, Dict[str, Any]] = ..., if_: Sequence[Union[Condition, Dict[str, Any]]] = ..., do: Sequence[Union[Action, Dict[str, Any]]] = ...) -> None:
         ...
     id: int
     """by which others name it, never 0; must be given"""
@@ -2097,7 +2103,7 @@ class Rule(Entry):
     """whether one of the conditions is enough, else all; begins as False"""
     meeting: Literal["interrupt", "queue", "ignore"]
     """what happens to somebody who is busy with another rule; begins as 'interrupt'"""
-    yields: Literal["further up", "anybody", "nobody"]
+    yields: Literal["further up", "anybody", "nobody", "others further up"]
     """which rules may break it off; begins as 'further up'"""
     cooldown: float
     """between two times for the same individual; 0 to 86400 s; begins as 0.0"""
