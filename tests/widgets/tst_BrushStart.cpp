@@ -70,8 +70,8 @@ void TestBrushStart::theGroupBrushMakesAGroup()
     const auto ids = testing::addPeople(hand.document, 3);
     hand.state.setTool(ToolId::BrushGroup);
     hand.hover(hand.pixelOf(ids[0]));
-    QVERIFY2(hand.tools.picture().mode.contains(QStringLiteral("new group")),
-             qPrintable(hand.tools.picture().mode));
+    QVERIFY2(hand.tools.picture().label.contains(QStringLiteral("new group")),
+             qPrintable(hand.tools.picture().label));
     const QPointF at = hand.pixelOf(ids[1]);
     hand.drag(at, at + QPointF(3.0, 0.0));
     const auto& groups = hand.document.scene().groups;
@@ -89,13 +89,13 @@ void TestBrushStart::theCloneBrushAsksWhomToClone()
     const auto ids = testing::addPeople(hand.document, 3);
     hand.state.setTool(ToolId::BrushClone);
     hand.hover(hand.pixelOf(ids[0]));
-    QVERIFY2(hand.tools.picture().mode.contains(QStringLiteral("to be like")),
-             qPrintable(hand.tools.picture().mode));
+    QVERIFY2(hand.tools.picture().label.contains(QStringLiteral("to be like")),
+             qPrintable(hand.tools.picture().label));
     hand.drag(hand.pixelOf(ids[2]), hand.pixelOf(ids[2]));
     QCOMPARE(hand.state.brush(BrushKind::Clone).as<model::CloneSettings>().source, ids[2]);
     QCOMPARE(hand.document.undoStack().count(), 1); // nobody was changed
     hand.hover(hand.pixelOf(ids[0]));
-    QCOMPARE(hand.tools.picture().mode, QString());
+    QCOMPARE(hand.tools.picture().label, QString());
 }
 
 void TestBrushStart::theScriptBrushSaysWhatIsMissing()

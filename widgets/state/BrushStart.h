@@ -13,7 +13,7 @@ namespace crowd::widgets {
 /// templates in use. Parts: nobody lacks any, so they are taken off. Scripts: the first one.
 void startBrush(EditorState& state, model::BrushKind kind);
 
-/// What a stroke lacks, or does instead, for the plate above the picture; empty: nothing.
+/// What a stroke lacks, or does instead, for the plate at the cursor; empty: nothing.
 [[nodiscard]] QString missingOf(const EditorState& state, model::BrushKind kind);
 
 } // namespace crowd::widgets

@@ -168,7 +168,7 @@ void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const
         return;
     }
     showBrush(settings(), input.position(), 1.0, picture);
-    picture.mode = missingOf(m_context.state, m_kind);
+    picture.label = missingOf(m_context.state, m_kind);
     if (isSourceMissing()) {
         picture.cursor = Qt::CrossCursor;
     }
