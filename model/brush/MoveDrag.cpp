@@ -135,6 +135,7 @@ void MoveDrag::Private::moveDisplaced(const std::vector<Displaced>& displaced,
             places, [seat](const Place& place) { return place.isTaken && place.seat.id == seat; });
     }
     std::vector<IndividualId> whom;
+    whom.reserve(displaced.size());
     for (const Displaced& each : displaced) {
         whom.push_back(each.id);
     }

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void theCloneBrushAsksWhomToClone();
     void theScriptBrushSaysWhatIsMissing();
     void whatIsChosenStays();
+    void whatIsUnchosenOnPurposeStays();
     void whatWasThereBeforeTheBrushIsKept();
 };
 
@@ -110,10 +111,26 @@ void TestBrushStart::whatIsChosenStays()
     Hand hand;
     testing::addPeople(hand.document, 3);
     model::BrushSettings brush = hand.state.brush(BrushKind::Animation);
-    brush.as<model::AnimationSettings>().clips = {{"cheer", 1.0F}};
+    brush.as<model::AnimationSettings>().clips = {
+        {hand.document.scene().templates[0].clipNames.back(), 1.0F}};
     hand.state.setBrush(brush);
     hand.state.setTool(ToolId::BrushAnimation);
     QVERIFY(hand.state.brush(BrushKind::Animation) == brush);
+}
+
+/// Only the first time, and anew in another scene.
+void TestBrushStart::whatIsUnchosenOnPurposeStays()
+{
+    Hand hand;
+    hand.state.setTool(ToolId::BrushAnimation);
+    model::BrushSettings brush = hand.state.brush(BrushKind::Animation);
+    brush.as<model::AnimationSettings>().clips.clear(); // phases alone
+    hand.state.setBrush(brush);
+    hand.state.setTool(ToolId::Select);
+    hand.state.setTool(ToolId::BrushAnimation);
+    QVERIFY(hand.state.brush(BrushKind::Animation).as<model::AnimationSettings>().clips.empty());
+    hand.document.replaceScene(testing::smallTheatre(), {});
+    QVERIFY(!hand.state.brush(BrushKind::Animation).as<model::AnimationSettings>().clips.empty());
 }
 
 /// The restoring brush itself is no brush whose work it takes back.

@@ -42,9 +42,26 @@ bool staysInPlace(const model::TemplateEntry& entry, std::size_t column)
            !model::movesOverGround(entry, column, static_cast<std::size_t>(clip));
 }
 
+bool hasAnyTemplate(const model::Scene& scene, const model::TemplateSettings& settings)
+{
+    return std::ranges::any_of(settings.templates, [&scene](int id) {
+        return scene.findTemplate(static_cast<model::TemplateId>(id)) != nullptr;
+    });
+}
+
+bool hasAnyClip(const model::Scene& scene, const model::AnimationSettings& settings)
+{
+    return std::ranges::any_of(settings.clips, [&scene](const model::ClipWeight& clip) {
+        return std::ranges::any_of(scene.templates, [&clip](const model::TemplateEntry& entry) {
+            return std::ranges::find(entry.clipNames, clip.clip) != entry.clipNames.end();
+        });
+    });
+}
+
 void chooseTemplates(const EditorState& state, BrushSettings& brush)
 {
     std::vector<int>& chosen = brush.as<model::TemplateSettings>().templates;
+    chosen.clear();
     for (const model::TemplateWeight& item :
          state.brush(BrushKind::Create).as<model::CreateSettings>().mix) {
         if (item.weight > 0.0F) {
@@ -56,6 +73,7 @@ void chooseTemplates(const EditorState& state, BrushSettings& brush)
 void chooseClips(const EditorState& state, BrushSettings& brush)
 {
     std::vector<model::ClipWeight>& clips = brush.as<model::AnimationSettings>().clips;
+    clips.clear();
     for (const model::TemplateEntry* entry : entriesInUse(state.scene())) {
         for (std::size_t i = 0; i < entry->clipNames.size(); ++i) {
             const std::string& name = entry->clipNames[i];
@@ -88,17 +106,20 @@ void chooseWhetherPartsShow(const EditorState& state, BrushSettings& brush)
 
 } // namespace
 
-void startBrush(EditorState& state, BrushKind kind)
+bool startBrush(EditorState& state, BrushKind kind)
 {
     BrushSettings brush = state.brush(kind);
+    bool isReady = true;
     if (const auto* templates = brush.find<model::TemplateSettings>()) {
-        if (templates->templates.empty()) {
+        if (!hasAnyTemplate(state.scene(), *templates)) {
             chooseTemplates(state, brush);
         }
+        isReady = !templates->templates.empty();
     } else if (const auto* animation = brush.find<model::AnimationSettings>()) {
-        if (animation->clips.empty()) {
+        if (!hasAnyClip(state.scene(), *animation)) {
             chooseClips(state, brush);
         }
+        isReady = !animation->clips.empty();
     } else if (const auto* parts = brush.find<model::PartsSettings>()) {
         if (parts->part.empty() && parts->isShown) {
             chooseWhetherPartsShow(state, brush);
@@ -108,9 +129,10 @@ void startBrush(EditorState& state, BrushKind kind)
             const BrushSettings first = state.scriptBrushes().front().settings;
             state.chooseScriptBrush(first.as<model::ScriptSettings>().brush);
         }
-        return;
+        return !state.scriptBrushes().empty();
     }
     state.setBrush(brush);
+    return isReady;
 }
 
 QString missingOf(const EditorState& state, BrushKind kind)

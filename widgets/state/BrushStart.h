@@ -9,9 +9,10 @@
 namespace crowd::widgets {
 
 /// Called when the brush is taken up: chooses what the scene offers where the artist has chosen
-/// nothing. Templates: those that new people come of. Clips: those for standing or sitting of the
-/// templates in use. Parts: nobody lacks any, so they are taken off. Scripts: the first one.
-void startBrush(EditorState& state, model::BrushKind kind);
+/// nothing that the scene has. Templates: those that new people come of. Clips: those for standing
+/// or sitting of the templates in use. Parts: nobody lacks any, so they are taken off. Scripts: the
+/// first one. False: the scene offers nothing yet.
+bool startBrush(EditorState& state, model::BrushKind kind);
 
 /// What a stroke lacks, or does instead, for the plate at the cursor; empty: nothing.
 [[nodiscard]] QString missingOf(const EditorState& state, model::BrushKind kind);

@@ -115,12 +115,19 @@ void EditorState::setTool(ToolId id)
     m_previousTool = m_tool;
     m_tool = id;
     if (const auto kind = brushKindOf(id)) {
-        startBrush(*this, *kind);
+        start(*kind);
         if (*kind != BrushKind::Restore) {
             m_document.rememberPeople();
         }
     }
     Q_EMIT toolChanged(id);
+}
+
+/// Once in a scene: what the artist leaves unchosen then is meant.
+void EditorState::start(BrushKind kind)
+{
+    bool& isStarted = m_isStarted[static_cast<std::size_t>(kind)];
+    isStarted = isStarted || startBrush(*this, kind);
 }
 
 void EditorState::setPicking(Picking picking)
@@ -295,8 +302,9 @@ void EditorState::beginScene()
     refreshEvent(*this);
     refreshMix(true);
     refreshSeatGrid(true);
+    m_isStarted = {};
     if (const auto kind = brushKindOf(m_tool)) {
-        startBrush(*this, *kind);
+        start(*kind);
     }
     m_transport.rewind();
     m_transport.setSpeed(1.0);

@@ -180,6 +180,7 @@ private:
     void placeCamera(const model::Camera& camera, const QString& name);
     void followScene(const model::SceneChange& change);
     void beginScene();
+    void start(model::BrushKind kind);
     void refreshWalk(bool isNewScene);
     void refreshMix(bool isNewScene);
     void refreshSeatGrid(bool isNewScene);
@@ -193,6 +194,7 @@ private:
     SessionControl m_session;
     GroundFinder m_ground;
     std::array<model::BrushSettings, model::kBrushCount> m_brushes;
+    std::array<bool, model::kBrushCount> m_isStarted{}; ///< see startBrush()
     std::vector<ScriptBrush> m_scriptBrushes;
     ScriptPainter* m_scriptPainter = nullptr; ///< somebody else's
     ToolId m_tool = ToolId::BrushCreate;
