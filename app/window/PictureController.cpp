@@ -105,7 +105,7 @@ QString PictureController::askForPath()
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
         return {};
     }
-    const QString path = dialog.selectedFiles().front();
+    QString path = dialog.selectedFiles().front();
     settings.setValue(kFolder, QFileInfo(path).absolutePath());
     return path;
 }
