@@ -17,8 +17,8 @@ namespace crowd::app {
 
 namespace {
 
-const QString kFolder = QStringLiteral("picture/folder");
-constexpr std::size_t kKeyframeBytes = std::size_t{2} << 30U;
+const QString kPictureFolder = QStringLiteral("picture/folder");
+constexpr std::size_t kPictureKeyframeBytes = std::size_t{2} << 30U;
 
 /// All that a picture shows, apart from the document: the artist paints on meanwhile.
 struct PictureJob
@@ -32,7 +32,7 @@ struct PictureJob
 
 model::Result<void> drawPicture(PictureJob job)
 {
-    model::KeyframeStore keyframes(kKeyframeBytes);
+    model::KeyframeStore keyframes(kPictureKeyframeBytes);
     auto maker = PictureMaker::create(keyframes);
     if (!maker) {
         return maker.error();
@@ -78,7 +78,7 @@ QString PictureController::askForPath()
     const QString usual = document.isEmpty()
                               ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
                               : QFileInfo(document).absolutePath();
-    const QString folder = settings.value(kFolder, usual).toString();
+    const QString folder = settings.value(kPictureFolder, usual).toString();
     QString filters;
     for (const PictureFormat& format : pictureFormats()) {
         QStringList patterns;
@@ -106,7 +106,7 @@ QString PictureController::askForPath()
         return {};
     }
     QString path = dialog.selectedFiles().front();
-    settings.setValue(kFolder, QFileInfo(path).absolutePath());
+    settings.setValue(kPictureFolder, QFileInfo(path).absolutePath());
     return path;
 }
 

@@ -16,8 +16,8 @@ namespace crowd::app {
 
 namespace {
 
-const QString kSize = QStringLiteral("picture/size"); ///< invalid: as the window
-const QString kTransparent = QStringLiteral("picture/transparent");
+const QString kPictureSize = QStringLiteral("picture/size"); ///< invalid: as the window
+const QString kPictureTransparent = QStringLiteral("picture/transparent");
 constexpr int kLeastPixels = 16;
 constexpr int kMostPixels = 8192;
 
@@ -66,8 +66,8 @@ PictureDialog::PictureDialog(glm::ivec2 view, QWidget* parent)
         connect(box, &QSpinBox::valueChanged, this, &PictureDialog::noteOwnSize);
     }
     const QSettings settings;
-    const QSize last = settings.value(kSize).toSize();
-    m_transparent->setChecked(settings.value(kTransparent).toBool());
+    const QSize last = settings.value(kPictureSize).toSize();
+    m_transparent->setChecked(settings.value(kPictureTransparent).toBool());
     chooseSize(0);
     if (last.isValid()) {
         m_width->setValue(last.width());
@@ -109,8 +109,9 @@ void PictureDialog::accept()
 {
     QSettings settings;
     const bool isWindow = m_sizes->currentIndex() == 0;
-    settings.setValue(kSize, isWindow ? QSize() : QSize(m_width->value(), m_height->value()));
-    settings.setValue(kTransparent, m_transparent->isChecked());
+    settings.setValue(kPictureSize,
+                      isWindow ? QSize() : QSize(m_width->value(), m_height->value()));
+    settings.setValue(kPictureTransparent, m_transparent->isChecked());
     QDialog::accept();
 }
 
