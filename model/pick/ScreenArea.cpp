@@ -45,8 +45,10 @@ void ScreenArea::Polygon::sortEdges(double height)
     rowsPerPixel = height > 0.0 ? rows / height : 0.0;
     firstOfRow.assign(static_cast<std::size_t>(rows) + 1, 0);
     const auto forEachRow = [this](std::size_t edge, const auto& visit) {
-        const auto [top, bottom] = std::minmax(corners[edge].y, endOf(edge).y);
-        for (std::size_t row = rowOf(top); row <= rowOf(bottom); ++row) {
+        const double begin = corners[edge].y;
+        const double end = endOf(edge).y;
+        const std::size_t last = rowOf(std::max(begin, end));
+        for (std::size_t row = rowOf(std::min(begin, end)); row <= last; ++row) {
             visit(row);
         }
     };
