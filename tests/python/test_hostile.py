@@ -2,7 +2,6 @@
 """What would break a program that trusts its scripts: each is answered in words, and nothing changes."""
 import inspect
 import os
-import signal
 import subprocess
 import threading
 import time
@@ -12,6 +11,7 @@ import numpy as np
 
 import crowdbrush
 from crowdbrush import Brush, BrushKind, Error
+from interrupting import Interrupting
 
 MAN = "builtin:templates/man.glb"
 WOMAN = "builtin:templates/woman.glb"
@@ -36,7 +36,7 @@ def bound_classes():
             if type(each).__name__ == "pybind11_type"]
 
 
-class Hostile(unittest.TestCase):
+class Hostile(unittest.TestCase, Interrupting):
     def said(self, call, *kinds):
         """The message of what a call raises, without anything of the module's insides."""
         with self.assertRaises(kinds or (Error, TypeError, ValueError)) as raised:
@@ -228,22 +228,6 @@ class Hostile(unittest.TestCase):
             self.assertFalse(thread.is_alive())
         self.assertEqual(problems, [])
         self.assertEqual(len(session), 95)
-
-    def interrupted(self, call):
-        """Seconds from the signal to the end."""
-        def stop(*_):
-            self.stopped = time.monotonic()
-            raise KeyboardInterrupt
-
-        old = signal.signal(signal.SIGALRM, stop)
-        signal.setitimer(signal.ITIMER_REAL, 0.4)
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                call()
-            return time.monotonic() - self.stopped
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, old)
 
     def test_what_takes_long_can_be_stopped(self):
         scene, _ = walkers(50)

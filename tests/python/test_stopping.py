@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Calls that take long: how far they are, and that they are taken back where something stops them."""
-import signal
 import time
 import unittest
 
@@ -8,6 +7,7 @@ import numpy as np
 
 import crowdbrush
 from crowdbrush import Brush, BrushKind, Selection
+from interrupting import Interrupting
 
 MAN = "builtin:templates/man.glb"
 ABOVE = crowdbrush.Camera((0, 60, 120), (0, 0, 0))
@@ -51,26 +51,7 @@ class Turner:
         selected.change(heading=selected.column("heading") + 0.1)
 
 
-class Stopping(unittest.TestCase):
-    def setUp(self):
-        self.stopped = None
-
-    def interrupted(self, call, after=0.3):
-        """Seconds from the signal to the end."""
-        def stop(*_):
-            self.stopped = time.monotonic()
-            raise KeyboardInterrupt
-
-        old = signal.signal(signal.SIGALRM, stop)
-        signal.setitimer(signal.ITIMER_REAL, after)
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                call()
-            return time.monotonic() - self.stopped
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, old)
-
+class Stopping(unittest.TestCase, Interrupting):
     def unchanged(self, scene):
         """A check that the scene is as now."""
         names = ("position", "tint", "heading")
