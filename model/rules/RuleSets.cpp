@@ -127,7 +127,7 @@ Rule calm()
     return rule;
 }
 
-/// Moods of which no template has a clip are left out.
+/// Most are left out where no template has a clip for them.
 std::vector<Rule> audience(const Scene& scene)
 {
     struct Reaction
@@ -135,16 +135,18 @@ std::vector<Rule> audience(const Scene& scene)
         const char* event;
         QString name;
         float seconds;
+        bool waitsForClips = false; ///< there also where no template has a clip for it yet
     };
-    const Reaction reactions[]{
-        {"clap", Names::tr("Applause spreads"), 6.0F}, {"cheer", Names::tr("Cheers spread"), 6.0F},
-        {"wave", Names::tr("Waving spreads"), 6.0F},   {"sad", Names::tr("Sadness spreads"), 0.0F},
-        {"bored", Names::tr("Boredom spreads"), 0.0F}, {"angry", Names::tr("Anger spreads"), 0.0F}};
+    const Reaction reactions[]{{"clap", Names::tr("Applause spreads"), 6.0F, true},
+                               {"cheer", Names::tr("Cheers spread"), 6.0F, true},
+                               {"wave", Names::tr("Waving spreads"), 6.0F},
+                               {"sad", Names::tr("Sadness spreads"), 0.0F},
+                               {"bored", Names::tr("Boredom spreads"), 0.0F},
+                               {"angry", Names::tr("Anger spreads"), 0.0F}};
     std::vector<Rule> rules;
     for (const Reaction& each : reactions) {
         for (Rule& rule : reaction(scene, each.event, each.name, each.seconds)) {
-            const bool isUsual = rules.size() < 4; // clapping and cheering wait for their clips
-            if (isUsual || !rule.actions.back().as<actions::PlayClip>()->clips.empty()) {
+            if (each.waitsForClips || !rule.actions.back().as<actions::PlayClip>()->clips.empty()) {
                 rules.push_back(std::move(rule));
             }
         }

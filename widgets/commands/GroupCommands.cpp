@@ -29,6 +29,23 @@ constexpr std::array<model::PaintColor, 8> kColors{{{90, 150, 220},
                                                     {70, 180, 180},
                                                     {200, 80, 80}}};
 
+/// Of these people; 0: it could not be made.
+GroupId makeGroup(EditorState& state, std::span<const model::IndividualId> ids)
+{
+    GroupId made = 0;
+    editGroups(state, GroupCommandsText::tr("New group"), [&](model::SceneEdit& edit) {
+        model::Group group;
+        group.name =
+            model::freeGroupName(edit.scene(), GroupCommandsText::tr("Group").toStdString());
+        group.color = kColors[edit.scene().groups.size() % kColors.size()];
+        made = model::addGroup(edit, group);
+        if (made != 0) {
+            model::putInGroup(edit, ids, made);
+        }
+    });
+    return made;
+}
+
 } // namespace
 
 GroupId activeGroup(const EditorState& state)
@@ -51,27 +68,6 @@ void editGroups(EditorState& state, const QString& undoText,
 {
     state.document().edit(undoText, apply);
 }
-
-namespace {
-
-/// Of these people; 0: it could not be made.
-GroupId makeGroup(EditorState& state, std::span<const model::IndividualId> ids)
-{
-    GroupId made = 0;
-    editGroups(state, GroupCommandsText::tr("New group"), [&](model::SceneEdit& edit) {
-        model::Group group;
-        group.name =
-            model::freeGroupName(edit.scene(), GroupCommandsText::tr("Group").toStdString());
-        group.color = kColors[edit.scene().groups.size() % kColors.size()];
-        made = model::addGroup(edit, group);
-        if (made != 0) {
-            model::putInGroup(edit, ids, made);
-        }
-    });
-    return made;
-}
-
-} // namespace
 
 void groupSelection(EditorState& state)
 {
