@@ -94,7 +94,7 @@ QString PictureController::askForPath()
     dialog.setDefaultSuffix(QLatin1String(pictureFormats().front().endings.front()));
     const QString name =
         document.isEmpty() ? tr("picture") : QFileInfo(document).completeBaseName();
-    dialog.selectFile(name + QLatin1Char('.') + dialog.defaultSuffix());
+    dialog.selectFile(name); // its ending comes with the kind of file that is chosen
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
         for (const PictureFormat& format : pictureFormats()) {
             if (filter.startsWith(QLatin1String(format.name))) {
