@@ -8,6 +8,7 @@
 
 #include "behavior/crowd/WallField.h"
 #include "behavior/surface/NavMeshBuilder.h"
+#include "behavior/surface/SurfaceGround.h"
 #include "model/base/Bounds.h"
 #include "model/pick/StageRays.h"
 
@@ -20,9 +21,9 @@ struct SurfaceData
     NavMesh mesh;
     std::vector<Wall> walls;
     std::size_t polygons = 0;
-    std::vector<char> isGround; ///< by polygon, in the order in which the mesh was made
-    model::StageRays rays;      ///< the stages as they stood
-    model::Bounds covered;      ///< beyond is open ground
+    SurfaceGround ground;
+    model::StageRays rays; ///< the stages as they stood
+    model::Bounds covered; ///< beyond is open ground
     float cellHeight = 0.0F;
     float radius = 0.35F; ///< of bodies
     float climb = 0.45F;

@@ -33,9 +33,8 @@ float squaredAway(const float* a, const glm::vec3& b)
 class NearestGround : public dtPolyQuery
 {
 public:
-    NearestGround(const dtNavMeshQuery& query, const dtNavMesh& mesh,
-                  const std::vector<char>& isGround, const glm::vec3& from)
-        : m_query(query), m_mesh(mesh), m_isGround(isGround), m_from(from)
+    NearestGround(const dtNavMeshQuery& query, const SurfaceData& data, const glm::vec3& from)
+        : m_query(query), m_data(data), m_from(from)
     {
     }
     void process(const dtMeshTile* /*tile*/, dtPoly** /*polys*/, dtPolyRef* refs,
@@ -44,8 +43,7 @@ public:
         for (int i = 0; i < count; ++i) {
             float closest[3];
             bool isOver = false;
-            const unsigned polygon = m_mesh.decodePolyIdPoly(refs[i]);
-            if (polygon >= m_isGround.size() || m_isGround[polygon] == 0 ||
+            if (!m_data.ground.holds(refs[i]) ||
                 dtStatusFailed(m_query.closestPointOnPoly(refs[i], &m_from.x, closest, &isOver))) {
                 continue;
             }
@@ -66,8 +64,7 @@ public:
 
 private:
     const dtNavMeshQuery& m_query;
-    const dtNavMesh& m_mesh;
-    const std::vector<char>& m_isGround;
+    const SurfaceData& m_data;
     glm::vec3 m_from;
     glm::vec3 m_point{0.0F};
     float m_flat = std::numeric_limits<float>::infinity();
@@ -139,7 +136,7 @@ bool SurfaceFooting::isWalkable(const glm::vec3& point) const
         return query == nullptr || std::fabs(point.y) < kOpenGround;
     }
     const float reach[3] = {kBesideMetres, m_data.climb + kMeshError, kBesideMetres};
-    NearestGround search(*query, *m_data.mesh, m_data.isGround, point);
+    NearestGround search(*query, m_data, point);
     return dtStatusSucceed(query->queryPolygons(&point.x, reach, &m_data.everything, &search)) &&
            search.isFound() && search.flatSquared() <= kBesideMetres * kBesideMetres &&
            std::fabs(search.point().y - point.y) <= reach[1];
@@ -160,7 +157,7 @@ std::optional<glm::vec3> SurfaceFooting::nearest(const glm::vec3& point) const
     // Only what lies within the circle is the nearest for sure; the box reaches further.
     for (const float metres : {4.0F, 32.0F, 256.0F}) {
         const float reach[3] = {metres, tall, metres};
-        NearestGround search(*query, *m_data.mesh, m_data.isGround, point);
+        NearestGround search(*query, m_data, point);
         if (dtStatusSucceed(query->queryPolygons(&point.x, reach, &m_data.everything, &search)) &&
             search.isFound() && search.flatSquared() <= metres * metres) {
             const glm::vec3 found = search.point();

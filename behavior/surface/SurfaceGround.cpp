@@ -9,7 +9,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <recastnavigation/Recast.h>
 
 namespace crowd::behavior {
 
@@ -29,69 +28,78 @@ struct Part
     std::vector<glm::vec3> middles; ///< of its polygons
 };
 
+/// Numbers the polygons, tile by tile, and finds what hangs together.
 class PartFinder
 {
 public:
-    explicit PartFinder(const rcPolyMesh& mesh)
-        : m_mesh(mesh), m_partOf(static_cast<std::size_t>(mesh.npolys), kNone)
+    explicit PartFinder(const dtNavMesh& mesh) : m_mesh(mesh)
     {
-        for (int polygon = 0; polygon < mesh.npolys; ++polygon) {
-            if (m_partOf[static_cast<std::size_t>(polygon)] == kNone) {
-                spread(polygon);
+        std::size_t count = 0;
+        for (int i = 0; i < mesh.getMaxTiles(); ++i) {
+            const dtMeshTile* tile = mesh.getTile(i);
+            m_first.push_back(count);
+            count +=
+                tile->header == nullptr ? 0 : static_cast<std::size_t>(tile->header->polyCount);
+        }
+        m_partOf.assign(count, kNone);
+        for (int i = 0; i < mesh.getMaxTiles(); ++i) {
+            const dtMeshTile* tile = mesh.getTile(i);
+            for (int p = 0; tile->header != nullptr && p < tile->header->polyCount; ++p) {
+                const dtPolyRef polygon = mesh.getPolyRefBase(tile) | static_cast<dtPolyRef>(p);
+                if (m_partOf[numberOf(polygon)] == kNone) {
+                    spread(polygon);
+                }
             }
         }
     }
     [[nodiscard]] const std::vector<Part>& parts() const { return m_parts; }
-    [[nodiscard]] std::size_t partOf(std::size_t polygon) const { return m_partOf[polygon]; }
+    [[nodiscard]] const std::vector<std::size_t>& partOf() const { return m_partOf; }
+    [[nodiscard]] const std::vector<std::size_t>& first() const { return m_first; }
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    [[nodiscard]] const unsigned short* corners(int polygon) const
+    [[nodiscard]] std::size_t numberOf(dtPolyRef polygon) const
     {
-        return &m_mesh.polys[polygon * 2 * m_mesh.nvp];
+        return m_first[m_mesh.decodePolyIdTile(polygon)] + m_mesh.decodePolyIdPoly(polygon);
     }
-    [[nodiscard]] glm::vec3 point(unsigned short vertex) const
+    static void add(const dtMeshTile& tile, const dtPoly& polygon, Part& part)
     {
-        const unsigned short* v = &m_mesh.verts[vertex * 3];
-        return {m_mesh.bmin[0] + static_cast<float>(v[0]) * m_mesh.cs,
-                m_mesh.bmin[1] + static_cast<float>(v[1]) * m_mesh.ch,
-                m_mesh.bmin[2] + static_cast<float>(v[2]) * m_mesh.cs};
-    }
-    void add(int polygon, Part& part) const
-    {
-        const unsigned short* corner = corners(polygon);
-        const glm::vec3 a = point(corner[0]);
+        const auto point = [&tile, &polygon](int i) {
+            const float* v = &tile.verts[polygon.verts[i] * 3];
+            return glm::vec3(v[0], v[1], v[2]);
+        };
+        const glm::vec3 a = point(0);
         glm::vec3 sum = a;
-        int corners = 1;
-        for (; corners < m_mesh.nvp && corner[corners] != RC_MESH_NULL_IDX; ++corners) {
-            sum += point(corner[corners]);
+        for (int i = 1; i < polygon.vertCount; ++i) {
+            sum += point(i);
         }
-        part.middles.push_back(sum / static_cast<float>(corners));
-        for (int i = 2; i < m_mesh.nvp && corner[i] != RC_MESH_NULL_IDX; ++i) {
-            const glm::vec3 b = point(corner[i - 1]);
-            const glm::vec3 c = point(corner[i]);
+        part.middles.push_back(sum / static_cast<float>(polygon.vertCount));
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            const glm::vec3 b = point(i - 1);
+            const glm::vec3 c = point(i);
             const double area = 0.5 * std::fabs(static_cast<double>((b.x - a.x) * (c.z - a.z) -
                                                                     (b.z - a.z) * (c.x - a.x)));
             part.area += area;
             part.height += area * static_cast<double>(a.y + b.y + c.y) / 3.0;
         }
     }
-    void spread(int first)
+    void spread(dtPolyRef first)
     {
         const std::size_t index = m_parts.size();
         Part part;
-        std::vector<int> open{first};
-        m_partOf[static_cast<std::size_t>(first)] = index;
+        std::vector<dtPolyRef> open{first};
+        m_partOf[numberOf(first)] = index;
         while (!open.empty()) {
-            const int polygon = open.back();
+            const dtMeshTile* tile = nullptr;
+            const dtPoly* polygon = nullptr;
+            m_mesh.getTileAndPolyByRefUnsafe(open.back(), &tile, &polygon);
             open.pop_back();
-            add(polygon, part);
-            for (int edge = 0; edge < m_mesh.nvp; ++edge) {
-                const unsigned short next = corners(polygon)[m_mesh.nvp + edge];
-                if (corners(polygon)[edge] != RC_MESH_NULL_IDX && next != RC_MESH_NULL_IDX &&
-                    m_partOf[next] == kNone) {
-                    m_partOf[next] = index;
+            add(*tile, *polygon, part);
+            for (unsigned i = polygon->firstLink; i != DT_NULL_LINK; i = tile->links[i].next) {
+                const dtPolyRef next = tile->links[i].ref;
+                if (next != 0 && m_partOf[numberOf(next)] == kNone) {
+                    m_partOf[numberOf(next)] = index;
                     open.push_back(next);
                 }
             }
@@ -99,8 +107,9 @@ private:
         m_parts.push_back(std::move(part));
     }
 
-    const rcPolyMesh& m_mesh;
-    std::vector<std::size_t> m_partOf;
+    const dtNavMesh& m_mesh;
+    std::vector<std::size_t> m_first;
+    std::vector<std::size_t> m_partOf; ///< by number of the polygon
     std::vector<Part> m_parts;
 };
 
@@ -175,9 +184,10 @@ bool isFloor(const Part& part, const model::Bounds& stages)
 
 } // namespace
 
-std::vector<char> groundOf(const rcPolyMesh& mesh, const TriangleSoup& soup)
+SurfaceGround::SurfaceGround(const dtNavMesh& mesh, const TriangleSoup& soup) : m_mesh(&mesh)
 {
     const PartFinder finder(mesh);
+    m_first = finder.first();
     const std::vector<Part>& parts = finder.parts();
     const auto largest = std::ranges::max_element(parts, {}, &Part::area);
     std::vector<char> counts(parts.size(), 0);
@@ -187,11 +197,16 @@ std::vector<char> groundOf(const rcPolyMesh& mesh, const TriangleSoup& soup)
             !isLinked && isFloor(parts[part], soup.stages) && !isInSolid(soup, parts[part]);
         counts[part] = isLinked || isOwnFloor ? 1 : 0;
     }
-    std::vector<char> isGround(static_cast<std::size_t>(mesh.npolys), 0);
-    for (std::size_t polygon = 0; polygon < isGround.size(); ++polygon) {
-        isGround[polygon] = counts[finder.partOf(polygon)];
+    m_isGround.reserve(finder.partOf().size());
+    for (const std::size_t part : finder.partOf()) {
+        m_isGround.push_back(counts[part]);
     }
-    return isGround;
+}
+
+bool SurfaceGround::holds(dtPolyRef polygon) const
+{
+    return m_mesh != nullptr && m_isGround[m_first[m_mesh->decodePolyIdTile(polygon)] +
+                                           m_mesh->decodePolyIdPoly(polygon)] != 0;
 }
 
 } // namespace crowd::behavior

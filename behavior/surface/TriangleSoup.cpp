@@ -11,7 +11,9 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kAround = 15.0F;     ///< open ground about the stages and all others, metres
+constexpr float kAround = 15.0F;  ///< open ground about the stages and all others, metres
+constexpr float kFurther = 50.0F; ///< that the ground goes on beyond that
+constexpr float kFurtherShare = 0.1F;
 constexpr float kFarthest = 2000.0F; ///< of places to reach, from the middle of the world
 constexpr float kOnEarth = 1e7F;     ///< of what stages are made of
 
@@ -60,11 +62,13 @@ bool isInside(const model::Bounds& bounds, const glm::vec3& point)
            point.y <= bounds.high.y && point.z >= bounds.low.z && point.z <= bounds.high.z;
 }
 
-/// The plane y = 0, in squares so that no triangle is far larger than the rest.
+/// The plane y = 0, further out than what is covered: nothing ends there.
 void addGround(TriangleSoup& soup)
 {
-    const glm::vec3 low = soup.bounds.low;
-    const glm::vec3 high = soup.bounds.high;
+    const glm::vec3 size = soup.bounds.high - soup.bounds.low;
+    const float further = kFurther + kFurtherShare * std::max(size.x, size.z);
+    const glm::vec3 low = soup.bounds.low - further;
+    const glm::vec3 high = soup.bounds.high + further;
     const auto first = static_cast<int>(soup.vertices.size() / 3);
     for (const glm::vec2& corner : {glm::vec2(low.x, low.z), glm::vec2(low.x, high.z),
                                     glm::vec2(high.x, high.z), glm::vec2(high.x, low.z)}) {

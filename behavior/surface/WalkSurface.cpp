@@ -66,8 +66,8 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
         return model::Error{QT_TRANSLATE_NOOP(
             "Messages", "There is no stage to walk on; characters walk on open ground.")};
     }
-    NavMeshBuilder builder(soup, plan, progress);
-    if (!builder.run(plan.settings)) {
+    BuiltMesh built = buildNavMesh(soup, plan, progress);
+    if (!built.mesh || progress.isOver()) {
         return model::Error{
             progress.isOver()
                 ? QT_TRANSLATE_NOOP("Messages",
@@ -78,15 +78,15 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
                                     "tall and steep characters can walk (Environment panel).")};
     }
     auto data = std::make_unique<SurfaceData>();
-    data->walls = wallsOf(builder.mesh(), plan.settings);
-    data->polygons = static_cast<std::size_t>(builder.mesh().npolys);
-    data->cellHeight = builder.mesh().ch;
+    data->mesh = std::move(built.mesh);
+    data->cellHeight = built.cellHeight;
+    data->walls = wallsOf(*data->mesh, soup.bounds, plan.settings);
+    data->ground = SurfaceGround(*data->mesh, soup);
+    data->polygons = data->ground.polygons();
     data->radius = plan.settings.radius;
     data->climb = plan.settings.climb;
     data->covered = soup.bounds;
-    data->isGround = groundOf(builder.mesh(), soup);
     data->rays.setStages(plan.stages);
-    data->mesh = builder.take();
     data->filter.setIncludeFlags(kOpen);
     data->everything.setIncludeFlags(kOpen | kForbidden);
     setCosts(plan, data->filter);

@@ -25,6 +25,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_SessionEdits
     tst_SessionSteps
     tst_StrideKernel
+    tst_SurfaceTheatre
     tst_Validation
     tst_WalkSurface
 )
