@@ -3917,20 +3917,12 @@
         <translation>Die Umgebung muss ein Objekt mit Listen von places, paths, groups, tags, rules, numbers und cues sein.</translation>
     </message>
     <message>
-        <source>%1 is no brush preset.</source>
-        <translation>%1 ist keine Pinselvorgabe.</translation>
-    </message>
-    <message>
         <source>%1 was written by a newer version; update to use it.</source>
         <translation>%1 wurde von einer neueren Version geschrieben; aktualisieren Sie, um sie zu benutzen.</translation>
     </message>
     <message>
         <source>%1 cannot be used: %2</source>
         <translation>%1 kann nicht benutzt werden: %2</translation>
-    </message>
-    <message>
-        <source>%1 has no name.</source>
-        <translation>%1 hat keinen Namen.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2</source>
@@ -3963,6 +3955,22 @@
     <message>
         <source>%1: a %2 file cannot be transparent. Let the name end in .png, or switch the transparency off.</source>
         <translation>%1: Eine Datei der Art %2 kann nicht durchsichtig sein. Der Name soll auf .png enden, oder die Durchsichtigkeit soll aus sein.</translation>
+    </message>
+    <message>
+        <source>%1 is no brush preset. Choose a file that was saved as one.</source>
+        <translation>%1 ist keine Pinselvorgabe. Wählen Sie eine Datei, die als solche gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>%1 has no name. Write one into the file, as its member &quot;name&quot;.</source>
+        <translation>%1 hat keinen Namen. Schreiben Sie einen als „name“ in die Datei.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;version&quot; must be %2. Copy the file again from where it came.</source>
+        <translation>%1: „version“ muss %2 sein. Kopieren Sie die Datei noch einmal von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: in line %2 it is no JSON any more. Copy the file again from where it came.</source>
+        <translation>%1 ist beschädigt: Ab Zeile %2 ist es kein JSON mehr. Kopieren Sie die Datei noch einmal von dort, woher sie kam.</translation>
     </message>
 </context>
 <context>

@@ -3917,19 +3917,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is no brush preset.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was written by a newer version; update to use it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 cannot be used: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 has no name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3962,6 +3954,22 @@
     </message>
     <message>
         <source>%1: a %2 file cannot be transparent. Let the name end in .png, or switch the transparency off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no brush preset. Choose a file that was saved as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no name. Write one into the file, as its member &quot;name&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: &quot;version&quot; must be %2. Copy the file again from where it came.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: in line %2 it is no JSON any more. Copy the file again from where it came.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

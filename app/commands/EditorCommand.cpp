@@ -8,6 +8,7 @@
 #include "app/window/Language.h"
 #include "app/window/MainWindow.h"
 #include "app/window/PreferencesDialog.h"
+#include "model/project/UserFolder.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 
@@ -36,8 +37,8 @@ int runEditor(int& argc, char** argv, const QStringList& files, const QString& l
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication application(argc, argv);
-    QApplication::setOrganizationName(QStringLiteral("Crowdbrush"));
-    QApplication::setApplicationName(QStringLiteral("Crowdbrush"));
+    QApplication::setOrganizationName(QLatin1String(model::kProgramName));
+    QApplication::setApplicationName(QLatin1String(model::kProgramName));
     QApplication::setApplicationVersion(QStringLiteral(CROWD_VERSION));
     QApplication::setWindowIcon(widgets::iconNamed("crowdbrush"));
     useLanguage(language.isEmpty() ? Preferences::load().language : language);

@@ -27,6 +27,7 @@ namespace crowd::app {
 namespace py = pybind11;
 
 class LongCall;
+class ScriptPresets;
 class ScriptSession;
 struct PythonBrush;
 
@@ -172,6 +173,8 @@ inline constexpr bool kIsBound<model::StrokeOutcome> = true;
 template<>
 inline constexpr bool kIsBound<PythonBrush> = true;
 template<>
+inline constexpr bool kIsBound<ScriptPresets> = true;
+template<>
 inline constexpr bool kIsBound<model::BrushKind> = true;
 template<>
 inline constexpr bool kIsBound<model::BrushSelection> = true;
@@ -190,6 +193,7 @@ void speakOfArguments(py::module_& module);
 
 void bindTemplates(py::module_& module);
 void bindBrushes(py::module_& module);
+void bindPresets(py::module_& module); ///< after the brushes
 void bindProperties(py::module_& module);
 void bindPictures(py::module_& module, SceneClass& scene); ///< cameras and pictures
 /// Brushes that scripts bring along; after the brushes.

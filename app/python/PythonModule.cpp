@@ -45,6 +45,7 @@ void registerModule(py::module_& module)
     bindTemplates(module);
     bindProperties(module);
     bindBrushes(module);
+    bindPresets(module);
     bindScriptBrushes(module);
     bindScene(module);
     bindEntries(module);

@@ -129,7 +129,8 @@ def _name_of(brush):
 
 
 def _check(brush):
-    if not (_inspect.isroutine(brush) or hasattr(brush, "apply") or hasattr(brush, "values")):
+    has_values = hasattr(brush, "values") and not hasattr(brush, "keys")  # a dict is no brush
+    if not (_inspect.isroutine(brush) or hasattr(brush, "apply") or has_values):
         raise TypeError(f"{brush!r} is no brush: it needs a method apply(selection) or "
                         "values(selection), or to be a function.")
     if _inspect.isclass(brush):

@@ -2,7 +2,7 @@
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """Everything the editor can do to a crowd, scripted. Metres, seconds, radians; Y is up and characters face +Z at heading 0. Columns are NumPy arrays."""
 import os
-from typing import Any, Callable, ClassVar, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
@@ -19,6 +19,8 @@ _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
 """Brushes that register_brush made known, by name."""
+presets: "Presets"
+"""Those that the editor keeps."""
 NEAREST_PATH: int
 """Instead of a path's id in a walk brush: the path that each is nearest to."""
 
@@ -1095,6 +1097,50 @@ class Brush:
     @tag.setter
     def tag(self, value: int) -> None:
         ...
+    @staticmethod
+    def load(path: FilePath) -> Brush:
+        """The brush of a .brush file, as the panel of presets saves them. Raises Error with the
+        file, the place in it and what to do."""
+    def save(self, path: FilePath, name: Optional[str] = ...) -> None:
+        """Writes a .brush file, whole or not at all; name: what the panel calls it, else as the
+        file. What means something in one scene alone is not in it: see Presets."""
+
+
+class Presets:
+    """Brushes kept under names, one .brush file each in a folder, as a mapping: presets[name]
+    gives a brush, presets[name] = brush keeps one, del presets[name] removes it.
+    crowdbrush.presets are the editor's own, and its panel shows at once what is written
+    there. Words of a name that begin with # are tags. What means something in one scene
+    alone, such as the group that a brush puts people into and the templates that it creates,
+    is not kept: see Brush.to_dict."""
+    def __init__(self, folder: Optional[FilePath] = ...) -> None:
+        """Of a folder, which is made with the first preset; None: where the editor keeps its own."""
+    def __len__(self) -> int:
+        ...
+    def __iter__(self) -> Iterator[str]:
+        ...
+    def __contains__(self, name: str) -> bool:
+        ...
+    def __getitem__(self, name: str) -> Brush:
+        """Raises Error where there is none."""
+    def __setitem__(self, name: str, brush: Brush) -> None:
+        """Writes it; takes the place of the one with that name."""
+    def __delitem__(self, name: str) -> None:
+        """Its file goes into the system's trash. Raises Error where there is none."""
+    def get(self, name: str, default: Any = ...) -> Any:
+        """The brush, or default where there is none of that name."""
+    def keys(self) -> List[str]:
+        """Their names, sorted as in the panel."""
+    def values(self) -> List[Brush]:
+        """Their brushes, in that order."""
+    def items(self) -> List[Tuple[str, Brush]]:
+        """(name, brush) of each, in that order."""
+    @property
+    def folder(self) -> str:
+        """Where their files are."""
+    @property
+    def problems(self) -> List[str]:
+        """Which files of the folder cannot be used, and why, in sentences."""
 
 
 class Range:

@@ -16,7 +16,7 @@ HEAD = '''# SPDX-License-Identifier: MIT
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """{doc}"""
 import os
-from typing import Any, Callable, ClassVar, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
@@ -33,6 +33,8 @@ _B = TypeVar("_B")
 
 brushes: Dict[str, Any]
 """Brushes that register_brush made known, by name."""
+presets: "Presets"
+"""Those that the editor keeps."""
 NEAREST_PATH: int
 """Instead of a path's id in a walk brush: the path that each is nearest to."""
 '''
@@ -66,7 +68,9 @@ ARGUMENTS = {
     ("Scene", "remove_stage", "stage"): "Union[Stage, int]",
 }
 ERROR_DOC = "What is wrong, as the editor would say it. Nothing has changed."
-RESULTS = {("Scene", "render"): "Picture", ("Session", "render"): "Picture", ("Edit", "__enter__"): "Scene"}
+RESULTS = {("Scene", "render"): "Picture", ("Session", "render"): "Picture", ("Edit", "__enter__"): "Scene",
+           ("Presets", "__iter__"): "Iterator[str]", ("Presets", "keys"): "List[str]",
+           ("Presets", "values"): "List[Brush]", ("Presets", "items"): "List[Tuple[str, Brush]]"}
 
 
 def typed(text):
@@ -159,7 +163,8 @@ def members(cls):
         if name == "__init__" and "Initialize self." in (value.__doc__ or "") and not inspect.isfunction(value):
             continue  # nobody makes one
         is_wanted = not name.startswith("_") or name in (
-            "__init__", "__len__", "__eq__", "__hash__", "__enter__", "__exit__")
+            "__init__", "__len__", "__eq__", "__hash__", "__enter__", "__exit__", "__iter__", "__contains__",
+            "__getitem__", "__setitem__", "__delitem__")
         if name not in skipped and is_wanted and not name.startswith("_pybind"):
             yield name, value
 

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void badFilesAreNamedAndLeftAlone();
     void presetsAreShared();
     void foldersThatCannotBeWrittenAreSaid();
+    void whatOthersWriteIsShown();
     void thePanelKeepsFindsAndSets();
     void whatABadFileHoldsSizesNoWindow();
 };
@@ -71,7 +72,7 @@ void PresetsTest::everyBrushComesBackAsItWasKept()
         QCOMPARE(again.all().size(), 1U);
         QVERIFY2(again.problems().isEmpty(), qPrintable(again.problems().join(u' ')));
         QCOMPARE(again.all()[0].kind, kind);
-        QVERIFY(BrushPresets::applied(again.all()[0], model::initialBrush(kind)) == brush);
+        QVERIFY(model::applied(again.all()[0], model::initialBrush(kind)) == brush);
     }
 }
 
@@ -86,10 +87,10 @@ void PresetsTest::whatBelongsToOneSceneIsNotKept()
     group.as<model::GroupSettings>().group = 7;
     QVERIFY(presets.save(QStringLiteral("group"), group));
     const auto other = model::initialBrush(model::BrushKind::Material);
-    QVERIFY(BrushPresets::applied(*presets.find(QStringLiteral("top")), other) == brush);
+    QVERIFY(model::applied(*presets.find(QStringLiteral("top")), other) == brush);
     model::BrushSettings here = model::initialBrush(model::BrushKind::Group);
     here.as<model::GroupSettings>().group = 2;
-    QVERIFY(BrushPresets::applied(*presets.find(QStringLiteral("group")), here) == here);
+    QVERIFY(model::applied(*presets.find(QStringLiteral("group")), here) == here);
 }
 
 void PresetsTest::namesAreUnique()
@@ -129,6 +130,8 @@ void PresetsTest::badFilesAreNamedAndLeftAlone_data()
     QTest::newRow("out of range") << QByteArray(
         R"({"format": "crowdbrush brush", "version": 1, "name": "a",
             "brush": {"brush": "scale", "radius": 1e9}})");
+    QTest::newRow("no version") << QByteArray(
+        R"({"format": "crowdbrush brush", "name": "a", "brush": {"brush": "tag"}})");
     QTest::newRow("huge") << QByteArray(3 << 20, ' ');
 }
 
@@ -175,6 +178,26 @@ void PresetsTest::foldersThatCannotBeWrittenAreSaid()
     QVERIFY(!saved);
     QVERIFY(saved.error().message.find(file.toStdString()) != std::string::npos);
     QVERIFY(presets.all().empty());
+}
+
+void PresetsTest::whatOthersWriteIsShown()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("brushes"));
+    BrushPresets shown(path);
+    int changes = 0;
+    connect(&shown, &BrushPresets::changed, this, [&changes] { ++changes; });
+    model::PresetFolder script(path);
+    QVERIFY(script.save(QStringLiteral("Giants"), wideScale()));
+    QTRY_COMPARE(shown.all().size(), 1U);
+    QVERIFY(script.save(QStringLiteral("Giants"), model::initialBrush(model::BrushKind::Scale)));
+    QTRY_VERIFY(shown.all()[0].json == script.all()[0].json);
+    QVERIFY(script.remove(QStringLiteral("Giants")));
+    QTRY_VERIFY(shown.all().empty());
+    changes = 0;
+    QVERIFY(shown.save(QStringLiteral("mine"), wideScale()));
+    QTest::qWait(100);
+    QCOMPARE(changes, 1); // a name that is being typed stays open
 }
 
 void PresetsTest::thePanelKeepsFindsAndSets()

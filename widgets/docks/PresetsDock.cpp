@@ -2,7 +2,6 @@
 #include "widgets/docks/PresetsDock.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QStandardPaths>
 #include <QtGui/QAction>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
@@ -21,12 +20,6 @@ namespace {
 
 constexpr int kPresetIcon = 20; ///< logical pixels
 
-QString presetFolder()
-{
-    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-           QStringLiteral("/brushes");
-}
-
 QString presetFilter()
 {
     return PresetsDock::tr("Brush presets (*.brush)");
@@ -35,7 +28,7 @@ QString presetFilter()
 } // namespace
 
 PresetsDock::PresetsDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Presets"), "presets", parent), m_state(state), m_presets(presetFolder()),
+    : DockBase(tr("Presets"), "presets", parent), m_state(state), m_presets(model::presetFolder()),
       m_search(new QLineEdit(this)), m_list(new QListWidget(this)), m_note(new QLabel(this))
 {
     m_search->setPlaceholderText(tr("Search names and #tags"));
@@ -145,7 +138,7 @@ void PresetsDock::filter()
 void PresetsDock::use(const QString& name)
 {
     if (const BrushPreset* preset = m_presets.find(name)) {
-        m_state.setBrush(BrushPresets::applied(*preset, m_state.brush(preset->kind)));
+        m_state.setBrush(model::applied(*preset, m_state.brush(preset->kind)));
         m_state.setTool(toolOf(preset->kind));
     }
 }
