@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "app/python/ColumnRules.h"
 #include "model/describe/FieldChecks.h"
 #include "model/scene/NearestPath.h"
 
@@ -13,6 +14,13 @@ namespace crowd::app {
 using namespace model;
 
 namespace {
+
+/// Of its settings' names in messages.
+std::string prefixOf(const BrushType& type)
+{
+    const std::string section = type.info.scriptName;
+    return section.empty() ? "brush." : "brush." + section + ".";
+}
 
 Result<void> checkTemplate(const Scene& scene, std::int64_t id, const std::string& name)
 {
@@ -63,7 +71,7 @@ Result<void> checkGroup(const Scene& scene, std::int64_t group, const std::strin
 {
     if (group != 0 && scene.findGroup(static_cast<GroupId>(group)) == nullptr) {
         return Error{name + " names group " + std::to_string(group) +
-                     ", which the scene does not have: take the id of one of scene.groups, or 0."};
+                     ", which the scene does not have. " + knownGroups(scene)};
     }
     return {};
 }
@@ -84,9 +92,9 @@ Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
 }
 
 /// What the scene must have for the fields that refer to something.
-Result<void> checkReferences(const Scene& scene, const BrushType& type, const BrushSettings& brush,
-                             const std::string& prefix)
+Result<void> checkSettings(const Scene& scene, const BrushType& type, const BrushSettings& brush)
 {
+    const std::string prefix = prefixOf(type);
     for (const FieldInfo& field : type.fields) {
         if (field.isGroup()) {
             continue;
@@ -112,7 +120,7 @@ Result<void> checkReferences(const Scene& scene, const BrushType& type, const Br
 
 } // namespace
 
-Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
+Result<void> checkBrush(const BrushSettings& brush)
 {
     const BrushType& type = brushType(brush.kind());
     if (*type.info.scriptKind == '\0') {
@@ -122,15 +130,15 @@ Result<void> checkBrush(const Scene& scene, const BrushSettings& brush)
     if (auto valid = checkFields(fieldsOf<BrushSettings>(), &brush, "brush."); !valid) {
         return valid;
     }
-    const std::string section = type.info.scriptName;
-    const std::string prefix = section.empty() ? "brush." : "brush." + section + ".";
-    if (auto valid = checkFields(type.fields, type.settings(brush), prefix); !valid) {
-        return valid;
-    }
+    return checkFields(type.fields, type.settings(brush), prefixOf(type));
+}
+
+Result<void> checkReferences(const Scene& scene, const BrushSettings& brush)
+{
     if (auto valid = checkMask(scene, brush.mask); !valid) {
         return valid;
     }
-    return checkReferences(scene, type, brush, prefix);
+    return checkSettings(scene, brushType(brush.kind()), brush);
 }
 
 } // namespace crowd::app

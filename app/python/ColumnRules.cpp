@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/base/Random.h"
+#include "model/base/ShownText.h"
 #include "model/brush/ClipChoice.h"
 #include "model/describe/FieldChecks.h"
 #include "model/population/PropertyValues.h"
@@ -137,21 +138,45 @@ Result<void> checkStyles(const TemplateTable& table, std::span<const TemplateId>
     return {};
 }
 
-/// Paths to follow that are there.
-Result<void> checkWalks(const Scene& scene, std::span<const ColumnValues> values)
+Result<void> checkPaths(const Scene& scene, std::span<const PathId> ids)
 {
-    if (const ColumnValues* paths = find(values, ColumnId::Path)) {
-        const auto ids = itemsOf<PathId>(*paths);
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            if (ids[i] != 0 && scene.findPath(ids[i]) == nullptr) {
-                return refused(ColumnId::Path, i,
-                               "is " + std::to_string(ids[i]) +
-                                   ", and the scene has no such path: take the id of one of "
-                                   "scene.environment[\"paths\"], or 0.");
-            }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] != 0 && scene.findPath(ids[i]) == nullptr) {
+            return refused(ColumnId::Path, i,
+                           "is " + std::to_string(ids[i]) +
+                               ", and the scene has no such path: take the id of one of "
+                               "scene.environment[\"paths\"], or 0.");
         }
     }
     return {};
+}
+
+Result<void> checkGroups(const Scene& scene, std::span<const GroupId> ids)
+{
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] != 0 && scene.findGroup(ids[i]) == nullptr) {
+            return refused(ColumnId::Group, i,
+                           "is " + std::to_string(ids[i]) + ", and the scene has no such group. " +
+                               knownGroups(scene));
+        }
+    }
+    return {};
+}
+
+/// Groups to be in and paths to follow that are there.
+Result<void> checkEntries(const Scene& scene, std::span<const ColumnValues> values,
+                          MissingEntries missing)
+{
+    if (missing == MissingEntries::Take) {
+        return {};
+    }
+    if (const ColumnValues* groups = find(values, ColumnId::Group)) {
+        if (auto valid = checkGroups(scene, itemsOf<GroupId>(*groups)); !valid) {
+            return valid;
+        }
+    }
+    const ColumnValues* paths = find(values, ColumnId::Path);
+    return paths != nullptr ? checkPaths(scene, itemsOf<PathId>(*paths)) : Result<void>();
 }
 
 using Seats = std::unordered_map<SeatId, const WorldSeat*>;
@@ -248,6 +273,21 @@ void put(IndividualRows& rows, const ColumnValues& values)
 
 } // namespace
 
+std::string knownGroups(const Scene& scene)
+{
+    if (scene.groups.empty()) {
+        return "It has none: make one in scene.groups, or take 0.";
+    }
+    constexpr std::size_t kMost = 20;
+    std::string text = "Its groups:";
+    for (std::size_t i = 0; i < std::min(kMost, scene.groups.size()); ++i) {
+        const Group& group = scene.groups[i];
+        text +=
+            (i == 0 ? " " : ", ") + std::to_string(group.id) + " \"" + shortened(group.name) + '"';
+    }
+    return text + (scene.groups.size() > kMost ? " …; " : "; ") + "0: none.";
+}
+
 Result<void> checkRoom(const Scene& scene, std::size_t coming)
 {
     const std::size_t now = scene.population.size();
@@ -266,7 +306,8 @@ Result<void> checkRoom(const Scene& scene, std::size_t coming)
 namespace {
 
 /// What can be said of the values of new individuals before any rows are made of them.
-Result<void> checkNew(const Scene& scene, std::size_t n, std::span<const ColumnValues> values)
+Result<void> checkNew(const Scene& scene, std::size_t n, std::span<const ColumnValues> values,
+                      MissingEntries missing)
 {
     if (auto room = checkRoom(scene, n); !room) {
         return room;
@@ -274,7 +315,7 @@ Result<void> checkNew(const Scene& scene, std::size_t n, std::span<const ColumnV
     if (auto valid = checkCommon(n, values); !valid) {
         return valid;
     }
-    if (auto valid = checkWalks(scene, values); !valid) {
+    if (auto valid = checkEntries(scene, values, missing); !valid) {
         return valid;
     }
     if (find(values, ColumnId::Template) == nullptr) {
@@ -299,9 +340,9 @@ Result<void> checkMotion(const TemplateTable& table, const IndividualRows& rows)
 } // namespace
 
 Result<IndividualRows> newRows(const Scene& scene, std::size_t n,
-                               std::span<const ColumnValues> values)
+                               std::span<const ColumnValues> values, MissingEntries missing)
 {
-    if (auto valid = checkNew(scene, n, values); !valid) {
+    if (auto valid = checkNew(scene, n, values, missing); !valid) {
         return valid.error();
     }
     const ColumnValues& templates = *find(values, ColumnId::Template);
@@ -348,12 +389,12 @@ Result<void> checkAlive(const Scene& scene, std::span<const IndividualId> ids)
 }
 
 Result<void> checkChange(const Scene& scene, std::span<const IndividualId> ids,
-                         std::span<const ColumnValues> values)
+                         std::span<const ColumnValues> values, MissingEntries missing)
 {
     if (auto valid = checkCommon(ids.size(), values); !valid) {
         return valid;
     }
-    if (auto valid = checkWalks(scene, values); !valid) {
+    if (auto valid = checkEntries(scene, values, missing); !valid) {
         return valid;
     }
     const TemplateTable table(scene);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "app/python/ScriptPeople.h"
 #include "model/base/Result.h"
@@ -18,10 +19,14 @@ inline constexpr std::size_t kMostPeople = 10'000'000;
 /// Whether so many more fit into the scene.
 [[nodiscard]] model::Result<void> checkRoom(const model::Scene& scene, std::size_t coming);
 
+/// Which groups there are to choose from, as a sentence for messages.
+[[nodiscard]] std::string knownGroups(const model::Scene& scene);
+
 /// n rows for addIndividuals: the given columns (n values each), elsewhere what the template and
 /// the seat suggest. "template" is needed, and "position" or "seat".
 [[nodiscard]] model::Result<model::IndividualRows> newRows(const model::Scene& scene, std::size_t n,
-                                                           std::span<const ColumnValues> values);
+                                                           std::span<const ColumnValues> values,
+                                                           MissingEntries missing);
 
 /// Ids strictly ascending and all alive.
 [[nodiscard]] model::Result<void> checkAlive(const model::Scene& scene,
@@ -30,6 +35,7 @@ inline constexpr std::size_t kMostPeople = 10'000'000;
 /// Values for individuals that are there: ids ascending and alive.
 [[nodiscard]] model::Result<void> checkChange(const model::Scene& scene,
                                               std::span<const model::IndividualId> ids,
-                                              std::span<const ColumnValues> values);
+                                              std::span<const ColumnValues> values,
+                                              MissingEntries missing);
 
 } // namespace crowd::app

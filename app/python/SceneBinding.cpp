@@ -16,7 +16,12 @@ using namespace model;
 
 namespace {
 
-py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
+MissingEntries missingIf(bool isAllowed)
+{
+    return isAllowed ? MissingEntries::Take : MissingEntries::Refuse;
+}
+
+py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count, bool allowMissing,
                  const LongCall::Listener& progress, const py::kwargs& columns)
 {
     if (count) {
@@ -24,7 +29,8 @@ py::array create(const ScenePtr& scene, const std::optional<std::size_t>& count,
     }
     const GivenColumns given = columnsFrom(scene, columns, count, {});
     LongCall call(progress);
-    auto created = createPeople(*scene, given.count, given.values, call.hook());
+    auto created =
+        createPeople(*scene, given.count, given.values, call.hook(), missingIf(allowMissing));
     call.raise();
     const std::vector<IndividualId> ids = valueOrRaise(std::move(created));
     return py::array_t<IndividualId>(static_cast<py::ssize_t>(ids.size()), ids.data());
@@ -50,7 +56,8 @@ int putOnGroundGiven(const ScenePtr& scene, const py::object& idsOrMask)
     return valueOrRaise(putOnGround(*scene, ids));
 }
 
-void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs& columns)
+void change(const ScenePtr& scene, const py::object& idsOrMask, bool allowMissing,
+            const py::kwargs& columns)
 {
     std::vector<std::size_t> order;
     const auto ids = idsFrom(*scene, idsOrMask, order);
@@ -67,7 +74,7 @@ void change(const ScenePtr& scene, const py::object& idsOrMask, const py::kwargs
     GivenColumns given = columnsFrom(scene, columns, ids.size(), templates);
     reorder(given.values, order);
     LongCall call({});
-    auto changed = changePeople(*scene, ids, given.values, call.hook());
+    auto changed = changePeople(*scene, ids, given.values, call.hook(), missingIf(allowMissing));
     call.raise();
     valueOrRaise(std::move(changed));
 }
@@ -217,19 +224,22 @@ void bindPopulation(SceneClass& scene)
             "position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error "
             "for an unknown name.")
         .def("create", &create, py::kw_only(), py::arg("count") = py::none(),
-             py::arg("progress") = py::none(),
+             py::arg("allow_missing") = false, py::arg("progress") = py::none(),
              "create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or "
              "one each; a seat brings position, heading and a sitting clip. count: how many, where "
              "no column says so. Raises Error, and creates nobody, for wrong shapes, values that "
              "are "
-             "not finite, unknown templates and clips, seats that are taken. " CROWD_PROGRESS_DOC)
+             "not finite, unknown templates and clips, seats that are taken, and groups and paths "
+             "that "
+             "the scene does not have, unless allow_missing. " CROWD_PROGRESS_DOC)
         .def("remove", &remove, py::arg("ids"),
              "By ids or by a mask over everybody. Raises Error for ids that are dead or named "
              "twice.")
-        .def("change", &change, py::arg("ids"),
+        .def("change", &change, py::arg("ids"), py::kw_only(), py::arg("allow_missing") = false,
              "change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one "
              "each, in the order of ids. Raises Error, and changes nothing, for dead ids, wrong "
-             "shapes and values that are not finite.")
+             "shapes, values that are not finite, and groups and paths that the scene does not "
+             "have, unless allow_missing.")
         .def("put_on_ground", &putOnGroundGiven, py::arg("ids") = py::none(),
              "Those of them, or of all, who stand where nobody can walk (on roofs, in basins, in "
              "the air) come to the nearest ground: one undo step. How many. Takes seconds where "

@@ -201,7 +201,11 @@ Result<StrokeOutcome> paintStroke(ScriptScene& script, const ScriptStroke& strok
     if (!camera) {
         return camera.error();
     }
-    if (auto valid = checkBrush(*now, stroke.settings); !valid) {
+    auto valid = checkBrush(stroke.settings);
+    if (valid && !stroke.allowsMissing) {
+        valid = checkReferences(*now, stroke.settings);
+    }
+    if (!valid) {
         return valid.error();
     }
     // A stroke sees people as they are, not as they stand in until they are baked.

@@ -19,6 +19,7 @@ struct ScriptStroke
     std::optional<model::Camera> camera;     ///< the scene's first one without
     glm::vec2 viewSize{1280.0F, 720.0F};
     std::uint64_t seed = 1;
+    bool allowsMissing = false; ///< the brush may name what the scene does not have
 };
 
 using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;

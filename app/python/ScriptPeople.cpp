@@ -66,12 +66,12 @@ Result<void> stoppableStep(ScriptScene& script, const char* text, std::size_t n,
 
 Result<std::vector<IndividualId>> createPeople(ScriptScene& script, std::size_t n,
                                                std::span<const ColumnValues> values,
-                                               const KeepGoing& keepGoing)
+                                               const KeepGoing& keepGoing, MissingEntries missing)
 {
     std::optional<IndividualRows> rows;
     std::vector<IndividualId> ids;
     const auto make = [&]() -> Result<void> {
-        auto made = newRows(script.document().scene(), n, values);
+        auto made = newRows(script.document().scene(), n, values, missing);
         if (!made) {
             return made.error();
         }
@@ -99,13 +99,14 @@ Result<void> removePeople(ScriptScene& script, std::span<const IndividualId> ids
 }
 
 Result<void> changePeople(ScriptScene& script, std::span<const IndividualId> ids,
-                          std::span<const ColumnValues> values, const KeepGoing& keepGoing)
+                          std::span<const ColumnValues> values, const KeepGoing& keepGoing,
+                          MissingEntries missing)
 {
     const auto check = [&]() -> Result<void> {
         if (auto alive = checkAlive(script.document().scene(), ids); !alive) {
             return alive;
         }
-        return checkChange(script.document().scene(), ids, values);
+        return checkChange(script.document().scene(), ids, values, missing);
     };
     return stoppableStep(script, QT_TRANSLATE_NOOP("Script", "Change characters"), ids.size(),
                          keepGoing, check, [&](SceneEdit& open) {

@@ -16,18 +16,24 @@ struct ColumnValues
     std::vector<std::byte> bytes;
 };
 
+/// What becomes of groups and paths that the scene does not have. Recordings give back people who
+/// were in one that is gone.
+enum class MissingEntries : std::uint8_t { Refuse, Take };
+
 /// n individuals with these values; the rest gets the defaults of their templates. Their ids.
 /// Nobody where `keepGoing` says no; it is asked on the calling thread.
 [[nodiscard]] model::Result<std::vector<model::IndividualId>>
 createPeople(ScriptScene& script, std::size_t n, std::span<const ColumnValues> values,
-             const model::KeepGoing& keepGoing = {});
+             const model::KeepGoing& keepGoing = {},
+             MissingEntries missing = MissingEntries::Refuse);
 /// Ids ascending, all alive.
 [[nodiscard]] model::Result<void> removePeople(ScriptScene& script,
                                                std::span<const model::IndividualId> ids);
 [[nodiscard]] model::Result<void> changePeople(ScriptScene& script,
                                                std::span<const model::IndividualId> ids,
                                                std::span<const ColumnValues> values,
-                                               const model::KeepGoing& keepGoing = {});
+                                               const model::KeepGoing& keepGoing = {},
+                                               MissingEntries missing = MissingEntries::Refuse);
 /// People become as a session shows them. How many are another way than before.
 /// `after`: as the scene is then.
 [[nodiscard]] model::Result<int> keepPose(ScriptScene& script, const model::Population& shown,

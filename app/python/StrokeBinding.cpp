@@ -91,7 +91,8 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 
 StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::object& points,
                      const CameraKey& camera, const std::pair<float, float>& size,
-                     std::uint64_t seed, double time, const LongCall::Listener& progress)
+                     std::uint64_t seed, double time, bool allowMissing,
+                     const LongCall::Listener& progress)
 {
     if (!(size.first >= 1.0F && size.second >= 1.0F && size.first <= 16384.0F &&
           size.second <= 16384.0F)) {
@@ -106,6 +107,7 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
     request.camera = cameraOf(*scene, camera);
     request.viewSize = {size.first, size.second};
     request.seed = seed;
+    request.allowsMissing = allowMissing;
     LongCall call(progress);
     const auto paint = [&](ScriptStrokeLink& dabs) {
         const py::module_ module = py::module_::import("crowdbrush");
@@ -130,10 +132,13 @@ void bindStrokes(py::module_& module, SceneClass& scene)
     scene.def(
         "stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
         py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
-        py::arg("seed") = 1, py::arg("time") = 0.0, py::arg("progress") = py::none(),
+        py::arg("seed") = 1, py::arg("time") = 0.0, py::arg("allow_missing") = false,
+        py::arg("progress") = py::none(),
         "Paints as the mouse does: points in logical pixels of a view of this size, "
         "rows of x, y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time "
-        "of what was on screen, for all of them with time=. " CROWD_PROGRESS_DOC);
+        "of what was on screen, for all of them with time=. Raises Error where "
+        "the brush names a group, template, path or clip that the scene does not have, unless "
+        "allow_missing: it paints all the same then, as the editor does. " CROWD_PROGRESS_DOC);
 }
 
 } // namespace crowd::app

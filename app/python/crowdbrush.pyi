@@ -1216,19 +1216,21 @@ class Scene:
         """A copy of a column for everybody, rows by ascending id: N numbers, N×3 float32 for
         position, N×8×4 uint8 for tint, N×4 for tint0 … tint7, N×8 for choices. Raises Error
         for an unknown name."""
-    def create(self, *, count: Optional[int] = ..., progress: Optional[Callable[[float], Any]] = ..., **columns: Array) -> _Array:
+    def create(self, *, count: Optional[int] = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ..., **columns: Array) -> _Array:
         """create(template=…, position=N×3, …) → ids. Columns by keyword, one value for all or
         one each; a seat brings position, heading and a sitting clip. count: how many, where
         no column says so. Raises Error, and creates nobody, for wrong shapes, values that are
-        not finite, unknown templates and clips, seats that are taken. progress: is called
-        with the share that is done, 0 to 1, some times a second; what it raises, as Ctrl+C,
-        ends the call, which takes back what it did."""
+        not finite, unknown templates and clips, seats that are taken, and groups and paths
+        that the scene does not have, unless allow_missing. progress: is called with the share
+        that is done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call,
+        which takes back what it did."""
     def remove(self, ids: Ids) -> None:
         """By ids or by a mask over everybody. Raises Error for ids that are dead or named twice."""
-    def change(self, ids: Ids, **columns: Array) -> None:
+    def change(self, ids: Ids, *, allow_missing: bool = ..., **columns: Array) -> None:
         """change(ids_or_mask, heading=…, …): columns by keyword, one value for all or one each,
-        in the order of ids. Raises Error, and changes nothing, for dead ids, wrong shapes and
-        values that are not finite."""
+        in the order of ids. Raises Error, and changes nothing, for dead ids, wrong shapes,
+        values that are not finite, and groups and paths that the scene does not have, unless
+        allow_missing."""
     def put_on_ground(self, ids: Any = ...) -> int:
         """Those of them, or of all, who stand where nobody can walk (on roofs, in basins, in the
         air) come to the nearest ground: one undo step. How many. Takes seconds where the
@@ -1296,10 +1298,12 @@ class Scene:
         and so on. Raises Error where a member is wrong, or misspelt, or a rule names a clip
         or slot that no template has. strict=False takes what a project file may hold: members
         of a later version, clips of templates that are gone."""
-    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
+    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
-        on screen, for all of them with time=. progress: is called with the share that is
+        on screen, for all of them with time=. Raises Error where the brush names a group,
+        template, path or clip that the scene does not have, unless allow_missing: it paints
+        all the same then, as the editor does. progress: is called with the share that is
         done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call, which
         takes back what it did."""
     @property

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <numeric>
+#include <span>
 
 #include "app/record/ScriptText.h"
 #include "model/population/Properties.h"
@@ -67,6 +68,29 @@ void addColumn(Call& call, ColumnId column, const std::vector<std::byte>& bytes)
     call.add(std::string(info.name), pythonColumn(column, folded(bytes, info.stride), 2 * kIndent));
 }
 
+/// Whether some have a group or path that the scene does not have, as people who were in one that
+/// was removed: scripts refuse that unless it is said.
+bool namesMissing(ColumnId column, std::span<const std::byte> bytes, const Scene& scene)
+{
+    if (column != ColumnId::Group && column != ColumnId::Path) {
+        return false;
+    }
+    std::vector<std::uint32_t> ids(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(ids.data(), bytes.data(), ids.size() * sizeof(std::uint32_t));
+    return std::ranges::any_of(ids, [&](std::uint32_t id) {
+        const bool isThere = column == ColumnId::Group ? scene.findGroup(id) != nullptr
+                                                       : scene.findPath(id) != nullptr;
+        return id != 0 && !isThere;
+    });
+}
+
+void allowMissing(Call& call, bool isNeeded)
+{
+    if (isNeeded) {
+        call.add("allow_missing", pythonText(true));
+    }
+}
+
 /// Whether to say it of those who are added: it is suggested otherwise, or not the usual value.
 bool isSaid(ColumnId column, const IndividualRows& rows, const IndividualRows& usual)
 {
@@ -75,19 +99,22 @@ bool isSaid(ColumnId column, const IndividualRows& rows, const IndividualRows& u
                usual.bytes[static_cast<std::size_t>(column)];
 }
 
-std::string createCall(const IndividualRows& rows)
+std::string createCall(const IndividualRows& rows, const Scene& after)
 {
+    bool isMissing = false;
     const IndividualRows usual = IndividualRows::withDefaults(rows.ids);
     Call call("scene.create");
     for (std::size_t c = 0; c < kColumnCount; ++c) {
         const auto column = static_cast<ColumnId>(c);
         if (isSaid(column, rows, usual)) {
             addColumn(call, column, rows.bytes[c]);
+            isMissing = isMissing || namesMissing(column, rows.bytes[c], after);
         }
     }
     if (rows.ids.size() > 1) {
         call.add("count", pythonText(rows.ids.size())); // all columns may hold one value for all
     }
+    allowMissing(call, isMissing);
     return call.line();
 }
 
@@ -101,7 +128,7 @@ std::string spentIds(IndividualId from, IndividualId to, const Scene& after)
     std::ranges::fill(rows.column(columns::templateId), after.templates.front().id);
     std::vector<IndividualId> ids(to - from);
     std::iota(ids.begin(), ids.end(), from);
-    return createCall(rows) + Call("scene.remove", pythonIds(ids, kIndent)).line();
+    return createCall(rows, after) + Call("scene.remove", pythonIds(ids, kIndent)).line();
 }
 
 IndividualRows slice(const IndividualRows& rows, std::size_t from, std::size_t to)
@@ -129,7 +156,7 @@ std::string creations(const SceneDelta& delta, const Scene& after)
         while (to < ids.size() && ids[to] == ids[to - 1] + 1) {
             ++to;
         }
-        text += spentIds(next, ids[from], after) + createCall(slice(added, from, to));
+        text += spentIds(next, ids[from], after) + createCall(slice(added, from, to), after);
         next = ids[to - 1] + 1;
         from = to;
     }
@@ -166,11 +193,14 @@ std::string changes(const SceneDelta& delta, const Scene& after)
     while (!left.empty()) {
         const std::vector<IndividualId> ids = left.front().ids;
         Call call("scene.change", pythonIds(ids, 2 * kIndent));
+        bool isMissing = false;
         for (const ColumnDelta& each : left) {
             if (each.ids == ids) {
                 addColumn(call, each.column, each.after);
+                isMissing = isMissing || namesMissing(each.column, each.after, after);
             }
         }
+        allowMissing(call, isMissing);
         std::erase_if(left, [&ids](const ColumnDelta& each) { return each.ids == ids; });
         text += call.line();
     }

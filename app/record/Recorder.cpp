@@ -96,7 +96,7 @@ void Recorder::commit(const StepCommitted& step)
     const bool isStroke =
         step.stroke != nullptr && step.stroke->settings.kind() != BrushKind::Script;
     if (isStroke && step.stroke->isExact) {
-        add(m_script.strokes.write(*step.stroke));
+        add(m_script.strokes.write(*step.stroke, m_document.scene()));
     } else {
         add((isStroke ? kNotExact : "") + deltaScript(*step.delta, step.text, m_document.scene()));
     }

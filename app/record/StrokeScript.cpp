@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/record/StrokeScript.h"
 
+#include "app/python/BrushRules.h"
 #include "app/record/FieldScript.h"
 #include "app/record/ScriptText.h"
 
@@ -56,7 +57,7 @@ std::string StrokeScript::brush(const BrushSettings& settings)
     return text;
 }
 
-std::string StrokeScript::write(const RecordedStroke& stroke)
+std::string StrokeScript::write(const RecordedStroke& stroke, const Scene& scene)
 {
     std::string text = brush(stroke.settings);
     if (m_camera != stroke.camera) {
@@ -65,7 +66,8 @@ std::string StrokeScript::write(const RecordedStroke& stroke)
     }
     return text + "scene.stroke(" + variableOf(stroke.settings.kind()) + ", " +
            points(stroke.inputs) + ", camera=view, size=(" + pythonText(stroke.viewSize.x) + ", " +
-           pythonText(stroke.viewSize.y) + "), seed=" + pythonText(stroke.seed) + ")\n";
+           pythonText(stroke.viewSize.y) + "), seed=" + pythonText(stroke.seed) +
+           (checkReferences(scene, stroke.settings) ? ")\n" : ", allow_missing=True)\n");
 }
 
 } // namespace crowd::app

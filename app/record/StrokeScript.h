@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/brush/Stroke.h"
+#include "model/scene/Scene.h"
 
 namespace crowd::app {
 
@@ -14,8 +15,9 @@ namespace crowd::app {
 class StrokeScript
 {
 public:
-    /// Not for brushes that scripts bring along: the class would be missing.
-    [[nodiscard]] std::string write(const model::RecordedStroke& stroke);
+    /// Not for brushes that scripts bring along: the class would be missing. `scene`: that it was
+    /// painted in.
+    [[nodiscard]] std::string write(const model::RecordedStroke& stroke, const model::Scene& scene);
 
 private:
     [[nodiscard]] std::string brush(const model::BrushSettings& settings);

@@ -127,6 +127,18 @@ public:
         m_editor.state().setBrush(settings);
         m_editor.drag(at(0.4, 0.4), at(0.7, 0.6));
     }
+    /// As brushes do whose group was removed since.
+    void nameWhatIsGone(int group)
+    {
+        auto colour = brush(model::BrushKind::Colour, model::BrushSelection::Rectangle);
+        colour.mask.groups = {0, group};
+        m_editor.state().setBrush(colour);
+        m_editor.drag(at(0.2, 0.2), at(0.8, 0.8));
+        auto into = brush(model::BrushKind::Group, model::BrushSelection::Rectangle);
+        into.as<crowd::model::GroupSettings>().group = group;
+        m_editor.state().setBrush(into);
+        m_editor.drag(at(0.4, 0.4), at(0.6, 0.6));
+    }
     void remove()
     {
         m_editor.state().setTool(ToolId::Select);
@@ -185,6 +197,7 @@ private Q_SLOTS:
     void init();
     void aSessionIsReplayedToTheSameBytesAndPicture();
     void everyKindOfEditHasItsLines();
+    void brushesMayNameWhatIsGone();
     void undoingWhatCameBeforeStartsAnew();
     void redoingBringsItBack();
     void anotherSceneEndsIt();
@@ -389,6 +402,26 @@ void TestRecording::everyKindOfEditHasItsLines()
     QCOMPARE(replay(script, plain), QString());
     QVERIFY(contentOf(plain) == contentOf(path));
     keepWhereWanted(script, plain);
+}
+
+void TestRecording::brushesMayNameWhatIsGone()
+{
+    const QString path = copyOfTheatre(m_folder);
+    const QString script = m_folder.filePath(QStringLiteral("gone.py"));
+    Editor editor;
+    QVERIFY(editor.open(path));
+    (void)editor.picture(); // all animations are there
+    editor.window.recorder().setRecording(true);
+    Session session(editor);
+    session.nameWhatIsGone(77);
+    editor.window.recorder().setRecording(false);
+    QVERIFY(editor.window.recorder().save(script));
+    QVERIFY(editor.window.files().save());
+    QCOMPARE(contentOf(script).count("scene.stroke("), 2);
+    QCOMPARE(contentOf(script).count("allow_missing=True"), 2);
+    const QString plain = m_folder.filePath(QStringLiteral("gone.crowd"));
+    QCOMPARE(replay(script, plain), QString());
+    QVERIFY(contentOf(plain) == contentOf(path));
 }
 
 void TestRecording::undoingWhatCameBeforeStartsAnew()

@@ -51,16 +51,16 @@ class Groups(unittest.TestCase):
 
     def test_locked_and_hidden_ones_are_not_touched(self):
         scene, ids = crowd()
+        scene.groups = [Group(id=1, name="locked", locked=True), Group(id=2, name="hidden", hidden=True)]
         scene.change(ids[:2], group=1)
         scene.change(ids[2:4], group=2)
-        scene.groups = [Group(id=1, name="locked", locked=True), Group(id=2, name="hidden", hidden=True)]
         self.assertEqual(painted(scene, sized()), [4, 5])
 
     def test_hidden_ones_are_in_no_picture(self):
         scene, ids = crowd()
         everybody = scene.render(160, 120)
-        scene.change(ids, group=1)
         scene.groups = [Group(id=1, name="all", hidden=True)]
+        scene.change(ids, group=1)
         nobody = scene.render(160, 120)
         scene.groups = [Group(id=1, name="all")]
         self.assertTrue((scene.render(160, 120) == everybody).all())
@@ -82,6 +82,24 @@ class Groups(unittest.TestCase):
             scene.set_environment({"groups": [{"id": 1}, {"id": 1}]})
         with self.assertRaisesRegex((Error, TypeError), "locked"):
             Group(id=1, locked="yes")
+
+    def test_those_that_are_not_there_are_refused(self):
+        scene, ids = crowd()
+        man = scene.template("man")
+        with self.assertRaisesRegex(Error, r"group\[0\] is 7, and the scene has no such group. It has none"):
+            scene.change(ids, group=7)
+        scene.groups = [Group(id=3, name="choir"), Group(id=4, name="band")]
+        said = r'group\[1\] is 7, and the scene has no such group. Its groups: 3 "choir", 4 "band"; 0: none.'
+        with self.assertRaisesRegex(Error, said):
+            scene.change(ids[:3], group=[0, 7, 3])
+        with self.assertRaisesRegex(Error, said):
+            scene.create(template=man, position=np.zeros((2, 3)), group=[4, 7])
+        self.assertEqual((len(scene), set(scene.column("group").tolist())), (6, {0}))
+        scene.change(ids[:1], group=7, allow_missing=True)
+        scene.create(template=man, position=(0, 0, 0), group=7, path=5, allow_missing=True)
+        self.assertEqual(scene.column("group").tolist(), [7, 0, 0, 0, 0, 0, 7])
+        with self.assertRaisesRegex(Error, "no such path"):
+            scene.change(ids, path=5)
 
 
 class Masks(unittest.TestCase):
@@ -125,6 +143,20 @@ class Masks(unittest.TestCase):
         brush.group.group = 9
         with self.assertRaisesRegex(Error, "brush.group.group names group 9.*scene.groups"):
             painted(scene, brush)
+        scene.groups = [Group(id=3, name="choir")]
+        with self.assertRaisesRegex(Error, 'brush.group.group names group 9.*3 "choir"'):
+            painted(scene, brush)
+
+    def test_missing_ones_may_be_allowed(self):
+        scene, ids = crowd()
+        across = [(0, 0), (639, 479)]
+        brush = sized({"groups": [0, 3], "templates": [scene.template("man").id, 77]})
+        self.assertEqual(scene.stroke(brush, across, size=SIZE, allow_missing=True).affected, 6)
+        brush = sized()
+        brush.kind = BrushKind.GROUP
+        brush.group.group = 9
+        self.assertEqual(scene.stroke(brush, across, size=SIZE, allow_missing=True).affected, 6)
+        self.assertEqual(set(scene.column("group").tolist()), {9})
 
     def test_what_cannot_be_is_refused(self):
         scene, ids = crowd()

@@ -17,7 +17,7 @@ def two_people():
     man = scene.add_template(MAN)
     scene.add_template(MAN)
     scene.set_environment({"places": [{"id": 1, "position": [0, 0, 0]}, {"id": 2, "position": [5, 0, 0]}],
-                           "paths": [{"id": 1, "places": [1, 2]}]})
+                           "paths": [{"id": 1, "places": [1, 2]}], "groups": [{"id": 1}]})
     scene.create(template=man, position=np.zeros((2, 3)))
     return scene
 

@@ -52,7 +52,7 @@ with scene.edit("Tags, groups, tints"):
             1, 2, 3, 5, 6, 7, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26,
             27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48,
             49, 50, 51, 52, 53
-        ], group=4000000000)
+        ], group=4000000000, allow_missing=True)
 with scene.edit("Template"):
     scene.add_template("builtin:templates/patrician.glb", id=6, name="copy of 男")
 with scene.edit("Template renamed"):
