@@ -86,6 +86,18 @@ CrowdFramePtr ScriptSession::frame() const
     return m_session->frame();
 }
 
+std::vector<std::uint8_t> ScriptSession::present() const
+{
+    const Pose now = pose();
+    std::vector<std::uint8_t> present(now.shown->population.size(), 1);
+    for (std::size_t i = 0; i < now.pose->ids.size(); ++i) {
+        if ((now.pose->flags[i] & behavior::kPoseGone) != 0) {
+            present[now.shown->population.rowOf(now.pose->ids[i])] = 0;
+        }
+    }
+    return present;
+}
+
 void ScriptSession::send(const std::string& event, float number,
                          const std::vector<IndividualId>& ids)
 {

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::uint32_t stepsPerSecond() const { return m_stepsPerSecond; }
     /// Everybody as of the last step.
     [[nodiscard]] model::CrowdFramePtr frame() const;
+    /// Whether each is still in the scene, by row of the frame.
+    [[nodiscard]] std::vector<std::uint8_t> present() const;
 
     /// Happens at the next step. The number is finite.
     void send(const std::string& event, float number, const std::vector<model::IndividualId>& ids);

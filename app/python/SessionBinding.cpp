@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "app/python/Binding.h"
@@ -172,12 +173,25 @@ void bindEvents(SessionClass& session)
                                "What could not be followed or came to grief, in sentences.");
 }
 
+py::array_t<bool> presentOf(ScriptSession& session)
+{
+    upToDate(session);
+    const auto present = outsidePython([&] { return session.present(); });
+    py::array_t<bool> array(static_cast<py::ssize_t>(present.size()));
+    std::ranges::transform(present, array.mutable_data(), [](auto each) { return each != 0; });
+    return array;
+}
+
 void bindPeople(SessionClass& session)
 {
     session.def("__len__", [](ScriptSession& s) { return frameOf(s)->population.size(); })
         .def_property_readonly(
             "ids", [](ScriptSession& s) { return columnArray(frameOf(s)->population, "id"); },
-            "N uint32, ascending.")
+            "N uint32, ascending: everybody, also who has left.")
+        .def_property_readonly(
+            "present", &presentOf,
+            "N bool, in the order of ids: whether each is still there. Who has left, at an exit or "
+            "by a rule, stays in ids and columns, 100 000 m below the ground.")
         .def(
             "column",
             [](ScriptSession& s, const std::string& name) {

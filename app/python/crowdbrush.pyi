@@ -2205,7 +2205,11 @@ class Session:
         ...
     @property
     def ids(self) -> _Array:
-        """N uint32, ascending."""
+        """N uint32, ascending: everybody, also who has left."""
+    @property
+    def present(self) -> _Array:
+        """N bool, in the order of ids: whether each is still there. Who has left, at an exit or
+        by a rule, stays in ids and columns, 100 000 m below the ground."""
     def column(self, name: str) -> _Array:
         """As Scene.column, but as everybody is after the last step."""
     def keep_pose(self) -> int:

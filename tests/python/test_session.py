@@ -44,6 +44,18 @@ class Sessions(unittest.TestCase):
         np.testing.assert_array_equal(scene.column("position"), before)
         self.assertEqual(session.problems, [])
 
+    def test_who_has_left_is_said(self):
+        scene = walkers(rules=[{"id": 1, "when": {"kind": "event", "event": "home"},
+                                "do": [{"kind": "leave scene", "choice": "given"}]}])
+        session = crowdbrush.Session(scene)
+        self.assertEqual(session.present.tolist(), [True] * 8)
+        session.send("home", [2, 3])
+        session.run(1)
+        np.testing.assert_array_equal(session.ids, scene.ids)
+        self.assertEqual(session.ids[~session.present].tolist(), [2, 3])
+        self.assertEqual(session.present.dtype, bool)
+        self.assertTrue(np.all(session.column("position")[~session.present, 1] < -1000))
+
     def test_the_same_steps_give_the_same_crowd(self):
         crowds = []
         for parts in ((60,), (1, 29, 30)):
