@@ -98,6 +98,12 @@ std::vector<std::uint8_t> ScriptSession::present() const
     return present;
 }
 
+std::vector<PathId> ScriptSession::paths() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_session->paths();
+}
+
 void ScriptSession::send(const std::string& event, float number,
                          const std::vector<IndividualId>& ids)
 {

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] model::CrowdFramePtr frame() const;
     /// Whether each is still in the scene, by row of the frame.
     [[nodiscard]] std::vector<std::uint8_t> present() const;
+    /// See Session::paths.
+    [[nodiscard]] std::vector<model::PathId> paths() const;
 
     /// Happens at the next step. The number is finite.
     void send(const std::string& event, float number, const std::vector<model::IndividualId>& ids);

@@ -182,6 +182,17 @@ py::array_t<bool> presentOf(ScriptSession& session)
     return array;
 }
 
+/// The frame's path is the one that somebody began with.
+py::array columnOf(ScriptSession& session, const std::string& name)
+{
+    if (name != columnInfo(ColumnId::Path).name) {
+        return columnArray(frameOf(session)->population, name);
+    }
+    upToDate(session);
+    const auto paths = outsidePython([&] { return session.paths(); });
+    return py::array_t<PathId>(static_cast<py::ssize_t>(paths.size()), paths.data());
+}
+
 void bindPeople(SessionClass& session)
 {
     session.def("__len__", [](ScriptSession& s) { return frameOf(s)->population.size(); })
@@ -192,12 +203,10 @@ void bindPeople(SessionClass& session)
             "present", &presentOf,
             "N bool, in the order of ids: whether each is still there. Who has left, at an exit or "
             "by a rule, stays in ids and columns, 100 000 m below the ground.")
-        .def(
-            "column",
-            [](ScriptSession& s, const std::string& name) {
-                return columnArray(frameOf(s)->population, name);
-            },
-            py::arg("name"), "As Scene.column, but as everybody is after the last step.")
+        .def("column", &columnOf, py::arg("name"),
+             "As Scene.column, but as everybody is after the last step; path: the one that each "
+             "follows now, which is another after a branch or a rule's action, and 0 for those "
+             "who have left.")
         .def("keep_pose", &keepPose,
              "Where everybody is now becomes where the scene has them: one undo step. How many "
              "people stand or sit another way than before.")

@@ -2211,7 +2211,9 @@ class Session:
         """N bool, in the order of ids: whether each is still there. Who has left, at an exit or
         by a rule, stays in ids and columns, 100 000 m below the ground."""
     def column(self, name: str) -> _Array:
-        """As Scene.column, but as everybody is after the last step."""
+        """As Scene.column, but as everybody is after the last step; path: the one that each
+        follows now, which is another after a branch or a rule's action, and 0 for those who
+        have left."""
     def keep_pose(self) -> int:
         """Where everybody is now becomes where the scene has them: one undo step. How many
         people stand or sit another way than before."""

@@ -219,6 +219,17 @@ model::CrowdFramePtr Session::frame() const
     return std::make_shared<const model::CrowdFrame>(std::move(frame));
 }
 
+std::vector<model::PathId> Session::paths() const
+{
+    std::vector<model::PathId> paths(m_parts->agents.size(), 0);
+    for (std::uint32_t agent = 0; agent < paths.size(); ++agent) {
+        if (m_parts->agents.isGone[agent] == 0) {
+            paths[agent] = m_parts->follower.pathOf(agent);
+        }
+    }
+    return paths;
+}
+
 SessionTally Session::tally() const
 {
     return countPeople(*m_parts);

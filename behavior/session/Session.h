@@ -55,6 +55,9 @@ public:
     [[nodiscard]] SessionPosePtr pose() const;
     /// Everybody as of the last step, for the renderer.
     [[nodiscard]] model::CrowdFramePtr frame() const;
+    /// The path that each follows now, by row of the frame: also a branch's, or one of a rule's
+    /// action. 0: none, or he has left.
+    [[nodiscard]] std::vector<model::PathId> paths() const;
     /// People counted, as of the last step.
     [[nodiscard]] SessionTally tally() const;
     /// What in the plan could not be followed, or came to grief.

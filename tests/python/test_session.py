@@ -55,6 +55,25 @@ class Sessions(unittest.TestCase):
         self.assertEqual(session.ids[~session.present].tolist(), [2, 3])
         self.assertEqual(session.present.dtype, bool)
         self.assertTrue(np.all(session.column("position")[~session.present, 1] < -1000))
+        self.assertEqual(session.column("path").tolist(), [1, 0, 0, 1, 1, 1, 1, 1])
+
+    def test_the_path_is_that_of_the_branch_taken(self):
+        scene = walkers(count=40)
+        scene.set_environment({
+            "places": [{"id": 1, "name": "fork", "position": [2, 0, 0], "radius": 4},
+                       {"id": 2, "name": "end", "position": [40, 0, 0], "radius": 4},
+                       {"id": 3, "name": "side", "position": [0, 0, 40], "radius": 4}],
+            "paths": [{"id": 1, "name": "way", "kind": "simple", "places": [1, 2],
+                       "branches": [{"place": 1, "path": 2, "weight": 1}]},
+                      {"id": 2, "name": "aside", "kind": "simple", "places": [3]}]})
+        session = crowdbrush.Session(scene)
+        self.assertEqual(set(session.column("path").tolist()), {1})
+        session.run(25)
+        paths = session.column("path")
+        self.assertEqual(paths.dtype, scene.column("path").dtype)
+        self.assertEqual(set(paths.tolist()), {1, 2})
+        self.assertGreater(along(session)[paths == 1].min(), along(session)[paths == 2].max())
+        self.assertEqual(set(scene.column("path").tolist()), {1})  # as they began
 
     def test_the_same_steps_give_the_same_crowd(self):
         crowds = []
