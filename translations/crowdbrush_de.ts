@@ -783,6 +783,14 @@
         <source>Give the characters under the brush back what they had</source>
         <translation>Den Figuren unter dem Pinsel zurückgeben, was sie hatten</translation>
     </message>
+    <message>
+        <source>&amp;Walkable Ground</source>
+        <translation>Be&amp;gehbarer Boden</translation>
+    </message>
+    <message>
+        <source>Show where characters can walk by a colour on the ground</source>
+        <translation>Zeigt durch eine Farbe auf dem Boden, wo Figuren gehen können</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1427,10 +1435,6 @@
         <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
         <translation>Nichts läuft, das ein Ereignis hören könnte: Der Szene Regeln oder Figuren einen Weg geben und auf Abspielen drücken</translation>
     </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
-        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem Figuren zu erschaffen</translation>
-    </message>
     <message numerus="yes">
         <source>Scale %n character(s)</source>
         <translation>
@@ -1571,6 +1575,22 @@
     <message>
         <source>None of them has the chosen material</source>
         <translation>Keiner von ihnen hat das gewählte Material</translation>
+    </message>
+    <message>
+        <source>Nobody gets there on foot: raise “Highest step” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation>Dorthin kommt niemand zu Fuß: „Höchste Stufe“ erhöhen (Umgebung, Wo Figuren gehen können), oder im Pinsel „Überall“ wählen</translation>
+    </message>
+    <message>
+        <source>Too steep to walk: raise “Steepest slope” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation>Zu steil zum Gehen: „Steilste Neigung“ erhöhen (Umgebung, Wo Figuren gehen können), oder im Pinsel „Überall“ wählen</translation>
+    </message>
+    <message>
+        <source>Too low to walk under: lower “Body height” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation>Zu niedrig, um darunter zu gehen: „Körpergröße“ verringern (Umgebung, Wo Figuren gehen können), oder im Pinsel „Überall“ wählen</translation>
+    </message>
+    <message>
+        <source>Too near to a wall or an edge: lower “Body radius” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation>Zu nah an einer Wand oder Kante: „Körperradius“ verringern (Umgebung, Wo Figuren gehen können), oder im Pinsel „Überall“ wählen</translation>
     </message>
 </context>
 <context>
@@ -4088,10 +4108,6 @@
         <source>%1: characters jump from its last place to its first.</source>
         <translation>%1: Figuren springen vom letzten Ort zum ersten.</translation>
     </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the settings of its brush to move a place there all the same.</source>
-        <translation>Dort kann niemand gehen: „Überall“ in den Einstellungen seines Pinsels wählen, um einen Ort trotzdem dorthin zu ziehen.</translation>
-    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -4134,10 +4150,6 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to put a place there all the same.</source>
-        <translation>Dort kann niemand gehen: „Überall“ in den Pinseleinstellungen wählen, um dort trotzdem einen Ort zu setzen.</translation>
     </message>
     <message>
         <source>The path is closed: characters go round.</source>
@@ -8370,6 +8382,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change where characters can walk</source>
         <translation>Gehfläche ändern</translation>
+    </message>
+    <message>
+        <source>Show on the ground</source>
+        <translation>Auf dem Boden zeigen</translation>
+    </message>
+    <message>
+        <source>Colours the ground of the stages where characters can walk</source>
+        <translation>Färbt den Boden der Bühnen, wo Figuren gehen können</translation>
     </message>
 </context>
 <context>

@@ -783,6 +783,14 @@
         <source>Give the characters under the brush back what they had</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Walkable Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where characters can walk by a colour on the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1427,10 +1435,6 @@
         <source>Nothing runs that could hear an event: give the scene rules, or characters a path, and press Play</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to create characters there all the same</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>Scale %n character(s)</source>
         <translation>
@@ -1570,6 +1574,22 @@
     </message>
     <message>
         <source>None of them has the chosen material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody gets there on foot: raise “Highest step” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too steep to walk: raise “Steepest slope” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too low to walk under: lower “Body height” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too near to a wall or an edge: lower “Body radius” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4088,10 +4108,6 @@
         <source>%1: characters jump from its last place to its first.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the settings of its brush to move a place there all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -4133,10 +4149,6 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody can walk there: choose “Anywhere” in the brush settings to put a place there all the same.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8362,6 +8374,14 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change where characters can walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show on the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours the ground of the stages where characters can walk</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

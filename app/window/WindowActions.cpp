@@ -233,6 +233,16 @@ const WindowAction kViewActions[] = {
      },
      {.inputs = ActionInput::View,
       .isChecked = [](MainWindow& w) { return w.state().viewOptions().showTags; }}},
+    {{"walkable", QT_TRANSLATE_NOOP("Actions", "&Walkable Ground"), "brush-walk", "Ctrl+Shift+W",
+      QT_TRANSLATE_NOOP("Actions", "Show where characters can walk by a colour on the ground"),
+      true},
+     [](MainWindow& w, bool on) {
+         auto options = w.state().viewOptions();
+         options.showWalkable = on;
+         w.state().setViewOptions(options);
+     },
+     {.inputs = ActionInput::View,
+      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showWalkable; }}},
     {{"look-lit", QT_TRANSLATE_NOOP("Actions", "&Lighting"), "look", "Ctrl+L",
       QT_TRANSLATE_NOOP("Actions", "Light the scene; otherwise plain colours"), true},
      [](MainWindow& w, bool on) {
@@ -354,10 +364,10 @@ constexpr const char* kSelectMenu[] = {"select-all",     "select-none",   "selec
                                        "select-similar", "select-grow",   "select-shrink", "",
                                        "select-lasso",   "group-selected"};
 constexpr const char* kViewMenu[] = {
-    "frame-selection", "frame-all",  "",       "view-front", "view-side",
-    "view-top",        "projection", "",       "camera-add", "@cameras",
-    "@keep-cameras",   "",           "paths",  "tags",       "ground-grid",
-    "shadows",         "look-lit",   "@looks", "",           "full-screen"};
+    "frame-selection", "frame-all", "",           "view-front",  "view-side",     "view-top",
+    "projection",      "",          "camera-add", "@cameras",    "@keep-cameras", "",
+    "paths",           "walkable",  "tags",       "ground-grid", "shadows",       "look-lit",
+    "@looks",          "",          "full-screen"};
 constexpr const char* kPlayMenu[] = {"play",   "step",         "stop", "",         "faster",
                                      "slower", "@step-length", "",     "keep-pose"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",

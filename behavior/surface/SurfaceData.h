@@ -27,8 +27,10 @@ struct SurfaceData
     float cellHeight = 0.0F;
     float radius = 0.35F; ///< of bodies
     float climb = 0.45F;
-    dtQueryFilter filter;     ///< for ways
-    dtQueryFilter everything; ///< also where nobody is to walk
+    float height = 1.8F;
+    float slopeCosine = 0.77F; ///< of the steepest
+    dtQueryFilter filter;      ///< for ways
+    dtQueryFilter everything;  ///< also where nobody is to walk
 
     /// One for each thread that asks.
     [[nodiscard]] dtNavMeshQuery* query() const

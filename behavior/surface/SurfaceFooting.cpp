@@ -19,6 +19,7 @@ constexpr int kMostVisited = 48;                       ///< polygons in one step
 constexpr float kUprightCosine = 0.5F;                 ///< steeper is nothing that feet stand on
 constexpr float kMeshError = 0.15F;                    ///< of the surface's height, metres
 constexpr float kBesideMetres = 0.2F; ///< edges are found no finer than the cells of the building
+constexpr float kNearEdge = 0.5F;     ///< metres, beside a body: so near to what can be walked on
 constexpr float kOpenGround = 0.1F;   ///< height that counts as the plane y = 0
 constexpr float kBorderMetres = 1.0F; ///< the surface ends a little before its bounds
 
@@ -51,6 +52,7 @@ public:
             const float flat = isOver ? 0.0F : squaredAway(closest, m_from);
             const float height = std::fabs(closest[1] - m_from.y);
             if (flat < m_flat || (flat == m_flat && height < m_height)) {
+                m_polygon = refs[i];
                 m_flat = flat;
                 m_height = height;
                 m_point = isOver ? glm::vec3(m_from.x, closest[1], m_from.z)
@@ -58,7 +60,8 @@ public:
             }
         }
     }
-    [[nodiscard]] bool isFound() const { return m_flat < std::numeric_limits<float>::infinity(); }
+    [[nodiscard]] bool isFound() const { return m_polygon != 0; }
+    [[nodiscard]] dtPolyRef polygon() const { return m_polygon; }
     [[nodiscard]] const glm::vec3& point() const { return m_point; }
     [[nodiscard]] float flatSquared() const { return m_flat; }
 
@@ -66,6 +69,7 @@ private:
     const dtNavMeshQuery& m_query;
     const SurfaceData& m_data;
     glm::vec3 m_from;
+    dtPolyRef m_polygon = 0;
     glm::vec3 m_point{0.0F};
     float m_flat = std::numeric_limits<float>::infinity();
     float m_height = std::numeric_limits<float>::infinity();
@@ -166,6 +170,48 @@ std::optional<glm::vec3> SurfaceFooting::nearest(const glm::vec3& point) const
         }
     }
     return std::nullopt;
+}
+
+std::optional<GroundPoint> SurfaceFooting::groundBeside(const glm::vec3& point,
+                                                        const glm::vec3& reach) const
+{
+    const dtNavMeshQuery* query = m_data.query();
+    if (query == nullptr) {
+        return std::nullopt;
+    }
+    NearestGround search(*query, m_data, point);
+    if (dtStatusFailed(query->queryPolygons(&point.x, &reach.x, &m_data.filter, &search)) ||
+        !search.isFound() || search.flatSquared() > reach.x * reach.x) {
+        return std::nullopt;
+    }
+    return GroundPoint{search.polygon(), search.point()};
+}
+
+model::WalkRefusal SurfaceFooting::refusal(const glm::vec3& point) const
+{
+    using model::WalkRefusal;
+    if (isWalkable(point)) {
+        return WalkRefusal::None;
+    }
+    const float step = m_data.climb + kMeshError;
+    const auto under =
+        m_data.rays.hit({point + glm::vec3(0.0F, step, 0.0F), {0.0F, -1.0F, 0.0F}}, 2.0F * step);
+    if (under && under->normal.y < m_data.slopeCosine) {
+        return WalkRefusal::Steep;
+    }
+    const glm::vec3 knee = point + glm::vec3(0.0F, kOpenGround, 0.0F);
+    if (m_data.rays.hit({knee, {0.0F, 1.0F, 0.0F}}, m_data.height - kOpenGround)) {
+        return WalkRefusal::Low;
+    }
+    const dtNavMeshQuery* query = m_data.query();
+    const float metres = m_data.radius + kNearEdge;
+    const float reach[3] = {metres, step, metres};
+    NearestGround search(*query, m_data, point);
+    const bool isBeside =
+        query != nullptr &&
+        dtStatusSucceed(query->queryPolygons(&point.x, reach, &m_data.everything, &search)) &&
+        search.isFound() && search.flatSquared() <= metres * metres;
+    return isBeside ? WalkRefusal::Narrow : WalkRefusal::Unlinked;
 }
 
 } // namespace crowd::behavior

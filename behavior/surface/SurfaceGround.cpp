@@ -182,6 +182,26 @@ bool isFloor(const Part& part, const model::Bounds& stages)
            above <= static_cast<double>(std::max(kPlatformMetres, kLowShare * size.y));
 }
 
+/// A polygon as Detour keeps it in detail: its own corners first, then those of its own heights.
+void addTriangles(const dtMeshTile& tile, int number, float lower,
+                  std::vector<std::array<glm::vec3, 3>>& into)
+{
+    const dtPoly& polygon = tile.polys[number];
+    const dtPolyDetail& detail = tile.detailMeshes[number];
+    for (unsigned t = 0; t < detail.triCount; ++t) {
+        const unsigned char* corners = &tile.detailTris[(detail.triBase + t) * 4];
+        std::array<glm::vec3, 3> triangle{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float* v =
+                corners[k] < polygon.vertCount
+                    ? &tile.verts[polygon.verts[corners[k]] * 3]
+                    : &tile.detailVerts[(detail.vertBase + corners[k] - polygon.vertCount) * 3];
+            triangle[k] = {v[0], v[1] - lower, v[2]};
+        }
+        into.push_back(triangle);
+    }
+}
+
 } // namespace
 
 SurfaceGround::SurfaceGround(const dtNavMesh& mesh, const TriangleSoup& soup) : m_mesh(&mesh)
@@ -207,6 +227,21 @@ bool SurfaceGround::holds(dtPolyRef polygon) const
 {
     return m_mesh != nullptr && m_isGround[m_first[m_mesh->decodePolyIdTile(polygon)] +
                                            m_mesh->decodePolyIdPoly(polygon)] != 0;
+}
+
+std::vector<std::array<glm::vec3, 3>> SurfaceGround::triangles(float cellHeight) const
+{
+    std::vector<std::array<glm::vec3, 3>> found;
+    for (int i = 0; m_mesh != nullptr && i < m_mesh->getMaxTiles(); ++i) {
+        const dtMeshTile* tile = m_mesh->getTile(i);
+        for (int p = 0; tile->header != nullptr && p < tile->header->polyCount; ++p) {
+            if (m_isGround[m_first[static_cast<std::size_t>(i)] + static_cast<std::size_t>(p)] !=
+                0) {
+                addTriangles(*tile, p, cellHeight, found);
+            }
+        }
+    }
+    return found;
 }
 
 } // namespace crowd::behavior

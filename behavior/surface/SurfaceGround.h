@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include <glm/vec3.hpp>
 #include <recastnavigation/DetourNavMesh.h>
 
 #include "behavior/surface/TriangleSoup.h"
@@ -21,6 +23,8 @@ public:
     SurfaceGround(const dtNavMesh& mesh, const TriangleSoup& soup);
 
     [[nodiscard]] bool holds(dtPolyRef polygon) const;
+    /// What belongs to it, a cell's height lower than the mesh lies: as what it was made from.
+    [[nodiscard]] std::vector<std::array<glm::vec3, 3>> triangles(float cellHeight) const;
     /// How many there are in all, of the ground or not.
     [[nodiscard]] std::size_t polygons() const { return m_isGround.size(); }
 

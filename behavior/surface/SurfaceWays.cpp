@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <recastnavigation/DetourCommon.h>
 
 #include "behavior/surface/SurfaceData.h"
 #include "behavior/surface/SurfaceFooting.h"
@@ -87,6 +88,15 @@ std::vector<glm::vec3> SurfaceWays::way(const glm::vec3& from, const glm::vec3& 
     query->findNearestPoly(&to.x, kSearchReach, &filter, &end, endPoint);
     if (start == 0 || end == 0) {
         return {};
+    }
+    // Whoever is sent into a wall goes to it, not to the hollow that there may be in it.
+    if (m_data.ground.holds(start) && !m_data.ground.holds(end)) {
+        const auto beside = SurfaceFooting(m_data).groundBeside(
+            to, {kSearchReach[0], kSearchReach[1], kSearchReach[2]});
+        if (beside) {
+            end = beside->polygon;
+            dtVcopy(endPoint, &beside->point.x);
+        }
     }
     dtPolyRef polygons[kMostOnWay];
     int count = 0;

@@ -17,7 +17,8 @@ constexpr float kWidestArea = 1e6F;
 constexpr int kVerticesAPolygon = 6;
 constexpr float kAreaBelow = 1.0F; ///< metres under a place's height that belong to it
 constexpr float kAreaHeight = 2.5F;
-constexpr int kBorderCells = 8; ///< about a tile, beside a body's: what its edges are told from
+constexpr float kEdgeMetres = 0.2F; ///< by which edges may be straighter than what stands there
+constexpr int kBorderCells = 8;     ///< about a tile, beside a body's: what its edges are told from
 constexpr float kNearlyWhole = 0.01F; ///< of a cell's height, so that 9 of 0.05 m are 0.45 m
 
 using Contours = std::unique_ptr<rcContourSet, Freed<rcContourSet, rcFreeContourSet>>;
@@ -40,7 +41,7 @@ rcConfig configFor(const TriangleSoup& soup, const SurfaceSettings& settings,
     config.walkableRadius = static_cast<int>(std::lround(settings.radius / config.cs));
     config.borderSize = config.walkableRadius + kBorderCells;
     config.maxEdgeLen = static_cast<int>(12.0F / config.cs);
-    config.maxSimplificationError = 1.1F;
+    config.maxSimplificationError = std::max(1.1F, kEdgeMetres / config.cs);
     config.minRegionArea = static_cast<int>(1.0F / (config.cs * config.cs));
     config.mergeRegionArea = static_cast<int>(9.0F / (config.cs * config.cs));
     config.maxVertsPerPoly = kVerticesAPolygon;
@@ -148,7 +149,7 @@ void TileBuilder::mark(const model::Place& place, float margin, unsigned char ar
 /// Liked ground first, what nobody may walk on last: where they meet, the stricter one counts.
 void TileBuilder::markAreas()
 {
-    const float body = static_cast<float>(m_config.walkableRadius) * m_config.cs;
+    const float body = m_plan.settings.radius;
     for (const model::Place& place : m_plan.areas) {
         if (place.role == model::PlaceRole::Preferred) {
             mark(place, 0.0F, kPreferredArea);

@@ -19,6 +19,7 @@ namespace crowd::behavior {
 
 namespace {
 
+constexpr float kReachedUp = 2.0F;  ///< metres, or down
 constexpr float kPreference = 2.0F; ///< a metre elsewhere counts like so many on liked ground
 
 void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)
@@ -85,6 +86,8 @@ model::Result<std::shared_ptr<const WalkSurface>> WalkSurface::build(const Surfa
     data->polygons = data->ground.polygons();
     data->radius = plan.settings.radius;
     data->climb = plan.settings.climb;
+    data->height = plan.settings.height;
+    data->slopeCosine = std::cos(glm::radians(plan.settings.slopeDegrees));
     data->covered = soup.bounds;
     data->rays.setStages(plan.stages);
     data->filter.setIncludeFlags(kOpen);
@@ -150,6 +153,16 @@ std::optional<glm::vec3> WalkSurface::nearest(const glm::vec3& point) const
     return SurfaceFooting(*m_data).nearest(point);
 }
 
+model::WalkRefusal WalkSurface::refusal(const glm::vec3& point) const
+{
+    return SurfaceFooting(*m_data).refusal(point);
+}
+
+std::vector<std::array<glm::vec3, 3>> WalkSurface::triangles() const
+{
+    return m_data->ground.triangles(m_data->cellHeight);
+}
+
 float WalkSurface::margin() const
 {
     return m_data->radius;
@@ -157,14 +170,20 @@ float WalkSurface::margin() const
 
 bool WalkSurface::reaches(const glm::vec3& point, float metres) const
 {
+    const glm::vec3 within(metres, kReachedUp, metres);
+    if (SurfaceFooting(*m_data).groundBeside(point, within)) {
+        return true;
+    }
+    // A roof, for those who are on it; not the hollow in a wall.
     const dtNavMeshQuery* query = m_data->query();
-    const float reach[3] = {metres, 2.0F, metres};
     dtPolyRef polygon = 0;
     float nearest[3];
     return query != nullptr &&
            dtStatusSucceed(
-               query->findNearestPoly(&point.x, reach, &m_data->filter, &polygon, nearest)) &&
-           polygon != 0;
+               query->findNearestPoly(&point.x, &within.x, &m_data->filter, &polygon, nearest)) &&
+           polygon != 0 && std::hypot(nearest[0] - point.x, nearest[2] - point.z) <= metres &&
+           !m_data->rays.hit(
+               {{nearest[0], nearest[1] + kReachedUp, nearest[2]}, {0.0F, 1.0F, 0.0F}});
 }
 
 std::span<const Wall> WalkSurface::walls() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -82,6 +83,8 @@ public:
 
     [[nodiscard]] bool isWalkable(const glm::vec3& point) const override;
     [[nodiscard]] std::optional<glm::vec3> nearest(const glm::vec3& point) const override;
+    [[nodiscard]] model::WalkRefusal refusal(const glm::vec3& point) const override;
+    [[nodiscard]] std::vector<std::array<glm::vec3, 3>> triangles() const override;
 
 private:
     explicit WalkSurface(std::unique_ptr<SurfaceData> data);

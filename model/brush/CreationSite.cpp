@@ -142,8 +142,7 @@ StrokeReason CreationSite::reasonAgainst(const SurfaceHit& surface) const
     if (surface.normal.y < kSteepestCosine) {
         return StrokeReason::TooSteep;
     }
-    return m_ground && !m_ground->isWalkable(surface.point) ? StrokeReason::NotWalkable
-                                                            : StrokeReason::None;
+    return m_ground ? reasonOf(m_ground->refusal(surface.point)) : StrokeReason::None;
 }
 
 std::optional<Spot> CreationSite::onSurface(glm::dvec2 pixel)

@@ -25,7 +25,10 @@ enum class StrokeReason : std::uint8_t {
     NoTemplateChosen,
     TemplateNotLoaded,
     TooSteep,
-    NotWalkable,       ///< and the brush creates where people can walk alone
+    NotWalkable,    ///< no way leads there, and the brush creates where people can walk alone
+    TooSteepToWalk, ///< as NotWalkable, for another reason: these three
+    TooLowToWalk,
+    TooNarrowToWalk,
     NothingUnderBrush, ///< the sky
     TooNearToOthers,
     AreaTooFar,
@@ -45,6 +48,9 @@ enum class StrokeReason : std::uint8_t {
     NoSuchMaterial, ///< though they have the slot
     OnlySeated      ///< who sits is not pushed about
 };
+
+/// What a brush says of ground that nobody can walk on.
+[[nodiscard]] StrokeReason reasonOf(WalkRefusal refusal);
 
 /// The reason of a brush as a sentence for the status bar; empty for None and Cancelled.
 [[nodiscard]] QString reasonText(StrokeReason reason, BrushKind kind = BrushKind::Create);

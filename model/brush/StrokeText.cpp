@@ -37,8 +37,20 @@ constexpr ReasonText kReasons[] = {
     {StrokeReason::TooSteep, QT_TRANSLATE_NOOP("Brushes", "Too steep to stand on")},
     {StrokeReason::NotWalkable,
      QT_TRANSLATE_NOOP("Brushes",
-                       "Nobody can walk there: choose “Anywhere” in the brush settings to "
-                       "create characters there all the same")},
+                       "Nobody gets there on foot: raise “Highest step” (Environment, Where "
+                       "characters can walk), or choose “Anywhere” in the brush settings")},
+    {StrokeReason::TooSteepToWalk,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "Too steep to walk: raise “Steepest slope” (Environment, Where characters "
+                       "can walk), or choose “Anywhere” in the brush settings")},
+    {StrokeReason::TooLowToWalk,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "Too low to walk under: lower “Body height” (Environment, Where characters "
+                       "can walk), or choose “Anywhere” in the brush settings")},
+    {StrokeReason::TooNarrowToWalk,
+     QT_TRANSLATE_NOOP("Brushes",
+                       "Too near to a wall or an edge: lower “Body radius” (Environment, Where "
+                       "characters can walk), or choose “Anywhere” in the brush settings")},
     {StrokeReason::NothingUnderBrush,
      QT_TRANSLATE_NOOP("Brushes", "Nothing to stand on under the brush")},
     {StrokeReason::TooNearToOthers,
@@ -91,6 +103,23 @@ QString strokeText(const BrushSettings& settings, int affected)
 QString moveText(int affected)
 {
     return Brushes::tr("Move %n character(s)", nullptr, affected);
+}
+
+StrokeReason reasonOf(WalkRefusal refusal)
+{
+    switch (refusal) {
+    case WalkRefusal::None:
+        return StrokeReason::None;
+    case WalkRefusal::Steep:
+        return StrokeReason::TooSteepToWalk;
+    case WalkRefusal::Low:
+        return StrokeReason::TooLowToWalk;
+    case WalkRefusal::Narrow:
+        return StrokeReason::TooNarrowToWalk;
+    case WalkRefusal::Unlinked:
+        return StrokeReason::NotWalkable;
+    }
+    return StrokeReason::NotWalkable;
 }
 
 QString reasonText(StrokeReason reason, BrushKind kind)

@@ -387,12 +387,12 @@ void PanelsTest::damagedMemoryOfBrushesDoesNoHarm()
 void PanelsTest::viewIsRememberedUntilTheLayoutIsReset()
 {
     const widgets::ViewOptions fresh = m_window->state().viewOptions();
-    for (const char* id : {"ground-grid", "shadows", "paths", "tags", "look-lit"}) {
+    for (const char* id : {"ground-grid", "shadows", "paths", "tags", "walkable", "look-lit"}) {
         m_window->actions().action(id)->trigger();
     }
     const widgets::ViewOptions chosen = m_window->state().viewOptions();
     QVERIFY(chosen.showTags && !chosen.showGroundGrid && !chosen.showShadows && !chosen.showPaths);
-    QVERIFY(chosen.look == render::Look::Plain);
+    QVERIFY(chosen.showWalkable && chosen.look == render::Look::Plain);
     QVERIFY(m_window->close());
     openWindow();
     QVERIFY(m_window->state().viewOptions() == chosen);

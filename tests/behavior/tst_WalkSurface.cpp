@@ -91,6 +91,8 @@ private Q_SLOTS:
     void narrowWaysAreWalkedByWhoIsSlim();
     void whereThereIsRoomOneKeepsOffTheWall();
     void alleysOnAWidePlainAreWalked();
+    void whyNobodyWalksIsSaid();
+    void whatIsWalkableCanBeShown();
     void aPlaceWiderThanItsLevelIsReachedThere_data();
     void aPlaceWiderThanItsLevelIsReachedThere();
     void waysLeadAroundForbiddenGround();
@@ -224,6 +226,47 @@ void TestWalkSurface::alleysOnAWidePlainAreWalked()
     const auto metres = surface->wayMetres({0.0F, 0.4F, -900.0F}, {0.0F, 0.4F, 900.0F}, 1.0F);
     QVERIFY(metres.has_value());
     QVERIFY2(*metres < 1805.0F, qPrintable(QString::number(*metres)));
+}
+
+void TestWalkSurface::whyNobodyWalksIsSaid()
+{
+    using model::WalkRefusal;
+    model::StageMesh mesh;
+    addBox(mesh, {-5.0F, 0.0F, -5.0F}, {5.0F, 6.0F, 5.0F});    // a house
+    addBox(mesh, {9.0F, 1.4F, -5.0F}, {15.0F, 1.6F, 5.0F});    // a table for giants
+    addBox(mesh, {-16.0F, 0.0F, -3.0F}, {-12.0F, 1.5F, 3.0F}); // a platform without steps
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::vec3 corner : {glm::vec3(-4.0F, 0.0F, 10.0F), glm::vec3(-4.0F, 8.0F, 15.0F),
+                                   glm::vec3(4.0F, 8.0F, 15.0F), glm::vec3(4.0F, 0.0F, 10.0F)}) {
+        mesh.positions.push_back(corner);
+    }
+    for (const std::uint32_t index : {0U, 1U, 2U, 0U, 2U, 3U}) {
+        mesh.indices.push_back(first + index);
+    }
+    const auto surface = surfaceOf(stageOf(mesh));
+    QVERIFY(surface != nullptr);
+    QCOMPARE(surface->refusal({8.0F, 0.0F, 0.0F}), WalkRefusal::None);
+    QCOMPARE(surface->refusal({0.0F, 4.0F, 12.5F}), WalkRefusal::Steep);
+    QCOMPARE(surface->refusal({12.0F, 0.0F, 0.0F}), WalkRefusal::Low);
+    QCOMPARE(surface->refusal({5.02F, 0.0F, 0.0F}), WalkRefusal::Narrow);
+    QCOMPARE(surface->refusal({-14.0F, 1.5F, 0.0F}), WalkRefusal::Unlinked);
+    QCOMPARE(surface->refusal({0.0F, 6.0F, 0.0F}), WalkRefusal::Unlinked);
+}
+
+void TestWalkSurface::whatIsWalkableCanBeShown()
+{
+    const auto surface = surfaceOf(house());
+    QVERIFY(surface != nullptr);
+    const auto triangles = surface->triangles();
+    QVERIFY(!triangles.empty());
+    float nearest = 100.0F;
+    for (const auto& corners : triangles) {
+        for (const glm::vec3& corner : corners) {
+            QVERIFY(std::fabs(corner.y) < 0.15F);
+            nearest = std::min(nearest, std::max(std::fabs(corner.x), std::fabs(corner.z)) - 5.0F);
+        }
+    }
+    QVERIFY2(nearest > 0.2F && nearest < 0.5F, qPrintable(QString::number(nearest)));
 }
 
 void TestWalkSurface::aPlaceWiderThanItsLevelIsReachedThere_data()

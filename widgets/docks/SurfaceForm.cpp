@@ -2,6 +2,7 @@
 #include "widgets/docks/SurfaceForm.h"
 
 #include <QtCore/QLocale>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QToolButton>
@@ -15,7 +16,7 @@ namespace crowd::widgets {
 
 SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     : QWidget(parent), m_state(state), m_fold(new QToolButton(this)), m_rows(new QWidget(this)),
-      m_note(new QLabel(this))
+      m_shown(new QCheckBox(tr("Show on the ground"), this)), m_note(new QLabel(this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -37,6 +38,17 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     addField(tr("Highest step, m"), {}, "surfaceClimb", &model::SurfaceSettings::climb, 0.0, 5.0);
     addField(tr("Steepest slope, °"), {}, "surfaceSlope", &model::SurfaceSettings::slopeDegrees,
              0.0, 85.0);
+    m_shown->setObjectName(QStringLiteral("surfaceShown"));
+    m_shown->setToolTip(tr("Colours the ground of the stages where characters can walk"));
+    form->addRow(m_shown);
+    connect(m_shown, &QCheckBox::toggled, this, [this](bool isOn) {
+        ViewOptions options = m_state.viewOptions();
+        options.showWalkable = isOn;
+        m_state.setViewOptions(options);
+    });
+    connect(&state, &EditorState::viewOptionsChanged, this,
+            [this] { m_shown->setChecked(m_state.viewOptions().showWalkable); });
+    m_shown->setChecked(state.viewOptions().showWalkable);
     m_note->setWordWrap(true);
     m_note->setEnabled(false);
     form->addRow(m_note);

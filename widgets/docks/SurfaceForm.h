@@ -5,6 +5,7 @@
 
 #include "widgets/state/EditorState.h"
 
+class QCheckBox;
 class QLabel;
 class QToolButton;
 
@@ -38,6 +39,7 @@ private:
     // Children of this widget.
     QToolButton* m_fold;
     QWidget* m_rows;
+    QCheckBox* m_shown;
     QLabel* m_note;
 };
 

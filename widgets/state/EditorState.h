@@ -43,6 +43,7 @@ struct ViewOptions
     bool showShadows = true;
     bool showPaths = true;
     bool showTags = false;
+    bool showWalkable = false;   ///< where people can walk, as a colour on the ground
     bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;
     ButtonMapping buttons = ButtonMapping::Standard;

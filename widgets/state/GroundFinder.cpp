@@ -38,6 +38,7 @@ void GroundFinder::begin()
         m_builder.start(m_plan, [this](const model::Result<SurfacePtr>& built) {
             if (built) {
                 m_found = built.value();
+                Q_EMIT changed();
             }
         });
     }

@@ -10,6 +10,7 @@
 #include <QtCore/QLocale>
 
 #include "model/base/Segment.h"
+#include "model/brush/Stroke.h"
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/state/BrushTexts.h"
@@ -90,9 +91,7 @@ public:
             return;
         }
         if (m_isRefused) {
-            m_context.state.showStatus(PlaceHandlesText::tr(
-                "Nobody can walk there: choose “Anywhere” in the settings of its brush to move a "
-                "place there all the same."));
+            m_context.state.showStatus(model::reasonText(m_reason));
         }
         const auto edit = std::move(m_edit);
         edit->commit(m_hit.isBorder ? PlaceHandlesText::tr("Resize a place")
@@ -160,14 +159,19 @@ private:
     void move(const glm::vec3& ground)
     {
         std::vector<model::Place> moved = m_before;
-        m_isRefused = m_walkable && !m_walkable->isWalkable(ground);
+        m_reason =
+            m_walkable ? model::reasonOf(m_walkable->refusal(ground)) : model::StrokeReason::None;
+        m_isRefused = m_reason != model::StrokeReason::None;
         for (model::Place& place : moved) {
             const bool wasOnGround = m_walkable && m_walkable->isWalkable(place.position);
             place.position += ground - m_start;
             if (m_before.size() == 1) {
                 place.position.y = ground.y;
             } else if (wasOnGround && place.id != m_hit.place) {
-                m_isRefused = !settle(place.position) || m_isRefused;
+                if (!settle(place.position) && !m_isRefused) {
+                    m_isRefused = true;
+                    m_reason = model::StrokeReason::NotWalkable;
+                }
             }
         }
         for (const model::Place& place : moved) {
@@ -206,6 +210,7 @@ private:
     std::vector<model::Place> m_before;
     model::WalkableGroundPtr m_walkable; ///< null: they may come anywhere
     bool m_isRefused = false;            ///< where the pointer is
+    model::StrokeReason m_reason = model::StrokeReason::None; ///< of a refusal
     std::unique_ptr<model::SceneEdit> m_edit;
 };
 

@@ -6,6 +6,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 
+#include "model/brush/Stroke.h"
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
 #include "model/scene/NearestPath.h"
@@ -53,13 +54,6 @@ std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
 bool closesAt(const model::Path& path, model::PlaceId place)
 {
     return path.places.size() > 2 && path.places.front() == place;
-}
-
-/// Whether places of a brush may come there. `ground`: null where all of it can be walked on.
-bool isAllowed(const model::PlaceSettings& settings, const model::WalkableGroundPtr& ground,
-               const glm::vec3& point)
-{
-    return settings.anywhere || !ground || ground->isWalkable(point);
 }
 
 /// Adds places while the button is held, each at once.
@@ -113,11 +107,10 @@ private:
                 PlaceToolText::tr("Nothing to walk on there: that is a wall, or the sky."));
             return;
         }
-        if (!isAllowed(settings(), settings().anywhere ? nullptr : m_context.state.ground().wait(),
-                       *ground)) {
-            m_context.state.showStatus(PlaceToolText::tr(
-                "Nobody can walk there: choose “Anywhere” in the brush settings to put a place "
-                "there all the same."));
+        const auto walkable = settings().anywhere ? nullptr : m_context.state.ground().wait();
+        const auto refusal = walkable ? walkable->refusal(*ground) : model::WalkRefusal::None;
+        if (refusal != model::WalkRefusal::None) {
+            m_context.state.showStatus(model::reasonText(model::reasonOf(refusal)));
             return;
         }
         m_last = ground;
@@ -257,7 +250,8 @@ void PlaceTool::hover(const ToolInput& input, ToolPicture& picture) const
     picture.symbolAt = input.position();
     const auto ground = groundUnder(m_context, input);
     const model::PlaceSettings& settings = *m_context.state.brush(m_kind).place();
-    if (!ground || !isAllowed(settings, m_context.state.ground().soon(), *ground)) {
+    const auto walkable = settings.anywhere ? nullptr : m_context.state.ground().soon();
+    if (!ground || (walkable && !walkable->isWalkable(*ground))) {
         return;
     }
     const model::View view = m_context.queries.view();

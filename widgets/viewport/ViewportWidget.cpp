@@ -109,6 +109,7 @@ void ViewportWidget::connectScene()
                     [this](const model::RulesChanged&) { refreshPlaces(); });
             });
     connect(&m_state.paths(), &PathFocus::changed, this, &ViewportWidget::redrawPaths);
+    connect(&m_state.ground(), &GroundFinder::changed, this, &ViewportWidget::redraw);
 }
 
 void ViewportWidget::connectSession()
@@ -220,6 +221,10 @@ render::RenderInput ViewportWidget::renderInput()
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());
         input.areasVersion = m_paths.version();
+    }
+    if (options.showWalkable) {
+        input.areas = m_walkable.areas(m_state.ground().soon(), input.areas, input.areasVersion);
+        input.areasVersion = m_walkable.version();
     }
     return input;
 }

@@ -16,6 +16,7 @@
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
 #include "widgets/viewport/ViewportInput.h"
+#include "widgets/viewport/WalkableDrawing.h"
 
 namespace crowd::model {
 class View;
@@ -114,6 +115,7 @@ private:
     model::Message m_said;       ///< what m_problem says, in any language
     QString m_problem;
     PathDrawing m_paths;
+    WalkableDrawing m_walkable;
     PeopleMarks m_marks;
     BrushCursor m_brushCursor;
     QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still
