@@ -791,6 +791,14 @@
         <source>Show where characters can walk by a colour on the ground</source>
         <translation>Zeigt durch eine Farbe auf dem Boden, wo Figuren gehen können</translation>
     </message>
+    <message>
+        <source>&amp;Rules and Cues</source>
+        <translation>&amp;Regeln und Stichworte</translation>
+    </message>
+    <message>
+        <source>Show the panel of what characters do when, and of its cues</source>
+        <translation>Zeigt das Bedienfeld mit dem, was Figuren wann tun, und seinen Stichworten</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>

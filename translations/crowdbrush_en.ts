@@ -791,6 +791,14 @@
         <source>Show where characters can walk by a colour on the ground</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Rules and Cues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the panel of what characters do when, and of its cues</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>

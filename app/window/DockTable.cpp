@@ -23,6 +23,7 @@ QDockWidget* makeConsole(const DockParts& parts)
 
 constexpr auto kLeft = Qt::LeftDockWidgetArea;
 constexpr auto kRight = Qt::RightDockWidgetArea;
+constexpr auto kBottom = Qt::BottomDockWidgetArea;
 
 // Two groups of tabs at the right, so that their names fit the tabs of a small screen. Templates
 // have room for two rows, with tabs, title and weight.
@@ -34,12 +35,13 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Individual, &make<widgets::IndividualDock>, kRight, 300},
     {DockId::Scene, &make<widgets::SceneDock>, kRight, 0, 0, DockId::Templates},
     {DockId::Environment, &make<widgets::EnvironmentDock>, kRight, 0, 0, DockId::Individual},
-    {DockId::Rules, &make<widgets::RulesDock>, kRight, 0, 0, DockId::Environment},
+    // Sentences want room: wide, below the picture.
+    {DockId::Rules, &make<widgets::RulesDock>, kBottom, 270, 0, std::nullopt, false},
     {DockId::History, &make<widgets::HistoryDock>, kRight, 0, 0, DockId::Scene},
     {DockId::Strokes, &make<widgets::StrokesDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Presets, &make<widgets::PresetsDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Groups, &make<widgets::GroupsDock>, kRight, 0, 0, DockId::Individual},
-    {DockId::Console, &makeConsole, Qt::BottomDockWidgetArea, 170, 0, std::nullopt, false},
+    {DockId::Console, &makeConsole, kBottom, 0, 0, DockId::Rules, false},
 }};
 
 constexpr bool isEveryDockAtItsPlace()

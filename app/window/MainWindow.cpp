@@ -160,6 +160,8 @@ bool MainWindow::isFree()
 void MainWindow::connectDocks()
 {
     connect(&console(), &ConsoleDock::readyToClose, this, &QWidget::close);
+    connect(m_layout.dock(DockId::Rules), &QDockWidget::visibilityChanged, this,
+            [this] { m_actions.refresh(widgets::ActionInput::Window); });
     auto* templates = m_layout.dock<widgets::TemplatesDock>(DockId::Templates);
     auto* scene = m_layout.dock<widgets::SceneDock>(DockId::Scene);
     connect(templates, &widgets::TemplatesDock::importRequested, &m_assets,

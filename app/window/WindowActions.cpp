@@ -292,6 +292,19 @@ const WindowAction kPlayActions[] = {
       .isEnabled = [](MainWindow& w) { return w.state().session().isRunning(); }}},
 };
 
+const WindowAction kPanelActions[] = {
+    {{"rules", QT_TRANSLATE_NOOP("Actions", "&Rules and Cues"), "rules", "Ctrl+Shift+B",
+      QT_TRANSLATE_NOOP("Actions", "Show the panel of what characters do when, and of its cues"),
+      true},
+     [](MainWindow& w, bool on) {
+         QDockWidget* dock = w.dockLayout().dock(DockId::Rules);
+         dock->setVisible(on);
+         dock->raise();
+     },
+     {.inputs = ActionInput::Window,
+      .isChecked = [](MainWindow& w) { return !w.dockLayout().dock(DockId::Rules)->isHidden(); }}},
+};
+
 const WindowAction kScriptActions[] = {
     {{"console", QT_TRANSLATE_NOOP("Actions", "Python &Console"), "console", "F12",
       QT_TRANSLATE_NOOP("Actions", "Type Python, with the open scene as \"scene\"")},
@@ -368,8 +381,8 @@ constexpr const char* kViewMenu[] = {
     "projection",      "",          "camera-add", "@cameras",    "@keep-cameras", "",
     "paths",           "walkable",  "tags",       "ground-grid", "shadows",       "look-lit",
     "@looks",          "",          "full-screen"};
-constexpr const char* kPlayMenu[] = {"play",   "step",         "stop", "",         "faster",
-                                     "slower", "@step-length", "",     "keep-pose"};
+constexpr const char* kPlayMenu[] = {"play",         "step", "stop",      "", "faster", "slower",
+                                     "@step-length", "",     "keep-pose", "", "rules"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",
                                        "",        "script-run", "script-cancel"};
 constexpr const char* kWindowMenu[] = {"@docks", "", "hide-panels", "reset-layout"};
@@ -440,8 +453,9 @@ const std::vector<SubmenuSpec>& submenus()
 }
 
 constexpr const char* kToolBar[] = {
-    "new-theatre", "open",     "save",      "", "undo", "redo", "",     "seat-grid",
-    "ground-grid", "look-lit", "frame-all", "", "stop", "play", "step", "keep-pose"};
+    "new-theatre", "open",        "save",     "",          "undo", "redo", "",
+    "seat-grid",   "ground-grid", "look-lit", "frame-all", "",     "stop", "play",
+    "step",        "keep-pose",   "",         "rules"};
 
 void addTool(MainWindow& window, widgets::ToolId id, const char* text, const char* tip)
 {
@@ -513,6 +527,7 @@ void addWindowActions(MainWindow& window)
     addAll(window, selectActions());
     addAll(window, kViewActions);
     addAll(window, kPlayActions);
+    addAll(window, kPanelActions);
     addAll(window, kScriptActions);
     addAll(window, kOtherActions);
     addTools(window);

@@ -19,7 +19,8 @@ namespace crowd::behavior {
 
 namespace {
 
-constexpr float kReachedUp = 2.0F;  ///< metres, or down
+constexpr float kReachedUp = 2.0F; ///< metres, or down
+constexpr float kKneeUp = 0.5F;
 constexpr float kPreference = 2.0F; ///< a metre elsewhere counts like so many on liked ground
 
 void setCosts(const SurfacePlan& plan, dtQueryFilter& filter)

@@ -323,7 +323,7 @@ void LanguageTest::aFloatingPanelStaysWhereItIs()
     m_window->dockLayout().dock(app::DockId::Colour)->setFloating(true);
     m_window->dockLayout().dock(app::DockId::Colour)->move(200, 200);
     m_window->dockLayout().dock(app::DockId::Scene)->hide();
-    m_window->dockLayout().dock(app::DockId::Rules)->raise();
+    m_window->dockLayout().dock(app::DockId::Rules)->show();
     QTest::qWait(300);
     const auto before = placesOf(*m_window);
     change(QStringLiteral("de"));

@@ -192,6 +192,7 @@ private Q_SLOTS:
     void mnemonicsThatAreTakenGoToFreeLetters();
     void rulesFitANarrowPanel_data();
     void rulesFitANarrowPanel();
+    void rulesOpenWide();
     void placesFitANarrowPanel_data();
     void placesFitANarrowPanel();
     void smallWindowCutsNothingOff_data();
@@ -458,7 +459,8 @@ void PanelsTest::rulesFitANarrowPanel()
     }
     QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Rules);
     QCOMPARE(dock->objectName(), QStringLiteral("rules"));
-    dock->raise();
+    m_window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->show();
     m_window->resizeDocks({dock}, {10}, Qt::Horizontal); // as narrow as it goes
     auto* list = dock->findChild<QListWidget*>(QStringLiteral("ruleList"));
     QTRY_COMPARE(list->count(), 1);
@@ -473,6 +475,40 @@ void PanelsTest::rulesFitANarrowPanel()
     QVERIFY2(dock->width() <= 290, qPrintable(widths.join(QStringLiteral(", "))));
     const QStringList cut = cutTexts(*dock);
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral(" | "))));
+}
+
+/// Where they come: below the picture, with list, chosen rule and log side by side.
+void PanelsTest::rulesOpenWide()
+{
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    {
+        const auto edit = document().beginEdit().value();
+        edit->setRules({ruleOfEverything()});
+        edit->commit(QStringLiteral("Rules"));
+    }
+    m_window->resize(1600, 900);
+    QAction* action = m_window->actions().action("rules");
+    QVERIFY(!action->isChecked());
+    action->trigger();
+    QVERIFY(action->isChecked());
+    QDockWidget* dock = m_window->dockLayout().dock(app::DockId::Rules);
+    auto* list = dock->findChild<QListWidget*>(QStringLiteral("ruleList"));
+    auto* log = dock->findChild<QWidget*>(QStringLiteral("ruleLog"));
+    QTRY_COMPARE(list->count(), 1);
+    list->setCurrentRow(0);
+    QTRY_VERIFY(dock->findChild<widgets::RuleEditor*>() != nullptr);
+    const auto* editor = dock->findChild<widgets::RuleEditor*>();
+    const auto placeOf = [dock](const QWidget* widget) {
+        return QRect(widget->mapTo(dock, QPoint()), widget->size());
+    };
+    QVERIFY2(dock->width() >= 640, qPrintable(QString::number(dock->width())));
+    QTRY_VERIFY(placeOf(editor).left() > placeOf(list).right());
+    QVERIFY(placeOf(log).left() > placeOf(editor).right());
+    QStringList cut;
+    QVERIFY2(QTest::qWaitFor([&] { return (cut = cutTexts(*dock)).isEmpty(); }),
+             qPrintable(cut.join(QStringLiteral(" | "))));
+    dock->close();
+    QTRY_VERIFY(!action->isChecked());
 }
 
 void PanelsTest::placesFitANarrowPanel_data()
@@ -604,7 +640,7 @@ void PanelsTest::resetLayoutIsThatOfTheFirstStart()
     layout.dock(app::DockId::Brushes)->hide();
     layout.dock(app::DockId::BrushSettings)->setFloating(true);
     m_window->addDockWidget(Qt::LeftDockWidgetArea, layout.dock(app::DockId::Colour));
-    layout.dock(app::DockId::Rules)->raise();
+    layout.dock(app::DockId::Rules)->show();
     m_window->resizeDocks({layout.dock(app::DockId::Templates)}, {420}, Qt::Horizontal);
     QTest::qWait(200);
     QVERIFY(layoutOf(*m_window) != first);

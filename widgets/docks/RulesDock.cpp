@@ -30,6 +30,8 @@ using model::Rule;
 namespace {
 
 constexpr int kCountMs = 250;
+constexpr int kWideFrom = 640; ///< logical pixels: for three columns
+constexpr int kColumnGap = 12;
 constexpr int kLeastListHeight = 34; ///< logical pixels
 constexpr int kMostListHeight = 240;
 constexpr QColor kProblemColor(208, 80, 64);
@@ -66,27 +68,59 @@ void RulesDock::takeOver(DockBase& before)
 void RulesDock::buildContent()
 {
     auto* content = new QWidget(this);
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(4, 4, 4, 4);
-    layout->addWidget(m_commands->makeButtons(content));
-    layout->addWidget(new CueBar(m_state, content));
-    setUpList();
-    layout->addWidget(m_list);
-    addNotes(*layout);
-    m_editorArea = new QWidget(content);
-    auto* area = new QVBoxLayout(m_editorArea);
-    area->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_editorArea);
+    m_columns = new QBoxLayout(QBoxLayout::TopToBottom, content);
+    m_columns->setContentsMargins(4, 4, 4, 4);
+    m_columns->setSpacing(kColumnGap);
+    addColumn([this, content](QVBoxLayout& rules) {
+        rules.addWidget(m_commands->makeButtons(content));
+        rules.addWidget(new CueBar(m_state, content));
+        setUpList();
+        rules.addWidget(m_list);
+        addNotes(rules);
+        rules.addStretch(1);
+    });
+    addColumn([this, content](QVBoxLayout& chosen) {
+        m_editorArea = new QWidget(content);
+        auto* area = new QVBoxLayout(m_editorArea);
+        area->setContentsMargins(0, 0, 0, 0);
+        chosen.addWidget(m_editorArea);
+        chosen.addStretch(1);
+    });
+    addColumn([this, content](QVBoxLayout& fired) { addLog(fired, content); });
+    setScrolledContent(content);
+}
+
+/// One below the other where the panel is narrow, side by side where there is room.
+void RulesDock::addColumn(const std::function<void(QVBoxLayout&)>& fill)
+{
+    auto* column = new QVBoxLayout();
+    fill(*column);
+    m_columns->addLayout(column, 1);
+}
+
+void RulesDock::addLog(QVBoxLayout& layout, QWidget* content)
+{
     m_onlySelected = new QCheckBox(tr("Log only the selected characters"), content);
-    layout->addWidget(m_onlySelected);
+    layout.addWidget(m_onlySelected);
     m_log = new QPlainTextEdit(content);
     m_log->setObjectName(QStringLiteral("ruleLog"));
     m_log->setReadOnly(true);
     m_log->setPlaceholderText(tr("What fired, while it plays"));
     m_log->setMinimumHeight(50);
-    layout->addWidget(m_log, 1);
-    layout->addWidget(new NamesForm(m_state, content));
-    setScrolledContent(content);
+    layout.addWidget(m_log, 1);
+    layout.addWidget(new NamesForm(m_state, content));
+}
+
+void RulesDock::arrangeColumns()
+{
+    const bool isWide = width() >= kWideFrom;
+    m_columns->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    for (int i = 0; i < m_columns->count(); ++i) {
+        // In a single one the log takes what is left.
+        const bool isLog = i == m_columns->count() - 1;
+        const int wide = isLog ? 2 : 4; // sentences and fields want the most
+        m_columns->setStretch(i, isWide ? wide : isLog ? 1 : 0);
+    }
 }
 
 void RulesDock::setUpList()
@@ -193,6 +227,7 @@ void RulesDock::fitList()
 void RulesDock::resizeEvent(QResizeEvent* event)
 {
     DockBase::resizeEvent(event);
+    arrangeColumns();
     m_fit.start(); // sentences break elsewhere
 }
 

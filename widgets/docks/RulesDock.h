@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include <QtCore/QTimer>
 
 #include "widgets/docks/DockBase.h"
@@ -8,6 +10,7 @@
 #include "widgets/docks/RuleLog.h"
 #include "widgets/state/EditorState.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QListWidget;
@@ -33,6 +36,9 @@ protected:
 
 private:
     void buildContent();
+    void addColumn(const std::function<void(QVBoxLayout&)>& fill);
+    void addLog(QVBoxLayout& layout, QWidget* content);
+    void arrangeColumns();
     void setUpList();
     void addNotes(QVBoxLayout& layout);
     void connectTimers();
@@ -56,6 +62,7 @@ private:
     QTimer m_counting;
     bool m_isFilling = false;
     // Children of this widget.
+    QBoxLayout* m_columns = nullptr;
     QListWidget* m_list;
     RuleCommands* m_commands;
     QLabel* m_note;
