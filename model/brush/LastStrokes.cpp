@@ -17,6 +17,15 @@ bool canBeLaidAgain(const RecordedStroke* stroke)
     return stroke != nullptr && stroke->settings.kind() != BrushKind::Script;
 }
 
+std::size_t bytesOf(const RecordedStroke& stroke)
+{
+    std::size_t bytes = sizeof(stroke) + stroke.inputs.size() * sizeof(PointerInput);
+    for (const std::vector<IndividualId>& dab : stroke.selected) {
+        bytes += sizeof(dab) + dab.size() * sizeof(IndividualId);
+    }
+    return bytes;
+}
+
 auto areaOf(const BrushSettings& brush)
 {
     return std::tie(brush.selection, brush.radiusPixels, brush.ratePerSecond, brush.through,
@@ -67,6 +76,7 @@ void LastStrokes::note(const StepCommitted& step)
     if (m_entries.size() > kMostStrokes) {
         m_entries.erase(m_entries.begin());
     }
+    keepWithinBytes();
 }
 
 /// Behind the last of the strokes that are done.
@@ -87,10 +97,22 @@ std::size_t LastStrokes::tailBegin() const
     return begin;
 }
 
-std::vector<LastStrokes::Entry> LastStrokes::tail() const
+std::span<const LastStrokes::Entry> LastStrokes::tail() const
 {
-    return {m_entries.begin() + static_cast<std::ptrdiff_t>(tailBegin()),
-            m_entries.begin() + static_cast<std::ptrdiff_t>(tailEnd())};
+    const std::size_t begin = tailBegin();
+    return std::span(m_entries).subspan(begin, tailEnd() - begin);
+}
+
+/// The oldest are forgotten first; they stay undo steps.
+void LastStrokes::keepWithinBytes()
+{
+    std::size_t bytes = 0;
+    const auto fits = [&bytes](const Entry& entry) {
+        bytes += bytesOf(entry.stroke);
+        return bytes <= kMostBytes;
+    };
+    const auto first = std::find_if_not(m_entries.rbegin(), m_entries.rend(), fits).base();
+    m_entries.erase(m_entries.begin(), first);
 }
 
 /// The undo stack's index before an entry.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <QtCore/QObject>
@@ -15,7 +16,8 @@ namespace crowd::model {
 
 /// The last strokes of a document, which can be laid anew with other settings: those that the
 /// latest undo steps are, without another edit between them. Each stays one undo step. Undone ones
-/// come back when they are redone. Main thread; the document outlives it.
+/// come back when they are redone. So many are kept as fit into kMostBytes. Main thread; the
+/// document outlives it.
 class LastStrokes : public QObject
 {
     Q_OBJECT
@@ -23,6 +25,8 @@ class LastStrokes : public QObject
 public:
     /// What strokes are laid through; of its view nothing is asked.
     using ContextSource = std::function<BrushContext()>;
+
+    static constexpr std::size_t kMostBytes = std::size_t{32} << 20U;
 
     struct Entry
     {
@@ -37,8 +41,8 @@ public:
     /// Empty: nothing can be laid anew.
     void setContext(ContextSource source) { m_context = std::move(source); }
 
-    /// Those that can be laid anew, oldest first.
-    [[nodiscard]] std::vector<Entry> tail() const;
+    /// Those that can be laid anew, oldest first. Good until the next edit.
+    [[nodiscard]] std::span<const Entry> tail() const;
     /// Lays one of tail() anew, and those after it again. Whom it selected is kept where its area
     /// is the same, so that it is right also for people who were elsewhere in a session; another
     /// area selects in the recorded view. Where nobody is changed, all stays as it was; of those
@@ -50,6 +54,7 @@ Q_SIGNALS:
 
 private:
     void note(const StepCommitted& step);
+    void keepWithinBytes();
     [[nodiscard]] std::size_t tailBegin() const;
     [[nodiscard]] std::size_t tailEnd() const;
     [[nodiscard]] int stepOf(std::size_t entry) const;

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void undoneOnesComeBackWhenRedone();
     void whoWasElsewhereInASessionIsStillMeant();
     void openEditsAreLeftAlone();
+    void soManyAreKeptAsFit();
 };
 
 void tst_LastStrokes::laidAnewEqualsAFreshOne_data()
@@ -205,6 +206,21 @@ void tst_LastStrokes::anotherEditClosesTheList()
     Scene other = scene.document.scene();
     scene.document.replaceScene(std::move(other), {});
     QVERIFY(scene.strokes.tail().empty());
+}
+
+void tst_LastStrokes::soManyAreKeptAsFit()
+{
+    StrokesScene scene;
+    RecordedStroke large;
+    large.settings = redTops();
+    large.selected.emplace_back(LastStrokes::kMostBytes / sizeof(IndividualId) / 5 * 2);
+    std::uint64_t seed = 0;
+    for (const std::size_t kept : {1U, 2U, 2U}) {
+        QVERIFY(scene.paintAll(heights(0.5F, 0.6F), ++seed).isCommitted);
+        Q_EMIT scene.document.stepCommitted({nullptr, {}, &large}); // that step was this one
+        QCOMPARE(scene.strokes.tail().size(), kept);
+    }
+    QCOMPARE(scene.document.undoStack().index(), 5); // as undo steps all stay
 }
 
 void tst_LastStrokes::undoneOnesComeBackWhenRedone()

@@ -122,7 +122,7 @@ void StrokesDock::refresh()
 void StrokesDock::fillList()
 {
     m_isFilling = true;
-    const std::vector<LastStrokes::Entry> strokes = m_state.strokes().tail();
+    const std::span<const LastStrokes::Entry> strokes = m_state.strokes().tail();
     const int row = m_list->currentRow();
     m_list->clear();
     for (auto stroke = strokes.rbegin(); stroke != strokes.rend(); ++stroke) {
@@ -141,7 +141,7 @@ void StrokesDock::fillList()
 
 void StrokesDock::choose(int row)
 {
-    const std::vector<LastStrokes::Entry> strokes = m_state.strokes().tail();
+    const std::span<const LastStrokes::Entry> strokes = m_state.strokes().tail();
     m_chosen.reset();
     m_lay.stop();
     if (row >= 0 && static_cast<std::size_t>(row) < strokes.size()) {
