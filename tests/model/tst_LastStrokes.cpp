@@ -217,7 +217,9 @@ void tst_LastStrokes::soManyAreKeptAsFit()
     std::uint64_t seed = 0;
     for (const std::size_t kept : {1U, 2U, 2U}) {
         QVERIFY(scene.paintAll(heights(0.5F, 0.6F), ++seed).isCommitted);
-        Q_EMIT scene.document.stepCommitted({nullptr, {}, &large}); // that step was this one
+        scene.document.undoStack().undo();
+        Q_EMIT scene.document.stepCommitted({nullptr, {}, &large}); // the next step is this one
+        scene.document.undoStack().redo();
         QCOMPARE(scene.strokes.tail().size(), kept);
     }
     QCOMPARE(scene.document.undoStack().index(), 5); // as undo steps all stay
