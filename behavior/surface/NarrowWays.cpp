@@ -26,8 +26,6 @@ public:
             }
         }
     }
-    [[nodiscard]] std::size_t size() const { return m_at.size(); }
-
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     /// The eight spans about one that are on its level, in their order; kNone where there is none.

@@ -19,7 +19,8 @@ constexpr double kMostCells = 4e6;       ///< of all tiles that are not flat
 constexpr float kFlatCellsASide = 32.0F; ///< of a tile where nothing stands
 constexpr float kBeside = 2.0F;          ///< metres about a tile that are built with it, at most
 constexpr float kFlatMetres = 0.03F;     ///< so much of a height is none
-constexpr float kWholeShare = 0.001F;    ///< by which what covers a tile may miss its area
+constexpr std::size_t kMostFloors = 16;
+constexpr float kWholeShare = 0.001F; ///< by which what covers a tile may miss its area
 constexpr float kMostLevels = 8000.0F;
 
 struct Square
@@ -82,7 +83,7 @@ bool isFlat(const TriangleSoup& soup, const std::vector<std::size_t>& triangles,
         const std::array<glm::vec3, 3> triangle{vertexOf(soup, index, 0), vertexOf(soup, index, 1),
                                                 vertexOf(soup, index, 2)};
         const auto [low, high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-        if (high - low > kFlatMetres) {
+        if (high - low > kFlatMetres || levels.size() > kMostFloors) {
             return false;
         }
         const double area = areaWithin(triangle, square);

@@ -2,8 +2,10 @@
 #include "behavior/surface/SurfaceWays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <recastnavigation/DetourCommon.h>
@@ -70,6 +72,21 @@ glm::vec3 inLane(const SurfaceWays& surface, const glm::vec3& from, const Bend& 
     return isWalkable ? *reached : corner;
 }
 
+/// The corners in his own lane.
+std::vector<glm::vec3> laneWay(const SurfaceWays& surface, std::span<const glm::vec3> corners,
+                               const Lane& lane)
+{
+    std::vector<glm::vec3> way;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const bool isBend = lane.width > 0.0F && i + 1 < corners.size();
+        const glm::vec3 last = way.empty() ? corners[0] : way.back();
+        way.push_back(
+            isBend ? inLane(surface, last, {corners[i - 1], corners[i], corners[i + 1]}, lane)
+                   : corners[i]);
+    }
+    return way;
+}
+
 } // namespace
 
 std::vector<glm::vec3> SurfaceWays::way(const glm::vec3& from, const glm::vec3& to,
@@ -108,21 +125,12 @@ std::vector<glm::vec3> SurfaceWays::way(const glm::vec3& from, const glm::vec3& 
     if (!isWhole) {
         query->closestPointOnPoly(polygons[count - 1], endPoint, endPoint, nullptr);
     }
-    float corners[kMostCorners * 3];
+    std::array<glm::vec3, kMostCorners> corners{};
     int cornerCount = 0;
-    query->findStraightPath(startPoint, endPoint, polygons, count, corners, nullptr, nullptr,
+    query->findStraightPath(startPoint, endPoint, polygons, count, &corners[0].x, nullptr, nullptr,
                             &cornerCount, kMostCorners);
-    std::vector<glm::vec3> way;
-    const auto cornerAt = [&corners](int i) {
-        return glm::vec3(corners[i * 3], corners[i * 3 + 1], corners[i * 3 + 2]);
-    };
-    for (int i = 1; i < cornerCount; ++i) {
-        const bool isBend = lane.width > 0.0F && i + 1 < cornerCount;
-        const glm::vec3 last = way.empty() ? cornerAt(0) : way.back();
-        way.push_back(
-            isBend ? inLane(*this, last, {cornerAt(i - 1), cornerAt(i), cornerAt(i + 1)}, lane)
-                   : cornerAt(i));
-    }
+    std::vector<glm::vec3> way =
+        laneWay(*this, std::span(corners).first(static_cast<std::size_t>(cornerCount)), lane);
     // What lies on the surface is reached exactly.
     if (isWhole && !way.empty() &&
         glm::distance(glm::vec2(way.back().x, way.back().z), glm::vec2(to.x, to.z)) < 0.05F) {

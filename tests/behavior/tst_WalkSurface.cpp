@@ -7,6 +7,7 @@
 
 #include "behavior/session/Session.h"
 #include "behavior/surface/WalkSurface.h"
+#include "model/base/Parallel.h"
 #include "tests/behavior/BoxStage.h"
 #include "tests/program/Test.h"
 
@@ -91,6 +92,7 @@ private Q_SLOTS:
     void narrowWaysAreWalkedByWhoIsSlim();
     void whereThereIsRoomOneKeepsOffTheWall();
     void alleysOnAWidePlainAreWalked();
+    void isTheSameForAnyNumberOfThreads();
     void whyNobodyWalksIsSaid();
     void whatIsWalkableCanBeShown();
     void aPlaceWiderThanItsLevelIsReachedThere_data();
@@ -226,6 +228,22 @@ void TestWalkSurface::alleysOnAWidePlainAreWalked()
     const auto metres = surface->wayMetres({0.0F, 0.4F, -900.0F}, {0.0F, 0.4F, 900.0F}, 1.0F);
     QVERIFY(metres.has_value());
     QVERIFY2(*metres < 1805.0F, qPrintable(QString::number(*metres)));
+}
+
+void TestWalkSurface::isTheSameForAnyNumberOfThreads()
+{
+    model::StageMesh mesh;
+    for (int house = 0; house < 12; ++house) {
+        const auto x = static_cast<float>(house % 4) * 21.7F;
+        const auto z = static_cast<float>(house / 4) * 18.3F;
+        addBox(mesh, {x, 0.0F, z}, {x + 9.0F, 5.0F, z + 7.0F});
+    }
+    const auto many = surfaceOf(stageOf(mesh));
+    const model::ThreadLimit one(1);
+    const auto single = surfaceOf(stageOf(mesh));
+    QVERIFY(many != nullptr && single != nullptr);
+    QCOMPARE(single->polygons(), many->polygons());
+    QVERIFY(single->triangles() == many->triangles());
 }
 
 void TestWalkSurface::whyNobodyWalksIsSaid()

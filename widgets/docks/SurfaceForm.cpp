@@ -38,17 +38,8 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     addField(tr("Highest step, m"), {}, "surfaceClimb", &model::SurfaceSettings::climb, 0.0, 5.0);
     addField(tr("Steepest slope, °"), {}, "surfaceSlope", &model::SurfaceSettings::slopeDegrees,
              0.0, 85.0);
-    m_shown->setObjectName(QStringLiteral("surfaceShown"));
-    m_shown->setToolTip(tr("Colours the ground of the stages where characters can walk"));
+    setUpShown();
     form->addRow(m_shown);
-    connect(m_shown, &QCheckBox::toggled, this, [this](bool isOn) {
-        ViewOptions options = m_state.viewOptions();
-        options.showWalkable = isOn;
-        m_state.setViewOptions(options);
-    });
-    connect(&state, &EditorState::viewOptionsChanged, this,
-            [this] { m_shown->setChecked(m_state.viewOptions().showWalkable); });
-    m_shown->setChecked(state.viewOptions().showWalkable);
     m_note->setWordWrap(true);
     m_note->setEnabled(false);
     form->addRow(m_note);
@@ -66,6 +57,21 @@ SurfaceForm::SurfaceForm(EditorState& state, QWidget* parent)
     connect(&state.session(), &SessionControl::surfaceChanged, this, &SurfaceForm::showState);
     refresh();
     showState();
+}
+
+/// The same as the entry of the View menu.
+void SurfaceForm::setUpShown()
+{
+    m_shown->setObjectName(QStringLiteral("surfaceShown"));
+    m_shown->setToolTip(tr("Colours the ground of the stages where characters can walk"));
+    connect(m_shown, &QCheckBox::toggled, this, [this](bool isOn) {
+        ViewOptions options = m_state.viewOptions();
+        options.showWalkable = isOn;
+        m_state.setViewOptions(options);
+    });
+    connect(&m_state, &EditorState::viewOptionsChanged, this,
+            [this] { m_shown->setChecked(m_state.viewOptions().showWalkable); });
+    m_shown->setChecked(m_state.viewOptions().showWalkable);
 }
 
 void SurfaceForm::addField(const QString& label, const QString& tip, const char* name,

@@ -23,6 +23,7 @@ public:
     SurfaceForm(EditorState& state, QWidget* parent);
 
 private:
+    void setUpShown();
     void addField(const QString& label, const QString& tip, const char* name,
                   float model::SurfaceSettings::*member, double low, double high);
     void refresh();

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] model::WalkableGroundPtr wait();
 
 Q_SIGNALS:
-    /// It is there, or what was there is not true any more.
+    /// It is there now.
     void changed();
     /// It is being found, and somebody waits; or that is over.
     void waiting(bool isWaiting);

@@ -208,8 +208,8 @@ private:
     PlaceHit m_hit;
     glm::vec3 m_start{0.0F};
     std::vector<model::Place> m_before;
-    model::WalkableGroundPtr m_walkable; ///< null: they may come anywhere
-    bool m_isRefused = false;            ///< where the pointer is
+    model::WalkableGroundPtr m_walkable;                      ///< null: they may come anywhere
+    bool m_isRefused = false;                                 ///< where the pointer is
     model::StrokeReason m_reason = model::StrokeReason::None; ///< of a refusal
     std::unique_ptr<model::SceneEdit> m_edit;
 };
