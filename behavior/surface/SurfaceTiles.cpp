@@ -58,6 +58,7 @@ std::vector<glm::vec2> cut(const std::vector<glm::vec2>& polygon, int axis, floa
 double areaWithin(const std::array<glm::vec3, 3>& triangle, const Square& square)
 {
     std::vector<glm::vec2> polygon;
+    polygon.reserve(triangle.size());
     for (const glm::vec3& corner : triangle) {
         polygon.emplace_back(corner.x, corner.z);
     }
@@ -146,7 +147,8 @@ SurfaceTiles SurfaceTiles::of(const TriangleSoup& soup, const SurfacePlan& plan,
     tiles.side = std::max(kTileSide, std::max(size.x, size.z) / kMostTilesASide);
     tiles.columns = std::max(1, static_cast<int>(std::ceil(size.x / tiles.side)));
     tiles.rows = std::max(1, static_cast<int>(std::ceil(size.z / tiles.side)));
-    const auto count = static_cast<std::size_t>(tiles.columns * tiles.rows);
+    const std::size_t count =
+        static_cast<std::size_t>(tiles.columns) * static_cast<std::size_t>(tiles.rows);
     tiles.triangles.resize(count);
     tiles.cells.assign(count, tiles.side / kFlatCellsASide);
     share(soup, tiles);

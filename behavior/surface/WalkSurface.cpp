@@ -183,8 +183,7 @@ bool WalkSurface::reaches(const glm::vec3& point, float metres) const
            dtStatusSucceed(
                query->findNearestPoly(&point.x, &within.x, &m_data->filter, &polygon, nearest)) &&
            polygon != 0 && std::hypot(nearest[0] - point.x, nearest[2] - point.z) <= metres &&
-           !m_data->rays.hit(
-               {{nearest[0], nearest[1] + kReachedUp, nearest[2]}, {0.0F, 1.0F, 0.0F}});
+           !m_data->rays.hit({{nearest[0], nearest[1] + kKneeUp, nearest[2]}, {0.0F, 1.0F, 0.0F}});
 }
 
 std::span<const Wall> WalkSurface::walls() const

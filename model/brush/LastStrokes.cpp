@@ -21,7 +21,7 @@ std::size_t bytesOf(const RecordedStroke& stroke)
 {
     std::size_t bytes = sizeof(stroke) + stroke.inputs.size() * sizeof(PointerInput);
     for (const std::vector<IndividualId>& dab : stroke.selected) {
-        bytes += sizeof(dab) + dab.size() * sizeof(IndividualId);
+        bytes += sizeof(std::vector<IndividualId>) + dab.size() * sizeof(IndividualId);
     }
     return bytes;
 }

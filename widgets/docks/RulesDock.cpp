@@ -234,6 +234,7 @@ void RulesDock::resizeEvent(QResizeEvent* event)
 void RulesDock::takeOrder()
 {
     std::vector<model::RuleId> order;
+    order.reserve(static_cast<std::size_t>(m_list->count()));
     for (int i = 0; i < m_list->count(); ++i) {
         order.push_back(m_list->item(i)->data(kIdRole).toUInt());
     }
