@@ -82,6 +82,7 @@ void InterruptionsTest::importsWaitForTheEndOfAStroke()
     QVERIFY(beginStroke()); // first: a slow machine shows the dialog before the button is down
     isStage ? m_window->assets().addStage(kStage) : m_window->assets().addTemplate(kMan, {});
     QTest::qWait(kLongEnoughMs);
+    QTRY_VERIFY_WITH_TIMEOUT(document().scene().population.size() > 1, kPatienceMs); // it sprays
     QVERIFY2(document().isEditOpen(), "the stroke goes on");
     QCOMPARE(models(), before);
     for (const auto* dialog : m_window->findChildren<QProgressDialog*>()) {

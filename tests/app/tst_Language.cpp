@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <QtCore/QMetaProperty>
 #include <QtTest/QTest>
@@ -129,6 +130,7 @@ struct PanelPlace
     bool isHidden = false;
     bool isFloating = false;
     QRect seen; ///< empty: behind another one
+    friend bool operator==(const PanelPlace&, const PanelPlace&) = default;
 };
 using PanelPlaces = std::map<QString, PanelPlace>;
 
@@ -139,6 +141,19 @@ PanelPlaces placesOf(const app::MainWindow& window)
         const bool isSeen = !dock->visibleRegion().isEmpty();
         places[dock->objectName()] = {dock->isHidden(), dock->isFloating(),
                                       isSeen ? dock->geometry() : QRect()};
+    }
+    return places;
+}
+
+/// Once they have found their places: they were there a moment ago, too.
+PanelPlaces settledPlacesOf(const app::MainWindow& window)
+{
+    PanelPlaces places = placesOf(window);
+    for (int rounds = 0; rounds < 50; ++rounds) {
+        QTest::qWait(300);
+        if (const PanelPlaces now = placesOf(window); now == std::exchange(places, now)) {
+            break;
+        }
     }
     return places;
 }
@@ -308,7 +323,7 @@ void LanguageTest::nothingIsLost()
     QVERIFY(*state.activeBrush() == brush);
     QVERIFY(state.camera() == camera);
     QCOMPARE(m_window->geometry(), frame);
-    QCOMPARE(moved(panels, placesOf(*m_window)), QStringList());
+    QTRY_COMPARE(moved(panels, placesOf(*m_window)), QStringList());
     QCOMPARE(m_window->findChild<QListWidget*>(QStringLiteral("ruleList"))->currentRow(), 1);
     QVERIFY(m_window->viewport().problem().isEmpty());
     m_window->actions().action("undo")->trigger();
@@ -324,16 +339,14 @@ void LanguageTest::aFloatingPanelStaysWhereItIs()
     m_window->dockLayout().dock(app::DockId::Colour)->move(200, 200);
     m_window->dockLayout().dock(app::DockId::Scene)->hide();
     m_window->dockLayout().dock(app::DockId::Rules)->show();
-    QTest::qWait(300);
-    const auto before = placesOf(*m_window);
+    const auto before = settledPlacesOf(*m_window);
     change(QStringLiteral("de"));
-    QCOMPARE(moved(before, placesOf(*m_window)), QStringList());
+    QTRY_COMPARE(moved(before, placesOf(*m_window)), QStringList());
 }
 
 void LanguageTest::hiddenPanelsStayHidden()
 {
-    QTest::qWait(300); // panels have found their places
-    const auto before = placesOf(*m_window);
+    const auto before = settledPlacesOf(*m_window);
     m_window->dockLayout().setHidden(true);
     change(QStringLiteral("de"));
     for (const QDockWidget* dock : m_window->docks()) {
@@ -341,8 +354,7 @@ void LanguageTest::hiddenPanelsStayHidden()
     }
     QVERIFY(m_window->actions().action("hide-panels")->isChecked());
     m_window->dockLayout().setHidden(false);
-    QTest::qWait(300);
-    QCOMPARE(moved(before, placesOf(*m_window)), QStringList());
+    QTRY_COMPARE(moved(before, placesOf(*m_window)), QStringList());
 }
 
 void LanguageTest::pythonKeepsItsNames()
