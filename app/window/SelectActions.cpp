@@ -2,6 +2,7 @@
 #include "app/window/SelectActions.h"
 
 #include "app/window/MainWindow.h"
+#include "app/window/ViewSwitch.h"
 #include "widgets/commands/GroupCommands.h"
 #include "widgets/commands/SelectionCommands.h"
 
@@ -10,6 +11,7 @@ namespace crowd::app {
 namespace {
 
 using widgets::ActionInput;
+using widgets::ViewOptions;
 
 bool hasSelection(MainWindow& window)
 {
@@ -41,15 +43,10 @@ const WindowAction kSelectActions[] = {
       QT_TRANSLATE_NOOP("Actions", "Without those who stand beside somebody not selected")},
      [](MainWindow& w, bool) { widgets::shrinkSelection(w.state()); },
      {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
-    {{"select-lasso", QT_TRANSLATE_NOOP("Actions", "Select with a &Lasso"), "select", "L",
-      QT_TRANSLATE_NOOP("Actions", "Draw a line round those to select; else a rectangle"), true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.selectsByLasso = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().selectsByLasso; }}},
+    viewSwitch<&ViewOptions::selectsByLasso>(
+        {"select-lasso", QT_TRANSLATE_NOOP("Actions", "Select with a &Lasso"), "select", "L",
+         QT_TRANSLATE_NOOP("Actions", "Draw a line round those to select; else a rectangle"),
+         true}),
     {{"group-selected", QT_TRANSLATE_NOOP("Actions", "&Group Selected"), "group", "Ctrl+Alt+G",
       QT_TRANSLATE_NOOP("Actions", "A new group of the selected characters; it becomes active")},
      [](MainWindow& w, bool) { widgets::groupSelection(w.state()); },

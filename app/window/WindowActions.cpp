@@ -11,6 +11,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/SelectActions.h"
 #include "app/window/ViewMemory.h"
+#include "app/window/ViewSwitch.h"
 #include "widgets/commands/SelectionCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
@@ -22,6 +23,7 @@ namespace crowd::app {
 namespace {
 
 using widgets::ActionInput;
+using widgets::ViewOptions;
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};
 
@@ -197,52 +199,22 @@ const WindowAction kViewActions[] = {
      [](MainWindow& w, bool on) { w.state().setSeatGridOn(on); },
      {.inputs = ActionInput::Brush,
       .isChecked = [](MainWindow& w) { return w.state().isSeatGridOn(); }}},
-    {{"ground-grid", QT_TRANSLATE_NOOP("Actions", "Gr&ound Grid"), "grid", "Ctrl+G",
-      QT_TRANSLATE_NOOP("Actions", "Show a grid of metres on the ground"), true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.showGroundGrid = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showGroundGrid; }}},
-    {{"shadows", QT_TRANSLATE_NOOP("Actions", "Sha&dows"), "shadows", "Ctrl+H",
-      QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.showShadows = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showShadows; }}},
-    {{"paths", QT_TRANSLATE_NOOP("Actions", "Pat&hs"), "brush-path", "Ctrl+Shift+H",
-      QT_TRANSLATE_NOOP("Actions", "Show places and paths"), true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.showPaths = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showPaths; }}},
-    {{"tags", QT_TRANSLATE_NOOP("Actions", "Ta&gs"), "brush-tag", "Ctrl+Shift+T",
-      QT_TRANSLATE_NOOP("Actions", "Show who has which tag by a coloured disc"), true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.showTags = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showTags; }}},
-    {{"walkable", QT_TRANSLATE_NOOP("Actions", "&Walkable Ground"), "brush-walk", "Ctrl+Shift+W",
-      QT_TRANSLATE_NOOP("Actions", "Show where characters can walk by a colour on the ground"),
-      true},
-     [](MainWindow& w, bool on) {
-         auto options = w.state().viewOptions();
-         options.showWalkable = on;
-         w.state().setViewOptions(options);
-     },
-     {.inputs = ActionInput::View,
-      .isChecked = [](MainWindow& w) { return w.state().viewOptions().showWalkable; }}},
+    viewSwitch<&ViewOptions::showGroundGrid>(
+        {"ground-grid", QT_TRANSLATE_NOOP("Actions", "Gr&ound Grid"), "grid", "Ctrl+G",
+         QT_TRANSLATE_NOOP("Actions", "Show a grid of metres on the ground"), true}),
+    viewSwitch<&ViewOptions::showShadows>(
+        {"shadows", QT_TRANSLATE_NOOP("Actions", "Sha&dows"), "shadows", "Ctrl+H",
+         QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true}),
+    viewSwitch<&ViewOptions::showPaths>(
+        {"paths", QT_TRANSLATE_NOOP("Actions", "Pat&hs"), "brush-path", "Ctrl+Shift+H",
+         QT_TRANSLATE_NOOP("Actions", "Show places and paths"), true}),
+    viewSwitch<&ViewOptions::showTags>(
+        {"tags", QT_TRANSLATE_NOOP("Actions", "Ta&gs"), "brush-tag", "Ctrl+Shift+T",
+         QT_TRANSLATE_NOOP("Actions", "Show who has which tag by a coloured disc"), true}),
+    viewSwitch<&ViewOptions::showWalkable>(
+        {"walkable", QT_TRANSLATE_NOOP("Actions", "&Walkable Ground"), "brush-walk", "Ctrl+Shift+W",
+         QT_TRANSLATE_NOOP("Actions", "Show where characters can walk by a colour on the ground"),
+         true}),
     {{"look-lit", QT_TRANSLATE_NOOP("Actions", "&Lighting"), "look", "Ctrl+L",
       QT_TRANSLATE_NOOP("Actions", "Light the scene; otherwise plain colours"), true},
      [](MainWindow& w, bool on) {
