@@ -227,8 +227,12 @@ void Interpreter::begin(std::function<std::string(Python&)> script)
         return;
     }
     m_isRunning = true;
+    ++m_runs;
     Q_EMIT started();
-    push([this, script = std::move(script)](Python& python) {
+    push([this, run = m_runs, script = std::move(script)](Python& python) {
+        if (m_cancelled == run) {
+            PyErr_SetInterruptEx(kStopSignal); // its signal may have come while nothing ran
+        }
         const std::string result = script(python);
         const ScriptOutcome outcome = result == "done"   ? ScriptOutcome::Done
                                       : result == "more" ? ScriptOutcome::More
@@ -293,6 +297,7 @@ void Interpreter::complete(const QString& text)
 void Interpreter::cancel()
 {
     if (m_isRunning && m_thread.joinable()) {
+        m_cancelled = m_runs;
         pthread_kill(m_thread.native_handle(), kStopSignal);
     }
 }
@@ -301,14 +306,15 @@ void Interpreter::stop(const std::function<void(bool hasStopped)>& ended)
 {
     auto* again = new QTimer(this);
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    connect(again, &QTimer::timeout, this, [this, again, deadline, ended] {
-        if (m_isRunning && std::chrono::steady_clock::now() < deadline) {
+    connect(again, &QTimer::timeout, this, [this, again, deadline, ended, run = m_runs] {
+        const bool isRunning = m_isRunning && m_runs == run; // the next one is nobody's business
+        if (isRunning && std::chrono::steady_clock::now() < deadline) {
             cancel();
             return;
         }
         again->deleteLater();
         again->stop();
-        ended(!m_isRunning);
+        ended(!isRunning);
     });
     cancel();
     again->start(kBetweenCancels);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] bool isRunning() const { return m_isRunning; }
     /// Raises KeyboardInterrupt in the script, also while it sleeps.
     void cancel();
-    /// Cancels again and again, for a script may just begin to wait, and says how that ended.
+    /// Cancels this script again and again, for it may just begin to wait, and says how that ended.
     void stop(const std::function<void(bool hasStopped)>& ended);
     /// Cancels and waits a moment, without events; nothing runs afterwards. False: the script does
     /// not stop.
@@ -83,9 +84,11 @@ private:
     std::condition_variable m_wake;
     std::deque<Job> m_jobs;
     QString m_problem;
-    bool m_isEnding = false;  ///< the thread is to end
-    bool m_hasEnded = false;  ///< it has
-    bool m_isRunning = false; ///< main thread's view
+    bool m_isEnding = false;          ///< the thread is to end
+    bool m_hasEnded = false;          ///< it has
+    bool m_isRunning = false;         ///< main thread's view
+    int m_runs = 0;                   ///< scripts begun; the number of the one that runs
+    std::atomic<int> m_cancelled = 0; ///< the number of the last one that was told to stop
 };
 
 } // namespace crowd::app

@@ -40,6 +40,8 @@ private Q_SLOTS:
     void sleepCanBeStopped();
     void handsAreHeldBackWhileAScriptRuns();
     void whatWasOpenBeforeAScriptIsHeldBackToo();
+    void stoppingEndsThatScriptAlone();
+    void cancellingAtOnceIsHeard();
     void floodsAreCutShort();
     void aGigabyteAtOnceIsCutShort();
     void theSceneNameCannotBeLost();
@@ -252,6 +254,33 @@ void ConsoleTest::whatWasOpenBeforeAScriptIsHeldBackToo()
     m_window->interpreter().stop([](bool) {}); // until it has heard
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
     panel->setFloating(false);
+}
+
+/// Whoever stops one script and begins the next at once means the first alone.
+void ConsoleTest::stoppingEndsThatScriptAlone()
+{
+    QSignalSpy finished(&m_window->interpreter(), &app::Interpreter::finished);
+    type(QStringLiteral("import time; time.sleep(1000)"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->interpreter().isRunning(), kScriptPatienceMs);
+    bool hasStopped = false;
+    m_window->interpreter().stop([&hasStopped](bool stopped) { hasStopped = stopped; });
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
+    QVERIFY(run(QStringLiteral("time.sleep(0.6); print('to its', 'end')")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("to its end")), kScriptPatienceMs);
+    QVERIFY(hasStopped);
+}
+
+/// Also in the moment in which the script has not begun yet.
+void ConsoleTest::cancellingAtOnceIsHeard()
+{
+    for (int round = 0; round < 20; ++round) {
+        QSignalSpy finished(&m_window->interpreter(), &app::Interpreter::finished);
+        m_window->interpreter().run(QStringLiteral("import time; time.sleep(1000)"));
+        m_window->interpreter().cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kScriptPatienceMs);
+    }
+    QVERIFY(run(QStringLiteral("print('and', 'on')")));
+    QTRY_VERIFY_WITH_TIMEOUT(output().contains(QStringLiteral("and on")), kScriptPatienceMs);
 }
 
 void ConsoleTest::floodsAreCutShort()
