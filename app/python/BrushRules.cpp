@@ -32,6 +32,17 @@ Result<void> checkTemplate(const Scene& scene, std::int64_t id, const std::strin
     return {};
 }
 
+Result<void> checkTemplates(const Scene& scene, const std::vector<int>& ids,
+                            const std::string& name)
+{
+    for (const int id : ids) {
+        if (auto valid = checkTemplate(scene, id, name); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
 Result<void> checkMix(const Scene& scene, const std::vector<TemplateWeight>& mix,
                       const std::string& name)
 {
@@ -83,12 +94,7 @@ Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
             return valid;
         }
     }
-    for (const int id : mask.templates) {
-        if (auto valid = checkTemplate(scene, id, "brush.mask.templates"); !valid) {
-            return valid;
-        }
-    }
-    return {};
+    return checkTemplates(scene, mask.templates, "brush.mask.templates");
 }
 
 /// What the scene must have for the fields that refer to something.
@@ -106,6 +112,8 @@ Result<void> checkSettings(const Scene& scene, const BrushType& type, const Brus
             valid = checkMix(scene, *mix, name);
         } else if (const auto* clips = std::get_if<std::vector<ClipWeight>>(&value)) {
             valid = checkClips(scene, *clips, name);
+        } else if (field.meta.role == FieldRole::Template) {
+            valid = checkTemplates(scene, std::get<std::vector<int>>(value), name);
         } else if (field.meta.role == FieldRole::Path) {
             valid = checkPath(scene, std::get<std::int64_t>(value), name);
         } else if (field.meta.role == FieldRole::Group) {

@@ -143,6 +143,14 @@ class Masks(unittest.TestCase):
         brush.group.group = 9
         with self.assertRaisesRegex(Error, "brush.group.group names group 9.*scene.groups"):
             painted(scene, brush)
+        brush = sized()
+        brush.kind = BrushKind.TEMPLATE
+        brush.template.templates = [scene.template("man").id, 77]
+        with self.assertRaisesRegex(Error, "brush.template.templates names template 77"):
+            painted(scene, brush)
+        brush = sized()
+        brush.kind = BrushKind.GROUP
+        brush.group.group = 9
         scene.groups = [Group(id=3, name="choir")]
         with self.assertRaisesRegex(Error, 'brush.group.group names group 9.*3 "choir"'):
             painted(scene, brush)
