@@ -104,7 +104,11 @@ struct RenderInput
     std::span<const OverlayLine> lines;
     std::span<const OverlayTriangle> areas; ///< topmost first
     std::uint64_t areasVersion = 0;         ///< change it with the areas; 0: always sent anew
-    bool showGround = true;                 ///< ground plane and grid; off for thumbnails
+    /// The ground itself in a colour, below all areas and only where it is seen. No more than a
+    /// hand's breadth from what it lies on.
+    std::span<const OverlayTriangle> groundAreas;
+    std::uint64_t groundAreasVersion = 0;
+    bool showGround = true; ///< ground plane and grid; off for thumbnails
     bool showShadows = true;
     /// Background instead of the sky when its alpha is above zero.
     glm::vec4 background{0.0F};

@@ -20,7 +20,8 @@ constexpr float kRingPull = 0.15F; ///< as kAreaPull; feet stay in front of it
 /// Metres that areas are taken for nearer than they are: ground that is a little uneven does not
 /// swallow them.
 constexpr float kAreaPull = 0.3F;
-constexpr int kAreaStencil = 1; ///< an area is drawn there already
+constexpr float kGroundPull = 0.1F; ///< as kAreaPull: the step above a floor is not taken for it
+constexpr int kAreaStencil = 1;     ///< an area is drawn there already
 
 struct MarkerVertex
 {
@@ -94,9 +95,8 @@ model::Result<void> OverlayPass::initialize()
     }
     m_lineArray = GlVertexArray::create();
     describeLines(m_lineArray, m_lines);
-    m_areas = GlBuffer::create();
-    m_areaArray = GlVertexArray::create();
-    describeLines(m_areaArray, m_areas);
+    m_areas.initialize();
+    m_ground.initialize();
     glBindVertexArray(0);
     return {};
 }
@@ -165,48 +165,64 @@ void OverlayPass::drawMarkers(const PassContext& context, std::size_t first, std
     context.countDraw(static_cast<std::int64_t>(count) * 2);
 }
 
-void OverlayPass::sendAreas(const PassContext& context)
+void OverlayPass::Areas::initialize()
 {
-    if (context.input.areasVersion != 0 && context.input.areasVersion == m_areasVersion) {
+    corners = GlBuffer::create();
+    array = GlVertexArray::create();
+    describeLines(array, corners);
+}
+
+void OverlayPass::Areas::send(std::span<const OverlayTriangle> areas, std::uint64_t now)
+{
+    if (now != 0 && now == version) {
         return;
     }
-    m_areasVersion = context.input.areasVersion;
+    version = now;
     std::vector<LineVertex> vertices;
-    vertices.reserve(context.input.areas.size() * 3);
-    for (const OverlayTriangle& area : context.input.areas) {
+    vertices.reserve(areas.size() * 3);
+    for (const OverlayTriangle& area : areas) {
         for (const glm::vec3& corner : area.corners) {
             vertices.push_back({corner, linear(area.color)});
         }
     }
-    stream(m_areas, vertices);
+    stream(corners, vertices);
 }
 
 /// Each sample is coloured once, by the first triangle that covers it; what is seen goes before
 /// what is hidden.
 void OverlayPass::drawAreas(const PassContext& context)
 {
-    if (context.input.areas.empty()) {
+    const RenderInput& input = context.input;
+    if (input.areas.empty() && input.groundAreas.empty()) {
         return;
     }
-    sendAreas(context);
     m_line.use();
     context.setCommon(m_line);
-    m_line.set("eye", eyeOf(context.input.view.camera()));
-    m_line.set("pull", kAreaPull);
-    glBindVertexArray(m_areaArray.name());
+    m_line.set("eye", eyeOf(input.view.camera()));
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_GREATER, kAreaStencil, 0xFFU);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    const auto count = static_cast<GLsizei>(context.input.areas.size() * 3);
-    m_line.set("opacity", 1.0F);
-    glDrawArrays(GL_TRIANGLES, 0, count);
-    m_line.set("opacity", kHiddenAreaOpacity);
-    glDepthFunc(GL_GREATER);
-    glDrawArrays(GL_TRIANGLES, 0, count);
-    glDepthFunc(GL_LEQUAL);
+    const auto draw = [&](const Areas& areas, std::size_t triangles, float pull, float opacity) {
+        m_line.set("pull", pull);
+        m_line.set("opacity", opacity);
+        glBindVertexArray(areas.array.name());
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles * 3));
+        context.countDraw(static_cast<std::int64_t>(triangles));
+    };
+    if (!input.areas.empty()) {
+        m_areas.send(input.areas, input.areasVersion);
+        draw(m_areas, input.areas.size(), kAreaPull, 1.0F);
+    }
+    if (!input.groundAreas.empty()) {
+        m_ground.send(input.groundAreas, input.groundAreasVersion);
+        draw(m_ground, input.groundAreas.size(), kGroundPull, 1.0F);
+    }
+    if (!input.areas.empty()) {
+        glDepthFunc(GL_GREATER);
+        draw(m_areas, input.areas.size(), kAreaPull, kHiddenAreaOpacity);
+        glDepthFunc(GL_LEQUAL);
+    }
     glDisable(GL_STENCIL_TEST);
-    context.countDraw(count / 3);
-    context.countDraw(count / 3);
 }
 
 void OverlayPass::drawLines(const PassContext& context)

@@ -19,9 +19,19 @@ public:
     void draw(const PassContext& context);
 
 private:
+    /// Areas as they were sent last.
+    struct Areas
+    {
+        GlVertexArray array;
+        GlBuffer corners;
+        std::uint64_t version = 0; ///< 0: unknown
+
+        void initialize();
+        void send(std::span<const OverlayTriangle> areas, std::uint64_t now);
+    };
+
     void drawMarkers(const PassContext& context);
     void drawMarkers(const PassContext& context, std::size_t first, std::size_t count);
-    void sendAreas(const PassContext& context);
     void drawAreas(const PassContext& context);
     void drawLines(const PassContext& context);
 
@@ -29,12 +39,11 @@ private:
     ShaderProgram m_line;
     GlVertexArray m_markerArray;
     GlVertexArray m_lineArray;
-    GlVertexArray m_areaArray;
     GlBuffer m_corners;
     GlBuffer m_markers;
     GlBuffer m_lines;
-    GlBuffer m_areas;
-    std::uint64_t m_areasVersion = 0; ///< what is in m_areas; 0: unknown
+    Areas m_areas;
+    Areas m_ground;
 };
 
 } // namespace crowd::render

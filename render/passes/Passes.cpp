@@ -64,7 +64,7 @@ constexpr PassInfo kPasses[] = {
 /// Nothing to do where no areas are drawn.
 void setMark(const RenderInput& input, Mark mark)
 {
-    if (mark == Mark::None || input.areas.empty()) {
+    if (mark == Mark::None || (input.areas.empty() && input.groundAreas.empty())) {
         glDisable(GL_STENCIL_TEST);
         return;
     }

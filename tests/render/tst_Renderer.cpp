@@ -56,6 +56,7 @@ private Q_SLOTS:
     void areasLeavePeopleAlone();
     void areasColourAPixelOnce();
     void hiddenAreasShineFaintly();
+    void groundIsColouredWhereItIsSeen();
     void areasAreSentAgainWithAnotherVersion();
     void textureIsDrawnAsAuthored();
     void tintMaskLimitsTheTint();
@@ -497,7 +498,8 @@ void TestRenderer::areasColourAPixelOnce()
     QVERIFY(isNear(pixel(kMiddle, kBodyY), once)); // the first alone
 }
 
-void TestRenderer::hiddenAreasShineFaintly()
+/// Left of the middle, at z = 0.
+model::StageEntry redWall()
 {
     auto stage = std::make_shared<model::StageAsset>();
     stage->materials.emplace_back();
@@ -510,6 +512,12 @@ void TestRenderer::hiddenAreasShineFaintly()
     stage->meshes.push_back(wall);
     model::StageEntry entry;
     entry.asset = stage;
+    return entry;
+}
+
+void TestRenderer::hiddenAreasShineFaintly()
+{
+    const model::StageEntry entry = redWall();
     render::RenderInput input = inputFor(nullptr);
     input.stages = {&entry, 1};
     const auto sheet = blueSheet(-1.0F);
@@ -523,6 +531,31 @@ void TestRenderer::hiddenAreasShineFaintly()
     input.areas = sunk;
     draw(input);
     QVERIFY(pixel(kMiddle - 10, kBodyY).blue > hidden.blue + 50);
+}
+
+void TestRenderer::groundIsColouredWhereItIsSeen()
+{
+    const model::StageEntry entry = redWall();
+    render::RenderInput input = inputFor(nullptr);
+    input.stages = {&entry, 1};
+    draw(input);
+    const Rgb wall = pixel(kMiddle - 10, kBodyY);
+    const auto behind = blueSheet(-0.3F);
+    input.groundAreas = behind;
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle - 10, kBodyY), wall));
+    QVERIFY(pixel(kMiddle + 10, kBodyY).blue > 100);
+    const auto sunk = blueSheet(-0.05F);
+    input.groundAreas = sunk;
+    draw(input);
+    QVERIFY(pixel(kMiddle - 10, kBodyY).blue > 100);
+    auto above = blueSheet(-0.1F);
+    for (render::OverlayTriangle& area : above) {
+        area.color = {0.0F, 1.0F, 0.0F, 1.0F};
+    }
+    input.areas = above; // what is laid on the ground covers its colour
+    draw(input);
+    QVERIFY(isNear(pixel(kMiddle - 10, kBodyY), {0, 255, 0}));
 }
 
 void TestRenderer::areasAreSentAgainWithAnotherVersion()

@@ -223,8 +223,8 @@ render::RenderInput ViewportWidget::renderInput()
         input.areasVersion = m_paths.version();
     }
     if (options.showWalkable) {
-        input.areas = m_walkable.areas(m_state.ground().soon(), input.areas, input.areasVersion);
-        input.areasVersion = m_walkable.version();
+        input.groundAreas = m_walkable.areas(m_state.ground().soon());
+        input.groundAreasVersion = m_walkable.version();
     }
     return input;
 }

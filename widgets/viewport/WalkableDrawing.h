@@ -10,21 +10,19 @@
 
 namespace crowd::widgets {
 
-/// Where people can walk as a colour on the ground, below everything else that is laid there. Made
-/// anew only when something changed. World frame, metres.
+/// Where people can walk as a colour on the ground. Made anew only when something changed. World
+/// frame, metres.
 class WalkableDrawing
 {
 public:
-    /// What lies above it first. `ground` null: there is none yet, or nothing but open ground.
+    /// `ground` null: there is none yet, or nothing but open ground.
     [[nodiscard]] std::span<const render::OverlayTriangle>
-    areas(const model::WalkableGroundPtr& ground, std::span<const render::OverlayTriangle> above,
-          std::uint64_t aboveVersion);
-    /// Another one for other areas, of PathDrawing's or these; never 0 once they were asked for.
+    areas(const model::WalkableGroundPtr& ground);
+    /// Another one for other areas; never 0 once they were asked for.
     [[nodiscard]] std::uint64_t version() const { return m_version; }
 
 private:
     model::WalkableGroundPtr m_ground;
-    std::uint64_t m_aboveVersion = 0;
     std::uint64_t m_version = 0;
     std::vector<render::OverlayTriangle> m_areas;
 };
