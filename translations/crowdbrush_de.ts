@@ -3053,10 +3053,6 @@
         <translation>%1 Figuren, die gehen sollen, stehen, wo kein Weg hin- oder wegführt: auf Dächern oder Bäumen, in einem Becken, in der Luft. Sie auf den nächsten Boden stellen (Bearbeiten, Auf den Boden stellen).</translation>
     </message>
     <message>
-        <source>Place &quot;%1&quot;: %2 characters want to stand there, %3 have room. Make it larger, or send them to several places.</source>
-        <translation>Ort „%1“: %2 Figuren wollen dort stehen, Platz ist für %3. Ihn größer machen oder sie auf mehrere Orte verteilen.</translation>
-    </message>
-    <message>
         <source>There cannot be %1 steps a second; there are as many as usual. Choose a length in the menu Play.</source>
         <translation>%1 Schritte in der Sekunde sind nicht möglich; es sind so viele wie üblich. Im Menü „Abspielen“ eine Länge wählen.</translation>
     </message>
@@ -4000,6 +3996,10 @@
         <source>%1 is damaged: in line %2 it is no JSON any more. Copy the file again from where it came.</source>
         <translation>%1 ist beschädigt: Ab Zeile %2 ist es kein JSON mehr. Kopieren Sie die Datei noch einmal von dort, woher sie kam.</translation>
     </message>
+    <message>
+        <source>Place &quot;%1&quot;: %2 characters want to stand there; there is room for %3. Make it larger, or send them to several places.</source>
+        <translation>Ort „%1“: %2 Figuren wollen dort stehen, Platz ist für %3. Vergrößern Sie ihn, oder schicken Sie sie zu mehreren Orten.</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -4120,10 +4120,6 @@
 <context>
     <name>PlaceTool</name>
     <message>
-        <source>Nothing to walk on there: that is a wall, or the sky.</source>
-        <translation>Dort ist nichts, worauf man gehen kann: eine Wand oder der Himmel.</translation>
-    </message>
-    <message>
         <source>Lead a path over a place</source>
         <translation>Einen Weg über einen Ort führen</translation>
     </message>
@@ -4166,6 +4162,18 @@
     <message>
         <source>Close the path</source>
         <translation>Den Weg schließen</translation>
+    </message>
+    <message>
+        <source>Nothing to walk on there: the pointer is on the sky, or on something upright. Click on the ground beside it.</source>
+        <translation>Dort ist nichts, worauf man gehen könnte: Der Zeiger ist auf dem Himmel oder auf etwas Senkrechtem. Klicken Sie auf den Boden daneben.</translation>
+    </message>
+    <message>
+        <source>No way leads there from the place before: characters go as near as they can.</source>
+        <translation>Vom Ort davor führt kein Weg dorthin: Figuren gehen so weit heran, wie sie können.</translation>
+    </message>
+    <message>
+        <source>Something is in between: characters walk %1 m around it.</source>
+        <translation>Etwas steht dazwischen: Figuren gehen %1 m darum herum.</translation>
     </message>
 </context>
 <context>
@@ -6700,6 +6708,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>The recording ended: another scene is open now.</source>
         <translation>Die Aufzeichnung ist zu Ende: Jetzt ist eine andere Szene offen.</translation>
+    </message>
+    <message>
+        <source>Recorded as what came of it, not as a stroke: %1.</source>
+        <translation>Aufgezeichnet ist, was daraus wurde, nicht der Strich: %1.</translation>
     </message>
 </context>
 <context>

@@ -3053,10 +3053,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Place &quot;%1&quot;: %2 characters want to stand there, %3 have room. Make it larger, or send them to several places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There cannot be %1 steps a second; there are as many as usual. Choose a length in the menu Play.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4000,6 +3996,10 @@
         <source>%1 is damaged: in line %2 it is no JSON any more. Copy the file again from where it came.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Place &quot;%1&quot;: %2 characters want to stand there; there is room for %3. Make it larger, or send them to several places.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -4120,10 +4120,6 @@
 <context>
     <name>PlaceTool</name>
     <message>
-        <source>Nothing to walk on there: that is a wall, or the sky.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Lead a path over a place</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4165,6 +4161,18 @@
     </message>
     <message>
         <source>Close the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to walk on there: the pointer is on the sky, or on something upright. Click on the ground beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No way leads there from the place before: characters go as near as they can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is in between: characters walk %1 m around it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6692,6 +6700,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>The recording ended: another scene is open now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded as what came of it, not as a stroke: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

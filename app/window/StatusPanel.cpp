@@ -63,6 +63,9 @@ StatusPanel::StatusPanel(widgets::EditorState& state, QWidget* parent)
     });
     connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
     connect(&state.ground(), &widgets::GroundFinder::waiting, this, &StatusPanel::showWaiting);
+    connect(&state.ground(), &widgets::GroundFinder::findingChanged, this,
+            &StatusPanel::showFinding);
+    connect(&state, &widgets::EditorState::viewOptionsChanged, this, &StatusPanel::showFinding);
     connect(&state, &widgets::EditorState::toolChanged, this, [this] { clearMessage(); });
     connect(&state.document(), &model::SceneDocument::changed, this, &StatusPanel::refreshCounts);
     connect(&state.selection(), &widgets::Selection::changed, this, &StatusPanel::refreshCounts);
@@ -100,6 +103,17 @@ void StatusPanel::showWaiting(bool isWaiting)
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     showMessage(tr("Finding out where characters can walk…"));
     repaint();
+}
+
+void StatusPanel::showFinding()
+{
+    const bool isAwaited = m_state.viewOptions().showWalkable && m_state.ground().isFinding();
+    if (isAwaited) {
+        showMessage(tr("Finding out where characters can walk…"));
+    } else if (m_saysFinding) {
+        clearMessage();
+    }
+    m_saysFinding = isAwaited;
 }
 
 void StatusPanel::refreshCounts()

@@ -51,6 +51,8 @@ protected:
 private:
     /// Nothing else is drawn while the window waits.
     void showWaiting(bool isWaiting);
+    /// What is to be coloured may take a while to be found.
+    void showFinding();
     void refreshCounts();
     void refreshFrame();
 
@@ -60,6 +62,7 @@ private:
     QLabel* m_counts;
     QLabel* m_frame;
     QString m_remark;
+    bool m_saysFinding = false;
 };
 
 } // namespace crowd::app

@@ -144,9 +144,9 @@ std::vector<Problem> problemsOfCrowding(const GuestCounts& guests,
         });
         if (!isKnown && static_cast<float>(count) > area * kCrowdedPerMetre2 + kAFew) {
             problems.push_back(
-                {{QT_TRANSLATE_NOOP("Messages",
-                                    "Place \"%1\": %2 characters want to stand there, %3 have "
-                                    "room. Make it larger, or send them to several places."),
+                {{QT_TRANSLATE_NOOP(
+                      "Messages", "Place \"%1\": %2 characters want to stand there; there is room "
+                                  "for %3. Make it larger, or send them to several places."),
                   place->name, count, model::roomOf(*place)},
                  0,
                  id});

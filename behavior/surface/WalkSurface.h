@@ -53,10 +53,8 @@ public:
     /// from what it leads around as his lane says.
     [[nodiscard]] std::vector<glm::vec3> way(const glm::vec3& from, const glm::vec3& to,
                                              const Lane& lane) const;
-    /// Metres of the way from one point to another, as seen from above: infinite where no way comes
-    /// within so many metres of it. Nothing where `from` is nowhere on the surface.
     [[nodiscard]] std::optional<float> wayMetres(const glm::vec3& from, const glm::vec3& to,
-                                                 float within) const;
+                                                 float within) const override;
     /// Whether one gets from a point to another one, on its level, straight on. Nothing where the
     /// first is not on the surface.
     [[nodiscard]] std::optional<bool> isStraight(const glm::vec3& from, const glm::vec3& to) const;

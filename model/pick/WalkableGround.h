@@ -38,6 +38,13 @@ public:
     {
         return isWalkable(point) ? WalkRefusal::None : WalkRefusal::Unlinked;
     }
+    /// Metres of the way from one point to another, as seen from above: infinite where no way comes
+    /// within so many metres of it. Nothing where `from` is on no ground.
+    [[nodiscard]] virtual std::optional<float>
+    wayMetres(const glm::vec3& /*from*/, const glm::vec3& /*to*/, float /*within*/) const
+    {
+        return std::nullopt;
+    }
     /// All of it, to be shown; without the open ground about the stages.
     [[nodiscard]] virtual std::vector<std::array<glm::vec3, 3>> triangles() const { return {}; }
 };

@@ -237,7 +237,8 @@ void TestProblems::tooManyForAPlaceAreSaid()
         session.step();
     }
     QCOMPARE(session.warnings().size(), std::size_t{1});
-    QVERIFY(isSaid(session.warnings(), "characters want to stand there, 6 have room", ofPlace(4)));
+    QVERIFY(isSaid(session.warnings(), "characters want to stand there; there is room for 6",
+                   ofPlace(4)));
     run(session, 2); // and on
     const auto frame = session.frame();
     for (const glm::vec3& position : frame->population.column(model::columns::position)) {

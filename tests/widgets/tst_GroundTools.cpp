@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include <QtCore/QRegularExpression>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
@@ -78,6 +79,10 @@ private Q_SLOTS:
     void noPlaceIsDraggedWhereNobodyCanWalk();
     void whoIsOnARoofComesDown();
     void anotherStageHasAnotherGround();
+    void whatWasRefusedIsForgottenWithTheNextClick();
+    void whatIsBetweenTwoPlacesIsSaid();
+    void placesHaveRoomForOne();
+    void findingIsTold();
 };
 
 void TestGroundTools::nobodyIsCreatedWhereNobodyCanWalk()
@@ -173,6 +178,67 @@ void TestGroundTools::anotherStageHasAnotherGround()
     QCOMPARE(plaza.people(), before);
     plaza.click({0.0F, 0.0F, 0.0F});
     QCOMPARE(plaza.people(), before + 1);
+}
+
+void TestGroundTools::whatWasRefusedIsForgottenWithTheNextClick()
+{
+    Plaza plaza;
+    for (const ToolId tool : {ToolId::BrushPath, ToolId::BrushEnvironment}) {
+        plaza.state.setTool(tool);
+        plaza.click(kRoof);
+        QVERIFY(!plaza.said().isEmpty());
+        plaza.click(kStreet);
+        QCOMPARE(plaza.said(), QString());
+    }
+}
+
+void TestGroundTools::whatIsBetweenTwoPlacesIsSaid()
+{
+    Plaza plaza;
+    model::Scene scene = plaza.document.scene();
+    model::StageMesh mesh;
+    testing::addBox(mesh, {-0.5F, 0.0F, -30.0F}, {0.5F, 3.0F, 30.0F}); // a long wall
+    scene.stages = {testing::stageOf(mesh)};
+    plaza.document.replaceScene(std::move(scene), {});
+    plaza.state.setTool(ToolId::BrushPath);
+    plaza.click({4.0F, 0.0F, 0.0F});
+    plaza.click({4.0F, 0.0F, 5.0F});
+    QCOMPARE(plaza.said(), QString());
+    plaza.click({-4.0F, 0.0F, 5.0F});
+    const QRegularExpression around(QStringLiteral("in between.* (\\d+) m around"));
+    const QRegularExpressionMatch match = around.match(plaza.said());
+    QVERIFY2(match.hasMatch(), qPrintable(plaza.said()));
+    QVERIFY2(match.captured(1).toInt() > 50 && match.captured(1).toInt() < 60,
+             qPrintable(plaza.said()));
+    plaza.setAnywhere(true);
+    plaza.click({0.0F, 3.0F, 0.0F});
+    QVERIFY2(plaza.said().contains(QStringLiteral("No way leads there")), qPrintable(plaza.said()));
+    QCOMPARE(plaza.document.scene().places.size(), std::size_t{4}); // it is the artist's will
+}
+
+void TestGroundTools::placesHaveRoomForOne()
+{
+    Plaza plaza;
+    plaza.state.setTool(ToolId::BrushPath);
+    for (int i = 0; i < 40; ++i) {
+        plaza.key(Qt::Key_Minus);
+    }
+    plaza.click(kStreet);
+    QCOMPARE(plaza.document.scene().places.front().radius, 0.25F);
+}
+
+void TestGroundTools::findingIsTold()
+{
+    Plaza plaza;
+    QSignalSpy told(&plaza.state.ground(), &GroundFinder::findingChanged);
+    QVERIFY(!plaza.state.ground().isFinding());
+    (void)plaza.state.ground().soon();
+    QVERIFY(plaza.state.ground().isFinding());
+    QCOMPARE(told.count(), 1);
+    QVERIFY(told.first().front().toBool());
+    QTRY_COMPARE(told.count(), 2);
+    QVERIFY(!told.last().front().toBool() && !plaza.state.ground().isFinding());
+    QVERIFY(plaza.state.ground().soon() != nullptr);
 }
 
 CROWD_TEST(TestGroundTools)

@@ -19,10 +19,14 @@ GroundFinder::~GroundFinder() = default;
 
 void GroundFinder::forget()
 {
+    const bool wasFinding = m_builder.isBuilding();
     m_builder.cancel();
     m_plan = {};
     m_isBegun = false;
     m_found.reset();
+    if (wasFinding) {
+        Q_EMIT findingChanged(false);
+    }
 }
 
 void GroundFinder::begin()
@@ -40,7 +44,9 @@ void GroundFinder::begin()
                 m_found = built.value();
                 Q_EMIT changed();
             }
+            Q_EMIT findingChanged(false);
         });
+        Q_EMIT findingChanged(true);
     }
 }
 

@@ -24,10 +24,13 @@ public:
     /// Waits until it is there, which may take seconds: `waiting` tells. Null: there is only open
     /// ground.
     [[nodiscard]] model::WalkableGroundPtr wait();
+    [[nodiscard]] bool isFinding() const { return m_builder.isBuilding(); } ///< in the background
 
 Q_SIGNALS:
     /// It is there now.
     void changed();
+    /// It is being found from now on, or no longer.
+    void findingChanged(bool isFinding);
     /// It is being found, and somebody waits; or that is over.
     void waiting(bool isWaiting);
 

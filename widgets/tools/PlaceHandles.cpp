@@ -90,9 +90,7 @@ public:
             click(input);
             return;
         }
-        if (m_isRefused) {
-            m_context.state.showStatus(model::reasonText(m_reason));
-        }
+        m_context.state.showStatus(m_isRefused ? model::reasonText(m_reason) : QString());
         const auto edit = std::move(m_edit);
         edit->commit(m_hit.isBorder ? PlaceHandlesText::tr("Resize a place")
                                     : PlaceHandlesText::tr("Move %n place(s)", nullptr,

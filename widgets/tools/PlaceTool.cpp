@@ -2,6 +2,7 @@
 #include "widgets/tools/PlaceTool.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
@@ -26,6 +27,9 @@ struct PlaceToolText
 /// Places of one drag lie this many radii apart, and at least a step.
 constexpr float kSpacingRadii = 2.5F;
 constexpr float kLeastSpacing = 1.0F;
+/// A way so many times as long as straight on, and so much longer, is worth a word.
+constexpr float kDetour = 2.0F;
+constexpr float kDetourMetres = 5.0F;
 
 std::array<std::uint8_t, 3> roleColor(model::PlaceRole role)
 {
@@ -103,8 +107,9 @@ private:
     {
         const auto ground = groundUnder(m_context, input);
         if (!ground) {
-            m_context.state.showStatus(
-                PlaceToolText::tr("Nothing to walk on there: that is a wall, or the sky."));
+            m_context.state.showStatus(PlaceToolText::tr(
+                "Nothing to walk on there: the pointer is on the sky, or on something upright. "
+                "Click on the ground beside it."));
             return;
         }
         const auto walkable = settings().anywhere ? nullptr : m_context.state.ground().wait();
@@ -114,6 +119,7 @@ private:
             return;
         }
         m_last = ground;
+        m_context.state.showStatus({}); // of the click before
         m_kind == BrushKind::Path ? extendPath(input, *ground) : addRole(*ground);
     }
 
@@ -150,6 +156,34 @@ private:
         });
         if (extended != 0) {
             followFromNowOn(extended);
+            sayWay(extended);
+        }
+    }
+
+    /// What is between the path's last two places, where one does not get straight from the one to
+    /// the other.
+    void sayWay(model::PathId id) const
+    {
+        const model::Scene& scene = m_context.state.scene();
+        const model::Path* path = scene.findPath(id);
+        const model::WalkableGroundPtr ground = m_context.state.ground().soon();
+        if (path == nullptr || path->places.size() < 2 || !ground) {
+            return;
+        }
+        const model::Place* from = scene.findPlace(*(path->places.end() - 2));
+        const model::Place* to = scene.findPlace(path->places.back());
+        if (from == nullptr || to == nullptr) {
+            return;
+        }
+        const auto metres = ground->wayMetres(from->position, to->position, to->radius);
+        const float straight = glm::distance(from->position, to->position);
+        if (metres && std::isinf(*metres)) {
+            m_context.state.showStatus(PlaceToolText::tr(
+                "No way leads there from the place before: characters go as near as they can."));
+        } else if (metres && *metres > kDetour * straight + kDetourMetres) {
+            m_context.state.showStatus(
+                PlaceToolText::tr("Something is in between: characters walk %1 m around it.")
+                    .arg(QLocale().toString(std::lround(*metres))));
         }
     }
 

@@ -3,6 +3,12 @@
 
 namespace crowd::model {
 
+namespace {
+
+constexpr float kLeastByKey = 0.25F; ///< metres: one person stands in it
+
+}
+
 void PlaceSettings::prepare(BrushSettings& brush)
 {
     brush.place()->anywhere = false;
@@ -14,7 +20,7 @@ MainNumber PlaceSettings::mainNumber(const BrushSettings& brush)
     return {QT_TRANSLATE_NOOP("BrushTexts", "Radius, m"),
             QT_TRANSLATE_NOOP("BrushTexts", "Radius: %1 m"),
             brush.place()->radiusMetres,
-            kMinPlaceRadius,
+            kLeastByKey,
             kMaxPlaceRadius,
             0.25,
             2};
