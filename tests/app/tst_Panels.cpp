@@ -26,6 +26,7 @@
 #include "model/pick/StageRays.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/docks/CueBar.h"
 #include "widgets/docks/RuleEditor.h"
 
 using namespace crowd;
@@ -504,6 +505,13 @@ void PanelsTest::rulesOpenWide()
     QVERIFY2(dock->width() >= 640, qPrintable(QString::number(dock->width())));
     QTRY_VERIFY(placeOf(editor).left() > placeOf(list).right());
     QVERIFY(placeOf(log).left() > placeOf(editor).right());
+    // A list of cues would leave a low panel's list of rules no room.
+    const auto* cues = dock->findChild<widgets::CueBar*>();
+    QVERIFY(placeOf(cues).left() > placeOf(editor).right());
+    m_window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    QTRY_VERIFY(placeOf(cues).bottom() < placeOf(list).top());
+    m_window->addDockWidget(Qt::BottomDockWidgetArea, dock);
+    QTRY_VERIFY(placeOf(cues).left() > placeOf(editor).right());
     QStringList cut;
     QVERIFY2(QTest::qWaitFor([&] { return (cut = cutTexts(*dock)).isEmpty(); }),
              qPrintable(cut.join(QStringLiteral(" | "))));

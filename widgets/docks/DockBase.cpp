@@ -14,6 +14,8 @@ namespace crowd::widgets {
 
 namespace {
 
+constexpr int kFloatShift = 24; ///< logical pixels
+
 /// The same widgets of two panels that were made by the same lines; none where they differ.
 template<class Widget>
 std::vector<std::pair<Widget*, Widget*>> pairs(const QWidget& before, const QWidget& now)
@@ -52,6 +54,13 @@ DockBase::DockBase(const QString& title, const char* objectName, QWidget* parent
     : QDockWidget(title, parent)
 {
     setObjectName(QLatin1String(objectName));
+    if (auto* button = findChild<QAbstractButton*>(QStringLiteral("qt_dockwidget_floatbutton"))) {
+        connect(button, &QAbstractButton::clicked, this, [this] {
+            if (isFloating()) { // where it was it would look as before
+                move(pos() + QPoint(kFloatShift, -kFloatShift));
+            }
+        });
+    }
 }
 
 void setUpOutline(QTreeWidget& tree)

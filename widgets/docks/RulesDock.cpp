@@ -73,7 +73,8 @@ void RulesDock::buildContent()
     m_columns->setSpacing(kColumnGap);
     addColumn([this, content](QVBoxLayout& rules) {
         rules.addWidget(m_commands->makeButtons(content));
-        rules.addWidget(new CueBar(m_state, content));
+        m_cues = new CueBar(m_state, content);
+        rules.addWidget(m_cues);
         setUpList();
         rules.addWidget(m_list);
         addNotes(rules);
@@ -114,11 +115,15 @@ void RulesDock::addLog(QVBoxLayout& layout, QWidget* content)
 void RulesDock::arrangeColumns()
 {
     const bool isWide = width() >= kWideFrom;
+    // Cues that take several lines leave a low panel's list no room.
+    auto* first = static_cast<QVBoxLayout*>(m_columns->itemAt(0)->layout());
+    auto* last = static_cast<QVBoxLayout*>(m_columns->itemAt(m_columns->count() - 1)->layout());
+    (isWide ? last : first)->insertWidget(isWide ? 0 : 1, m_cues);
     m_columns->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     for (int i = 0; i < m_columns->count(); ++i) {
         // In a single one the log takes what is left.
         const bool isLog = i == m_columns->count() - 1;
-        const int wide = isLog ? 2 : 4; // sentences and fields want the most
+        const int wide = isLog ? 3 : 4; // sentences and fields want the most
         m_columns->setStretch(i, isWide ? wide : isLog ? 1 : 0);
     }
 }

@@ -19,6 +19,8 @@ class QVBoxLayout;
 
 namespace crowd::widgets {
 
+class CueBar;
+
 /// The rules of the scene as sentences, the first ones the most important; the chosen one is built
 /// from menus below. Counts how often each fires while it plays and keeps a log. Every change is
 /// one undo step.
@@ -64,6 +66,7 @@ private:
     // Children of this widget.
     QBoxLayout* m_columns = nullptr;
     QListWidget* m_list;
+    CueBar* m_cues = nullptr;
     RuleCommands* m_commands;
     QLabel* m_note;
     QWidget* m_editorArea;
