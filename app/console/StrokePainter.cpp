@@ -58,6 +58,13 @@ void StrokePainter::move(const model::PointerInput& input)
     }
 }
 
+void StrokePainter::pass(const model::PointerInput& input)
+{
+    if (m_stroke) {
+        m_stroke->pass(input);
+    }
+}
+
 void StrokePainter::release()
 {
     if (m_stroke) {

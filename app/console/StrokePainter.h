@@ -27,6 +27,7 @@ public:
                              const model::BrushSettings& settings, std::uint64_t seed,
                              const model::PointerInput& press) override;
     void move(const model::PointerInput& input) override;
+    void pass(const model::PointerInput& input) override;
     void release() override;
     void cancel() override;
     [[nodiscard]] bool isPainting() const override { return m_link != nullptr; }

@@ -6,11 +6,39 @@
 #include "tests/program/Test.h"
 #include "tests/widgets/Hand.h"
 #include "widgets/tools/BrushTool.h"
+#include "widgets/tools/ScriptPainter.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
 using crowd::testing::Hand;
 using crowd::testing::kCenter;
+
+namespace {
+
+/// What a script brush would be told.
+class Listener : public ScriptPainter
+{
+public:
+    [[nodiscard]] bool begin(const model::BrushContext& /*context*/,
+                             const model::BrushSettings& settings, std::uint64_t /*seed*/,
+                             const model::PointerInput& /*press*/) override
+    {
+        selection = settings.selection;
+        return true;
+    }
+    void move(const model::PointerInput& /*input*/) override { ++moves; }
+    void pass(const model::PointerInput& /*input*/) override { ++passes; }
+    void release() override {}
+    void cancel() override {}
+    [[nodiscard]] bool isPainting() const override { return false; }
+    [[nodiscard]] int affected() const override { return 3; }
+
+    model::BrushSelection selection{};
+    int moves = 0;
+    int passes = 0;
+};
+
+} // namespace
 
 class TestBrushTool : public QObject
 {
@@ -28,6 +56,8 @@ private Q_SLOTS:
     void newBrushesSpareSkinAndVaryFaces();
     void paperMappingGivesEachButtonItsSelection_data();
     void paperMappingGivesEachButtonItsSelection();
+    void scriptBrushesShowTheirArea_data();
+    void scriptBrushesShowTheirArea();
     void keysChangeSizeAndMainNumber();
     void wheelWithControlResizes();
     void shiftDragResizesAndEscapeRestores();
@@ -217,6 +247,66 @@ void TestBrushTool::paperMappingGivesEachButtonItsSelection()
     QCOMPARE(hand.tools.picture().rectangle.has_value(), pressed == Qt::RightButton);
     hand.release(kCenter + QPointF(60.0, 40.0), pressed);
     QCOMPARE(hand.document.undoStack().count(), 1);
+}
+
+void TestBrushTool::scriptBrushesShowTheirArea_data()
+{
+    QTest::addColumn<int>("selection");
+    QTest::addColumn<int>("mapping");
+    QTest::addColumn<int>("pressed");
+    const auto row = [](const char* name, model::BrushSelection selection, ButtonMapping mapping,
+                        model::BrushSelection pressed) {
+        QTest::newRow(name) << static_cast<int>(selection) << static_cast<int>(mapping)
+                            << static_cast<int>(pressed);
+    };
+    using model::BrushSelection;
+    row("lasso", BrushSelection::Lasso, ButtonMapping::Standard, BrushSelection::Lasso);
+    row("rectangle", BrushSelection::Rectangle, ButtonMapping::Standard, BrushSelection::Rectangle);
+    row("spray", BrushSelection::Spray, ButtonMapping::Standard, BrushSelection::Spray);
+    row("point of the paper", BrushSelection::Lasso, ButtonMapping::Paper, BrushSelection::Point);
+}
+
+void TestBrushTool::scriptBrushesShowTheirArea()
+{
+    QFETCH(int, selection);
+    QFETCH(int, mapping);
+    QFETCH(int, pressed);
+    Hand hand;
+    Listener painter;
+    ScriptBrush script;
+    script.settings.as<model::ScriptSettings>().brush = "Listener";
+    script.settings.selection = static_cast<model::BrushSelection>(selection);
+    hand.state.setScriptPainter(&painter);
+    hand.state.putScriptBrush(script);
+    hand.state.chooseScriptBrush("Listener");
+    ViewOptions options = hand.state.viewOptions();
+    options.buttons = static_cast<ButtonMapping>(mapping);
+    hand.state.setViewOptions(options);
+    hand.state.setTool(ToolId::BrushScript);
+    hand.press(kCenter);
+    QCOMPARE(static_cast<int>(painter.selection), pressed);
+    for (int step = 1; step <= 20; ++step) {
+        hand.move(kCenter + QPointF(step * 3.0, step % 5 * 4.0));
+    }
+    const auto area = static_cast<model::BrushSelection>(pressed);
+    const ToolPicture& picture = hand.tools.picture();
+    const bool isLasso = area == model::BrushSelection::Lasso;
+    QCOMPARE(picture.outlines.size(), isLasso ? std::size_t{1} : std::size_t{0});
+    if (isLasso) {
+        QCOMPARE(picture.outlines.front().size(), 22);
+    }
+    QCOMPARE(picture.rectangle.has_value(), area == model::BrushSelection::Rectangle);
+    QVERIFY(picture.label.contains(u'3'));
+    const bool isWhole = isLasso || area == model::BrushSelection::Rectangle;
+    QCOMPARE(painter.moves, isWhole ? 0 : 20); // an area once a picture
+    QCOMPARE(painter.passes, isLasso ? 20 : 0);
+    hand.hover(kCenter + QPointF(60.0, 0.0));
+    QVERIFY(painter.moves > (isWhole ? 0 : 20));
+    const int moves = painter.moves;
+    hand.rest(0.1);
+    QCOMPARE(painter.moves == moves, isWhole);
+    hand.release(kCenter);
+    hand.state.setScriptPainter(nullptr);
 }
 
 void TestBrushTool::keysChangeSizeAndMainNumber()

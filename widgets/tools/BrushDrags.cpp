@@ -34,49 +34,77 @@ QString affectedText(BrushKind kind, int count)
                                        count);
 }
 
+PressedWay::Work PressedWay::moved(const ToolInput& input)
+{
+    m_current = input;
+    m_way << input.position();
+    if (!m_settings.isReevaluated()) {
+        return Work::Paint;
+    }
+    return m_settings.selection == BrushSelection::Lasso ? Work::Pass : Work::None;
+}
+
+PressedWay::Work PressedWay::rested(const ToolInput& resting, const glm::ivec2& painted)
+{
+    m_current = resting;
+    const bool isResting = painted == resting.pointer.grid;
+    return isResting && m_settings.isReevaluated() ? Work::None : Work::Paint;
+}
+
+void PressedWay::show(ToolPicture& picture, int affected) const
+{
+    showBrush(m_settings, m_current.position(), m_current.pointer.pressure, picture);
+    if (m_settings.selection == BrushSelection::Rectangle) {
+        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
+    }
+    if (m_settings.selection == BrushSelection::Lasso) {
+        picture.outlines.push_back(closed(m_way));
+    }
+    if (m_settings.isReevaluated() && m_settings.followsLine()) {
+        picture.gradient = QLineF(m_press.position(), m_current.position());
+    }
+    if (m_settings.isReevaluated() || m_settings.kind() == BrushKind::Create ||
+        m_settings.kind() == BrushKind::Script) {
+        picture.label = BrushDragsText::tr("%n characters", nullptr, affected);
+    }
+}
+
 StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings,
                        std::uint64_t seed, const ToolInput& press)
     : m_context(context),
       m_stroke(model::Stroke::begin(context.state.document(), context.queries.brushContext(),
                                     settings, seed, press.pointer)),
-      m_press(press), m_current(press), m_way{press.position()}
+      m_way(settings, press)
 {
 }
 
 void StrokeDrag::paint()
 {
     if (m_stroke) {
-        m_stroke->move(m_current.pointer);
+        m_stroke->move(m_way.pointer());
     }
 }
 
 void StrokeDrag::update(const ToolInput& input)
 {
-    m_current = input;
-    if (!m_stroke) {
-        return;
-    }
-    m_way << input.position();
-    // What is evaluated anew from press to here need not be for places that no picture shows.
-    if (!m_stroke->settings().isReevaluated()) {
+    const PressedWay::Work work = m_way.moved(input);
+    if (work == PressedWay::Work::Paint) {
         paint();
-    } else if (m_stroke->settings().selection == BrushSelection::Lasso) {
+    } else if (work == PressedWay::Work::Pass && m_stroke) {
         m_stroke->pass(input.pointer);
     }
 }
 
 void StrokeDrag::tick(const ToolInput& resting, double /*elapsedSeconds*/)
 {
-    const bool isResting = m_stroke && m_stroke->current().grid == resting.pointer.grid;
-    m_current = resting;
-    if (!isResting || !m_stroke->settings().isReevaluated()) {
+    if (m_stroke && m_way.rested(resting, m_stroke->current().grid) == PressedWay::Work::Paint) {
         paint();
     }
 }
 
 void StrokeDrag::release(const ToolInput& input)
 {
-    m_current = input;
+    m_way.ended(input);
     paint();
     if (!m_stroke) {
         return;
@@ -103,29 +131,14 @@ void StrokeDrag::cancel()
 
 void StrokeDrag::show(ToolPicture& picture) const
 {
-    if (!m_stroke) {
-        return;
-    }
-    const BrushSettings& settings = m_stroke->settings();
-    showBrush(settings, m_current.position(), m_current.pointer.pressure, picture);
-    if (settings.selection == BrushSelection::Rectangle) {
-        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
-    }
-    if (settings.selection == BrushSelection::Lasso) {
-        picture.outlines.push_back(closed(m_way));
-    }
-    if (settings.isReevaluated() && settings.followsLine()) {
-        picture.gradient = QLineF(m_press.position(), m_current.position());
-    }
-    if (settings.isReevaluated() || settings.kind() == BrushKind::Create) {
-        picture.label = BrushDragsText::tr("%n characters", nullptr, m_stroke->affected());
+    if (m_stroke) {
+        m_way.show(picture, m_stroke->affected());
     }
 }
 
-ScriptStrokeDrag::ScriptStrokeDrag(const ToolContext& context, ScriptPainter& painter,
+ScriptStrokeDrag::ScriptStrokeDrag(ScriptPainter& painter, const BrushSettings& settings,
                                    const ToolInput& press)
-    : m_painter(painter), m_settings(context.state.brush(BrushKind::Script)), m_press(press),
-      m_current(press)
+    : m_painter(painter), m_way(settings, press), m_painted(press.pointer.grid)
 {
 }
 
@@ -134,22 +147,35 @@ ScriptStrokeDrag::~ScriptStrokeDrag()
     cancel();
 }
 
+void ScriptStrokeDrag::paint()
+{
+    if (!m_isOver) {
+        m_painted = m_way.pointer().grid;
+        m_painter.move(m_way.pointer());
+    }
+}
+
 void ScriptStrokeDrag::update(const ToolInput& input)
 {
-    m_current = input;
-    if (!m_isOver) {
-        m_painter.move(input.pointer);
+    const PressedWay::Work work = m_way.moved(input);
+    if (work == PressedWay::Work::Paint) {
+        paint();
+    } else if (work == PressedWay::Work::Pass && !m_isOver) {
+        m_painter.pass(input.pointer);
     }
 }
 
 void ScriptStrokeDrag::tick(const ToolInput& resting, double /*elapsedSeconds*/)
 {
-    update(resting);
+    if (m_way.rested(resting, m_painted) == PressedWay::Work::Paint) {
+        paint();
+    }
 }
 
 void ScriptStrokeDrag::release(const ToolInput& input)
 {
-    update(input);
+    m_way.ended(input);
+    paint();
     if (!m_isOver) {
         m_isOver = true;
         m_painter.release();
@@ -166,11 +192,7 @@ void ScriptStrokeDrag::cancel()
 
 void ScriptStrokeDrag::show(ToolPicture& picture) const
 {
-    showBrush(m_settings, m_current.position(), m_current.pointer.pressure, picture);
-    if (m_settings.selection == BrushSelection::Rectangle) {
-        picture.rectangle = QRectF(m_press.position(), m_current.position()).normalized();
-    }
-    picture.label = BrushDragsText::tr("%n characters", nullptr, m_painter.affected());
+    m_way.show(picture, m_painter.affected());
 }
 
 ResizeDrag::ResizeDrag(const ToolContext& context, BrushKind kind, const ToolInput& press)

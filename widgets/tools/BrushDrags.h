@@ -10,6 +10,34 @@
 
 namespace crowd::widgets {
 
+/// Where the pointer went while a brush was pressed, and what there is to see of it.
+class PressedWay
+{
+public:
+    PressedWay(const model::BrushSettings& settings, const ToolInput& press)
+        : m_settings(settings), m_press(press), m_current(press), m_way{press.position()}
+    {
+    }
+
+    /// What is to be done there, now or later: no picture shows the places in between, and so
+    /// what is evaluated anew from press to here need not be there.
+    enum class Work { Paint, Pass, None };
+    [[nodiscard]] Work moved(const ToolInput& input);
+    /// Time goes on; `painted`: where it was painted last.
+    [[nodiscard]] Work rested(const ToolInput& resting, const glm::ivec2& painted);
+    void ended(const ToolInput& input) { m_current = input; }
+
+    [[nodiscard]] const model::BrushSettings& settings() const { return m_settings; }
+    [[nodiscard]] const model::PointerInput& pointer() const { return m_current.pointer; }
+    void show(ToolPicture& picture, int affected) const;
+
+private:
+    model::BrushSettings m_settings;
+    ToolInput m_press;
+    ToolInput m_current;
+    QPolygonF m_way;
+};
+
 /// A stroke of the brush: applied while the button is held, one undo step on release, none after
 /// Escape. Says why when nothing came of it.
 class StrokeDrag : public DragSession
@@ -29,9 +57,7 @@ private:
 
     ToolContext m_context;
     std::unique_ptr<model::Stroke> m_stroke;
-    ToolInput m_press;
-    ToolInput m_current;
-    QPolygonF m_way; ///< of the pointer
+    PressedWay m_way;
 };
 
 /// A stroke of a script brush: it goes on, and is taken back, where scripts run.
@@ -39,7 +65,8 @@ class ScriptStrokeDrag : public DragSession
 {
 public:
     /// The painter has begun the stroke.
-    ScriptStrokeDrag(const ToolContext& context, ScriptPainter& painter, const ToolInput& press);
+    ScriptStrokeDrag(ScriptPainter& painter, const model::BrushSettings& settings,
+                     const ToolInput& press);
     ~ScriptStrokeDrag() override;
 
     void update(const ToolInput& input) override;
@@ -49,10 +76,11 @@ public:
     void show(ToolPicture& picture) const override;
 
 private:
+    void paint();
+
     ScriptPainter& m_painter;
-    model::BrushSettings m_settings;
-    ToolInput m_press;
-    ToolInput m_current;
+    PressedWay m_way;
+    glm::ivec2 m_painted; ///< where it did so last
     bool m_isOver = false;
 };
 

@@ -156,7 +156,7 @@ DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& inpu
     if (!painter->begin(m_context.queries.brushContext(), chosen, seed, input.pointer)) {
         return nullptr;
     }
-    return std::make_unique<ScriptStrokeDrag>(m_context, *painter, input);
+    return std::make_unique<ScriptStrokeDrag>(*painter, chosen, input);
 }
 
 void BrushTool::hover(const ToolInput& input, ToolPicture& picture) const

@@ -21,6 +21,8 @@ public:
                                      const model::BrushSettings& settings, std::uint64_t seed,
                                      const model::PointerInput& press) = 0;
     virtual void move(const model::PointerInput& input) = 0;
+    /// The pointer passed here on its way, as of model::Stroke.
+    virtual void pass(const model::PointerInput& input) = 0;
     virtual void release() = 0;
     /// Takes everything back, also after the release.
     virtual void cancel() = 0;
