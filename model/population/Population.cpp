@@ -91,6 +91,8 @@ void Population::add(const IndividualRows& rows)
 
     // fromNew[row]: whether the merged row comes from `rows`.
     std::vector<bool> fromNew(total);
+    const auto firstNew =
+        static_cast<std::size_t>(std::ranges::lower_bound(ids, rows.ids.front()) - ids.begin());
     for (std::size_t row = 0, next = 0; row < total; ++row) {
         fromNew[row] = next < rows.ids.size() && ids[row] == rows.ids[next];
         next += fromNew[row] ? 1 : 0;
@@ -109,7 +111,7 @@ void Population::add(const IndividualRows& rows)
         m_columns[c] = SharedVector(std::move(merged));
     }
     m_ids = SharedVector(std::move(ids));
-    stampAll();
+    stampFrom(firstNew);
 }
 
 void Population::append(const IndividualRows& rows)
@@ -120,7 +122,7 @@ void Population::append(const IndividualRows& rows)
         std::vector<std::byte>& column = m_columns[c].writable();
         column.insert(column.end(), rows.bytes[c].begin(), rows.bytes[c].end());
     }
-    stampAll();
+    stampFrom(ids.size() - rows.ids.size());
 }
 
 IndividualRows Population::remove(std::span<const IndividualId> ids)
@@ -147,7 +149,7 @@ IndividualRows Population::remove(std::span<const IndividualId> ids)
         m_columns[c] = compacted(*m_columns[c], columnInfo(static_cast<ColumnId>(c)).stride);
     }
     m_ids = compacted(*m_ids, 1);
-    stampAll();
+    stampFrom(gone.front());
     return removed;
 }
 
@@ -222,12 +224,15 @@ void Population::stampBlocks()
     std::ranges::fill(m_blockVersions.writable(), m_version);
 }
 
-void Population::stampAll()
+/// Rows from this one on are others than before; those of earlier blocks are not.
+void Population::stampFrom(std::size_t row)
 {
     m_version = nextVersion();
     m_rowsVersion = m_version;
-    const std::size_t blocks = (size() + kBlockRows - 1) / kBlockRows;
-    m_blockVersions = SharedVector(std::vector<std::uint64_t>(blocks, m_version));
+    std::vector<std::uint64_t>& versions = m_blockVersions.writable();
+    versions.resize((size() + kBlockRows - 1) / kBlockRows);
+    const std::size_t first = std::min(row / kBlockRows, versions.size());
+    std::fill(versions.begin() + static_cast<std::ptrdiff_t>(first), versions.end(), m_version);
 }
 
 bool operator==(const Population& a, const Population& b)

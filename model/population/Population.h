@@ -115,7 +115,7 @@ private:
     template<class Row>
     void stampRows(std::span<const Row> rows);
     void stampBlocks();
-    void stampAll();
+    void stampFrom(std::size_t row);
 
     SharedVector<IndividualId> m_ids;
     std::array<SharedVector<std::byte>, kColumnCount> m_columns;

@@ -2,6 +2,8 @@
 #include "model/population/Population.h"
 #include "tests/program/Test.h"
 
+#include <numeric>
+
 #include <QtTest/QTest>
 
 using namespace crowd::model;
@@ -28,6 +30,7 @@ private Q_SLOTS:
     void putsRemovedRowsBackWhereTheyWere();
     void leavesCopiesAlone();
     void stampsOnlyTouchedBlocks();
+    void comingAndGoingStampsFromThereOn();
 };
 
 void tst_Population::addsInOrderOfId()
@@ -81,6 +84,39 @@ void tst_Population::stampsOnlyTouchedBlocks()
     QVERIFY(population.blockVersions()[1] > seen);
     QVERIFY(population.blockVersions()[2] <= seen);
     QVERIFY(population.rowsVersion() <= seen);
+}
+
+/// Whoever comes or goes leaves the blocks before him as they are.
+void tst_Population::comingAndGoingStampsFromThereOn()
+{
+    std::vector<IndividualId> ids(600);
+    std::iota(ids.begin(), ids.end(), IndividualId{1});
+    ids[400] = 1000;
+    std::ranges::sort(ids); // 401 is free
+    Population population;
+    population.add(people(ids));
+    std::uint64_t seen = population.version();
+    const auto stamped = [&] {
+        std::vector<bool> blocks;
+        for (const std::uint64_t version : population.blockVersions()) {
+            blocks.push_back(version > seen);
+        }
+        const bool isOrderNew = population.rowsVersion() > seen;
+        seen = population.version();
+        return std::pair(blocks, isOrderNew);
+    };
+    using Blocks = std::vector<bool>;
+    population.add(people({1001, 1002})); // behind all
+    QVERIFY(stamped() == std::pair(Blocks{false, false, true}, true));
+    population.add(people({401}));
+    QVERIFY(stamped() == std::pair(Blocks{false, true, true}, true));
+    (void)population.remove(std::vector<IndividualId>{599});
+    QVERIFY(stamped() == std::pair(Blocks{false, false, true}, true));
+    (void)population.remove(
+        std::vector<IndividualId>(population.ids().begin() + 256, population.ids().end()));
+    QVERIFY(stamped() == std::pair(Blocks{false}, true));
+    (void)population.remove(std::vector<IndividualId>{1});
+    QVERIFY(stamped() == std::pair(Blocks{true}, true));
 }
 
 CROWD_TEST(tst_Population)
