@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "model/document/SceneDelta.h"
+
 namespace crowd::model {
 
 namespace {
@@ -46,10 +48,11 @@ LastStrokes::LastStrokes(SceneDocument& document) : m_document(document)
     connect(&document, &SceneDocument::stepCommitted, this, &LastStrokes::note);
     connect(&document, &SceneDocument::changed, this, [this](const SceneChange& change) {
         if (std::holds_alternative<SceneReplaced>(change)) {
-            m_entries.clear();
+            forgetAll();
             Q_EMIT changed();
         }
     });
+    connect(&document, &SceneDocument::undoBudgetChanged, this, &LastStrokes::keepWithinBytes);
     connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
         if (!m_isLaying) {
             Q_EMIT changed();
@@ -106,13 +109,23 @@ std::span<const LastStrokes::Entry> LastStrokes::tail() const
 /// The oldest are forgotten first; they stay undo steps.
 void LastStrokes::keepWithinBytes()
 {
+    constexpr std::size_t kShareOfUndo = 4;
+    const std::size_t most = std::min(kMostBytes, m_document.undoMemory().budget() / kShareOfUndo);
     std::size_t bytes = 0;
-    const auto fits = [&bytes](const Entry& entry) {
-        bytes += bytesOf(entry.stroke);
-        return bytes <= kMostBytes;
+    const auto fits = [&bytes, most](const Entry& entry) {
+        const std::size_t with = bytes + bytesOf(entry.stroke);
+        bytes = with <= most ? with : bytes;
+        return with <= most;
     };
     const auto first = std::find_if_not(m_entries.rbegin(), m_entries.rend(), fits).base();
     m_entries.erase(m_entries.begin(), first);
+    m_document.countBesideUndo(bytes);
+}
+
+void LastStrokes::forgetAll()
+{
+    m_entries.clear();
+    m_document.countBesideUndo(0);
 }
 
 /// The undo stack's index before an entry.
@@ -138,6 +151,20 @@ StrokeOutcome LastStrokes::lay(Entry& entry, const BrushContext& context)
     entry.step = outcome.isCommitted ? std::optional(step) : std::nullopt;
     entry.affected = outcome.affected;
     return outcome;
+}
+
+bool LastStrokes::comesToTheSame(const StepCommitted& step) const
+{
+    if (!m_context || step.stroke->selected.empty()) {
+        return false;
+    }
+    Scene before = m_document.scene();
+    applyDelta(before, *step.delta, DeltaDirection::Undo, [](const SceneChange&) {});
+    SceneDocument again;
+    again.replaceScene(std::move(before), {});
+    const BrushContext context = m_context();
+    (void)replay(again, context.keyframes, context.stage, *step.stroke, context.ground);
+    return again.scene().population == m_document.scene().population;
 }
 
 StrokeOutcome LastStrokes::layAnew(std::size_t index, const BrushSettings& settings,
@@ -187,6 +214,7 @@ StrokeOutcome LastStrokes::replace(std::size_t index, Entry fresh)
         }
         (void)lay(m_entries[later], context);
     }
+    keepWithinBytes();
     return outcome;
 }
 

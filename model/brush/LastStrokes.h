@@ -16,7 +16,8 @@ namespace crowd::model {
 
 /// The last strokes of a document, which can be laid anew with other settings: those that the
 /// latest undo steps are, without another edit between them. Each stays one undo step. Undone ones
-/// come back when they are redone. So many are kept as fit into kMostBytes. Main thread; the
+/// come back when they are redone. So many are kept as fit into kMostBytes and a quarter of the
+/// memory for undo, which includes them. Main thread; the
 /// document outlives it.
 class LastStrokes : public QObject
 {
@@ -43,6 +44,9 @@ public:
 
     /// Those that can be laid anew, oldest first. Good until the next edit.
     [[nodiscard]] std::span<const Entry> tail() const;
+    /// Whether a stroke that was just committed, replayed with whom it selected, comes to the same
+    /// on the scene as it was before, wherever people were on screen. Takes as long as the stroke.
+    [[nodiscard]] bool comesToTheSame(const StepCommitted& step) const;
     /// Lays one of tail() anew, and those after it again. Whom it selected is kept where its area
     /// is the same, so that it is right also for people who were elsewhere in a session; another
     /// area selects in the recorded view. Where nobody is changed, all stays as it was; of those
@@ -55,6 +59,7 @@ Q_SIGNALS:
 private:
     void note(const StepCommitted& step);
     void keepWithinBytes();
+    void forgetAll();
     [[nodiscard]] std::size_t tailBegin() const;
     [[nodiscard]] std::size_t tailEnd() const;
     [[nodiscard]] int stepOf(std::size_t entry) const;

@@ -29,6 +29,11 @@ SceneDocument::~SceneDocument()
     m_undoStack.blockSignals(true);
 }
 
+void SceneDocument::countBesideUndo(std::size_t bytes)
+{
+    m_undoMemory.setHeldBeside(bytes);
+}
+
 void SceneDocument::setUndoBudget(std::size_t bytes)
 {
     m_undoMemory.setBudget(bytes);

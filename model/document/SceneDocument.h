@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const UndoMemory& undoMemory() const { return m_undoMemory; }
     /// Takes effect at once; all steps are kept.
     void setUndoBudget(std::size_t bytes);
+    /// Memory that others keep for the sake of its steps; the budget includes it.
+    void countBesideUndo(std::size_t bytes);
 
     /// Takes another scene (New, Open); clears the undo stack and interrupts an open edit.
     void replaceScene(Scene scene, const QString& path);

@@ -19,10 +19,16 @@ void UndoMemory::setBudget(std::size_t bytes)
     keepWithinBudget();
 }
 
+void UndoMemory::setHeldBeside(std::size_t bytes)
+{
+    m_beside = bytes;
+    keepWithinBudget();
+}
+
 void UndoMemory::keepWithinBudget()
 {
     m_problem = {};
-    while (m_bytes > m_limits.bytes && m_recent.size() > 1) {
+    while (bytes() > m_limits.bytes && m_recent.size() > 1) {
         if (const Result<void> left = m_recent.front()->leaveMemory(); !left) {
             m_problem = left.error().said;
             return;

@@ -33,8 +33,11 @@ public:
 
     /// What exceeds it now goes to disk at once.
     void setBudget(std::size_t bytes);
-    /// Held in memory by all deltas, without assets (they are shared).
-    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+    [[nodiscard]] std::size_t budget() const { return m_limits.bytes; }
+    /// Held by others for the sake of undo steps: counted, and never put to disk.
+    void setHeldBeside(std::size_t bytes);
+    /// Held in memory by all deltas and beside them, without assets (they are shared).
+    [[nodiscard]] std::size_t bytes() const { return m_bytes + m_beside; }
     [[nodiscard]] std::uint64_t bytesOnDisk() const { return m_file.bytes(); }
     /// Why the budget is exceeded; empty while it is kept.
     [[nodiscard]] const Message& problem() const { return m_problem; }
@@ -48,6 +51,7 @@ private:
     SpillFile m_file;
     std::list<StoredDelta*> m_recent; ///< in memory and able to leave it; used last at the end
     std::size_t m_bytes = 0;
+    std::size_t m_beside = 0;
     Message m_problem;
 };
 

@@ -223,6 +223,13 @@ void tst_LastStrokes::soManyAreKeptAsFit()
         QCOMPARE(scene.strokes.tail().size(), kept);
     }
     QCOMPARE(scene.document.undoStack().index(), 5); // as undo steps all stay
+    const std::size_t each = LastStrokes::kMostBytes / 5 * 2;
+    QVERIFY(scene.document.undoMemory().bytes() > 2 * each); // and the strokes are counted
+    scene.document.setUndoBudget(4 * each + 4 * each / 2);
+    QCOMPARE(scene.strokes.tail().size(), 1U);
+    QVERIFY(scene.document.undoMemory().bytes() < 2 * each);
+    scene.document.replaceScene({}, {});
+    QCOMPARE(scene.document.undoMemory().bytes(), std::size_t{0});
 }
 
 void tst_LastStrokes::undoneOnesComeBackWhenRedone()
