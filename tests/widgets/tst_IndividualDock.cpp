@@ -86,6 +86,7 @@ private Q_SLOTS:
     void everyPlainNumberHasARow();
     void clipsAreComparedByName();
     void nonsenseIsIgnored();
+    void whatIsRefusedIsShownNoLonger();
     void aClipGoesToThoseWhoHaveIt();
     void aTemplateIsExchangedForAll();
     void tagsAreWrittenAsNumbers();
@@ -196,6 +197,25 @@ void IndividualDockTest::nonsenseIsIgnored()
     type(*height, QStringLiteral("tall"));
     QCOMPARE(desk.document.undoStack().count(), steps);
     QCOMPARE(height->text(), shown);
+}
+
+void IndividualDockTest::whatIsRefusedIsShownNoLonger()
+{
+    IndividualDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(testing::addPeople(desk.document, 1));
+    auto* clip = fieldBeside<QComboBox>(*desk.dock, QStringLiteral("Clip"));
+    auto* height = fieldBeside<NumberField>(*desk.dock, QStringLiteral("Height"));
+    QVERIFY(clip != nullptr && height != nullptr);
+    QTRY_COMPARE(clip->count(), 3);
+    const QString was = clip->currentText();
+    const QString tall = height->text();
+    const auto open = desk.document.beginEdit().value(); // a script's, say
+    chooseEntry(*clip,
+                was == QLatin1String("rise") ? QStringLiteral("sit") : QStringLiteral("rise"));
+    type(*height, QLocale().toString(1.25, 'f', 2));
+    QTRY_COMPARE(clip->currentText(), was);
+    QTRY_COMPARE(height->text(), tall);
 }
 
 void IndividualDockTest::aClipGoesToThoseWhoHaveIt()

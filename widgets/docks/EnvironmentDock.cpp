@@ -80,6 +80,8 @@ void EnvironmentDock::followTree()
         showProblem();
         m_scroll.start();
     });
+    connect(&m_state.document(), &model::SceneDocument::editRefused, this,
+            &EnvironmentDock::refreshForm, Qt::QueuedConnection);
     connect(&m_state.session(), &SessionControl::problemsChanged, this, [this] {
         m_tree->showProblems();
         showProblem();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QtCore/QSettings>
+#include <QtCore/QTimer>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QToolButton>
@@ -43,6 +44,9 @@ void FieldForm::change(const Bound& bound, const std::function<void(void*)>& app
 void FieldForm::setValue(const Bound& bound, model::FieldValue value)
 {
     change(bound, [&](void* object) { bound.field->set(object, value); });
+    if (!m_isRefreshing && !(this->value(bound) == value)) {
+        QTimer::singleShot(0, this, &FieldForm::refresh); // refused: the control says what it is
+    }
 }
 
 void FieldForm::addFields(std::span<const model::FieldInfo> fields, const FieldPath& path,

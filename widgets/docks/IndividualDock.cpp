@@ -135,6 +135,7 @@ void IndividualDock::connectState()
     };
     connect(&m_state.selection(), &Selection::changed, this, later);
     connect(&m_state.document(), &model::SceneDocument::changed, this, later);
+    connect(&m_state.document(), &model::SceneDocument::editRefused, this, later);
     connect(m_template, &QComboBox::activated, this, [this](int index) {
         m_write.setTemplate(static_cast<model::TemplateId>(m_template->itemData(index).toUInt()));
     });
