@@ -41,6 +41,19 @@ bool bakeAllShown(const Scene& scene, KeyframeStore& keyframes, bool mayWait)
     return areComplete || mayWait;
 }
 
+Result<void> checkSelected(const Population& people,
+                           const std::vector<std::vector<IndividualId>>& selected)
+{
+    for (const std::vector<IndividualId>& dab : selected) {
+        const auto unknown = std::ranges::find_if(
+            dab, [&people](IndividualId id) { return people.rowOf(id) == Population::npos; });
+        if (unknown != dab.end()) {
+            return Error{"selected: there is no individual " + std::to_string(*unknown) + '.'};
+        }
+    }
+    return {};
+}
+
 Error takenBack()
 {
     return Error{"The stroke was taken back."};
@@ -97,7 +110,7 @@ Result<void> HeldStroke::begin(ScriptChange* change)
         context.keepGoing = [this](double share) { return goesOn(share); };
     }
     auto stroke = Stroke::begin(m_script.document(), context, m_recording.settings,
-                                m_recording.seed, m_recording.inputs.front());
+                                m_recording.seed, m_recording.inputs.front(), &m_recording);
     if (!stroke) {
         return Error{"Something else is being edited: try again when that has ended."};
     }
@@ -202,6 +215,9 @@ Result<StrokeOutcome> paintStroke(ScriptScene& script, const ScriptStroke& strok
         return camera.error();
     }
     auto valid = checkBrush(stroke.settings);
+    if (valid) {
+        valid = checkSelected(now->population, stroke.selected);
+    }
     if (valid && !stroke.allowsMissing) {
         valid = checkReferences(*now, stroke.settings);
     }
@@ -221,6 +237,8 @@ Result<StrokeOutcome> paintStroke(ScriptScene& script, const ScriptStroke& strok
     recording.camera = camera.value();
     recording.viewSize = stroke.viewSize;
     recording.inputs = stroke.inputs;
+    recording.selected = stroke.selected;
+    recording.isExact = stroke.selected.empty();
     if (stroke.settings.kind() == BrushKind::Script) {
         return scriptStroke(script, recording, paint, keepGoing);
     }

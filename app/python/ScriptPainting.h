@@ -20,6 +20,8 @@ struct ScriptStroke
     glm::vec2 viewSize{1280.0F, 720.0F};
     std::uint64_t seed = 1;
     bool allowsMissing = false; ///< the brush may name what the scene does not have
+    /// Whom each dab means, as RecordedStroke has it; none: it selects them itself.
+    std::vector<std::vector<model::IndividualId>> selected{};
 };
 
 using PaintWork = std::function<void(ScriptStrokeLink& dabs)>;

@@ -60,6 +60,39 @@ std::vector<PointerInput> inputsFrom(const py::object& points, double shownSecon
     return inputs;
 }
 
+/// Whom each dab means, from a mapping of its number to ids.
+std::vector<std::vector<IndividualId>> selectedFrom(const ScriptScene& scene,
+                                                    const py::object& given)
+{
+    constexpr std::int64_t kMostDabs = 1'000'000;
+    std::vector<std::vector<IndividualId>> selected;
+    if (given.is_none()) {
+        return selected;
+    }
+    if (!py::isinstance<py::dict>(given)) {
+        throw ScriptError("selected must be a dict: the number of a dab, from 0, and the ids that "
+                          "it means, as a recording has it.");
+    }
+    selected.resize(1); // an empty one means nobody
+    for (const auto& [key, ids] : given.cast<py::dict>()) {
+        const std::int64_t dab =
+            py::isinstance<py::int_>(key) ? PyLong_AsLongLong(key.ptr()) : std::int64_t{-1};
+        PyErr_Clear();
+        if (dab < 0 || dab >= kMostDabs) {
+            throw ScriptError("selected: " + py::repr(key).cast<std::string>() +
+                              " is no number of a dab: they count from 0, up to " +
+                              std::to_string(kMostDabs) + '.');
+        }
+        const auto at = static_cast<std::size_t>(dab);
+        selected.resize(std::max(selected.size(), at + 1));
+        std::vector<std::size_t> order;
+        auto& meant = selected[at];
+        meant = idsFrom(scene, py::reinterpret_borrow<py::object>(ids), order);
+        meant.erase(std::unique(meant.begin(), meant.end()), meant.end());
+    }
+    return selected;
+}
+
 /// The editor's own brush as it is; one that a script brings along with the area that it asks for.
 BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 {
@@ -91,7 +124,7 @@ BrushSettings settingsOf(const ScenePtr& scene, const py::object& brush)
 
 StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::object& points,
                      const CameraKey& camera, const std::pair<float, float>& size,
-                     std::uint64_t seed, double time, bool allowMissing,
+                     std::uint64_t seed, double time, bool allowMissing, const py::object& selected,
                      const LongCall::Listener& progress)
 {
     if (!(size.first >= 1.0F && size.second >= 1.0F && size.first <= 16384.0F &&
@@ -108,6 +141,10 @@ StrokeOutcome stroke(const ScenePtr& scene, const py::object& brush, const py::o
     request.viewSize = {size.first, size.second};
     request.seed = seed;
     request.allowsMissing = allowMissing;
+    request.selected = selectedFrom(*scene, selected);
+    if (!request.selected.empty() && request.settings.kind() == BrushKind::Create) {
+        throw ScriptError("selected means people there are: a brush that creates has none.");
+    }
     LongCall call(progress);
     const auto paint = [&](ScriptStrokeLink& dabs) {
         const py::module_ module = py::module_::import("crowdbrush");
@@ -133,12 +170,14 @@ void bindStrokes(py::module_& module, SceneClass& scene)
         "stroke", &stroke, py::arg("brush"), py::arg("points"), py::kw_only(),
         py::arg("camera") = CameraKey(), py::arg("size") = std::pair(1280.0F, 720.0F),
         py::arg("seed") = 1, py::arg("time") = 0.0, py::arg("allow_missing") = false,
-        py::arg("progress") = py::none(),
+        py::arg("selected") = py::none(), py::arg("progress") = py::none(),
         "Paints as the mouse does: points in logical pixels of a view of this size, "
         "rows of x, y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time "
         "of what was on screen, for all of them with time=. Raises Error where "
         "the brush names a group, template, path or clip that the scene does not have, unless "
-        "allow_missing: it paints all the same then, as the editor does. " CROWD_PROGRESS_DOC);
+        "allow_missing: it paints all the same then, as the editor does. selected: whom each dab "
+        "means, by its number, instead of those under it; recordings of strokes on people who "
+        "were elsewhere while it played have it. " CROWD_PROGRESS_DOC);
 }
 
 } // namespace crowd::app

@@ -1298,14 +1298,15 @@ class Scene:
         and so on. Raises Error where a member is wrong, or misspelt, or a rule names a clip
         or slot that no template has. strict=False takes what a project file may hold: members
         of a later version, clips of templates that are gone."""
-    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., allow_missing: bool = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
+    def stroke(self, brush: Union[Brush, Any], points: Array, *, camera: Union[None, str, Camera] = ..., size: Tuple[float, float] = ..., seed: int = ..., time: float = ..., allow_missing: bool = ..., selected: Any = ..., progress: Optional[Callable[[float], Any]] = ...) -> StrokeOutcome:
         """Paints as the mouse does: points in logical pixels of a view of this size, rows of x,
         y[, pressure[, time[, shown]]]; one undo step. shown: the transport's time of what was
         on screen, for all of them with time=. Raises Error where the brush names a group,
         template, path or clip that the scene does not have, unless allow_missing: it paints
-        all the same then, as the editor does. progress: is called with the share that is
-        done, 0 to 1, some times a second; what it raises, as Ctrl+C, ends the call, which
-        takes back what it did."""
+        all the same then, as the editor does. selected: whom each dab means, by its number,
+        instead of those under it; recordings of strokes on people who were elsewhere while it
+        played have it. progress: is called with the share that is done, 0 to 1, some times a
+        second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
     @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of

@@ -27,8 +27,8 @@ constexpr const char* kFoot = R"(
 if len(sys.argv) > 1:
     scene.save(sys.argv[1])
 )";
-constexpr const char* kNotExact =
-    "# A stroke that met characters whose animations were not ready yet: what came of it.\n";
+constexpr const char* kNotExact = "# A stroke that went by where characters were while it played, "
+                                  "or gave back what they had: what came of it.\n";
 
 std::string openingOf(const QString& startName, const QString& startPath, bool isEmpty)
 {
@@ -93,13 +93,24 @@ void Recorder::commit(const StepCommitted& step)
     m_left.reset();
     m_index = m_document.undoStack().index() + 1;
     m_script.end = m_index;
-    const bool isStroke =
-        step.stroke != nullptr && step.stroke->settings.kind() != BrushKind::Script;
-    if (isStroke && step.stroke->isExact) {
-        add(m_script.strokes.write(*step.stroke, m_document.scene()));
+    if (step.stroke != nullptr && step.stroke->settings.kind() != BrushKind::Script) {
+        addStroke(step);
     } else {
-        add((isStroke ? kNotExact : "") + deltaScript(*step.delta, step.text, m_document.scene()));
+        add(deltaScript(*step.delta, step.text, m_document.scene()));
     }
+}
+
+void Recorder::addStroke(const StepCommitted& step)
+{
+    const RecordedStroke& stroke = *step.stroke;
+    if (stroke.isExact || (m_proof && m_proof(step))) {
+        add(m_script.strokes.write(stroke, m_document.scene()));
+        return;
+    }
+    add(kNotExact + deltaScript(*step.delta, step.text, m_document.scene()));
+    const QString remark = tr("Recorded as what came of it, not as a stroke: %1.").arg(step.text);
+    QMetaObject::invokeMethod( // the status bar says first what the stroke did
+        this, [this, remark] { Q_EMIT remarked(remark); }, Qt::QueuedConnection);
 }
 
 void Recorder::takeStep(bool isUndo)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,15 +18,21 @@ namespace crowd::app {
 
 /// Writes down what is done to the document as Python that does it again: from the scene as it was
 /// at the start to the same bytes. Strokes are written as strokes, everything else by id; where a
-/// stroke could not be repeated exactly, what came of it. Ends with its scene. Main thread; the
-/// document outlives it.
+/// stroke could not be repeated exactly, even with whom it selected, what came of it. Ends with its
+/// scene. Main thread; the document outlives it.
 class Recorder : public QObject
 {
     Q_OBJECT
 
 public:
+    /// Whether a stroke that met people elsewhere comes to the same when whom it meant is said.
+    using Proof = std::function<bool(const model::StepCommitted&)>;
+
     explicit Recorder(model::SceneDocument& document, QObject* parent = nullptr);
     ~Recorder() override;
+
+    /// Empty: such strokes are written as what came of them.
+    void setProof(Proof proof) { m_proof = std::move(proof); }
 
     [[nodiscard]] bool isRecording() const { return m_isRecording; }
     /// Starting begins a new script.
@@ -51,6 +58,7 @@ private:
     void begin();
     void bringBack();
     void add(std::string text);
+    void addStroke(const model::StepCommitted& step);
     [[nodiscard]] bool startsEmpty() const;
 
     struct Script
@@ -71,6 +79,7 @@ private:
     };
 
     model::SceneDocument& m_document;
+    Proof m_proof;
     bool m_isRecording = false;
     Script m_script;
     int m_index = 0;                  ///< of the undo stack

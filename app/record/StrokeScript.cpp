@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/record/StrokeScript.h"
 
+#include <set>
+
 #include "app/python/BrushRules.h"
 #include "app/record/FieldScript.h"
 #include "app/record/ScriptText.h"
@@ -27,6 +29,27 @@ std::string points(const std::vector<PointerInput>& inputs)
                        pythonText(each.shownSeconds) + ')');
     }
     return pythonList(rows, 0);
+}
+
+/// ", selected={3: [7, 9]}": by number of the dab, and each of them once where the stroke changes
+/// nobody twice. Empty where it finds them itself.
+std::string selected(const RecordedStroke& stroke)
+{
+    if (stroke.isExact) {
+        return {};
+    }
+    std::set<IndividualId> met;
+    std::vector<std::string> dabs;
+    for (std::size_t dab = 0; dab < stroke.selected.size(); ++dab) {
+        std::vector<IndividualId> ids = stroke.selected[dab];
+        if (!stroke.settings.buildUp) {
+            std::erase_if(ids, [&met](IndividualId id) { return !met.insert(id).second; });
+        }
+        if (!ids.empty()) {
+            dabs.push_back(pythonText(dab) + ": " + pythonIds(ids, kIndent));
+        }
+    }
+    return ", selected=" + pythonList(dabs, 0, '{', '}');
 }
 
 } // namespace
@@ -66,7 +89,7 @@ std::string StrokeScript::write(const RecordedStroke& stroke, const Scene& scene
     }
     return text + "scene.stroke(" + variableOf(stroke.settings.kind()) + ", " +
            points(stroke.inputs) + ", camera=view, size=(" + pythonText(stroke.viewSize.x) + ", " +
-           pythonText(stroke.viewSize.y) + "), seed=" + pythonText(stroke.seed) +
+           pythonText(stroke.viewSize.y) + "), seed=" + pythonText(stroke.seed) + selected(stroke) +
            (checkReferences(scene, stroke.settings) ? ")\n" : ", allow_missing=True)\n");
 }
 

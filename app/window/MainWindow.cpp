@@ -229,6 +229,9 @@ void MainWindow::connectParts()
             &widgets::EditorState::showStatus);
     connect(&m_document, &model::SceneDocument::undoMemoryExceeded, this,
             [this](const QString& why) { warn(tr("Undo"), why); });
+    m_recorder.setProof([this](const model::StepCommitted& step) {
+        return m_state.strokes().comesToTheSame(step);
+    });
     connect(&m_recorder, &Recorder::remarked, &m_state, &widgets::EditorState::showStatus);
     connect(&m_state.session(), &widgets::SessionControl::posesKept, this, [this](int people) {
         m_state.showStatus(tr("%n characters are kept where they are", nullptr, people));

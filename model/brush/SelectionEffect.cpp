@@ -82,8 +82,10 @@ SelectionEffect::remembered(const std::function<std::vector<IndividualId>()>& se
         ids = select();
     } else if (m_selections < before->selected.size()) {
         ids = before->selected[m_selections];
-        std::erase_if(ids, [this](IndividualId id) {
-            return m_frame->population.rowOf(id) == Population::npos;
+        const Population& now = m_ground.edit->scene().population; // dabs before may have removed
+        std::erase_if(ids, [this, &now](IndividualId id) {
+            return m_frame->population.rowOf(id) == Population::npos ||
+                   now.rowOf(id) == Population::npos;
         });
     }
     ++m_selections;
@@ -185,6 +187,7 @@ std::vector<IndividualId> SelectionEffect::thinned(std::vector<IndividualId> ids
 void SelectionEffect::remove(std::vector<IndividualId> ids)
 {
     std::ranges::sort(ids);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end()); // told dabs may repeat them
     m_ground.edit->removeIndividuals(ids);
     count(ids);
 }

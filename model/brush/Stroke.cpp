@@ -165,6 +165,9 @@ bool Stroke::Private::seesStandIns() const
 {
     const KeyframeStore& keyframes = ground.context.keyframes;
     const KeyframeStore::Progress progress = keyframes.progress();
+    if (ground.settings.kind() == BrushKind::Create) {
+        return false; // it asks where the scene has people, and nothing of their clips
+    }
     return dependsOnThePast(ground.settings) || ground.context.pose || progress.pendingClips > 0 ||
            progress.isBudgetReached || progress.isPaused || keyframes.version() != bakedBefore;
 }

@@ -5,6 +5,7 @@
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtGui/QClipboard>
+#include <QtTest/QSignalSpy>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QToolButton>
 
@@ -79,6 +80,41 @@ void keepWhereWanted(const QString& script, const QString& scene)
     }
 }
 
+/// Nobody but a row of people who set out along a path, and no stage in their way.
+void makeWalkers(model::SceneDocument& document)
+{
+    const auto edit = document.beginEdit().value();
+    const model::Scene& scene = edit->scene();
+    const auto all = std::vector(scene.population.ids().begin(), scene.population.ids().end());
+    const auto walking = std::span(all).first(20);
+    edit->removeIndividuals(std::span(all).subspan(20));
+    model::Path path;
+    for (const float z : {-4.0F, 30.0F}) {
+        model::Place place;
+        place.position = {0.0F, 0.0F, z};
+        path.places.push_back(edit->addPlace(place));
+    }
+    const model::PathId id = edit->addPath(path);
+    std::vector<glm::vec3> feet;
+    for (int i = 0; i < 20; ++i) {
+        feet.emplace_back(static_cast<float>(i) - 10.0F, 0.0F, -6.0F);
+    }
+    edit->removeStage(scene.stages.front().id);
+    const model::SeatId none = model::kNoSeat;
+    edit->setColumn(model::columns::seat, walking, std::span<const model::SeatId>(&none, 1));
+    edit->setColumn(model::columns::position, walking, std::span<const glm::vec3>(feet));
+    edit->setColumn(model::columns::path, walking, std::span<const model::PathId>(&id, 1));
+    QVERIFY(edit->commit(QStringLiteral("Walkers")));
+}
+
+/// Whether somebody is two metres from where the scene has him.
+bool hasLeft(Editor& editor)
+{
+    const auto now = editor.state().frame()->population.column(model::columns::position);
+    const auto then = editor.state().scene().population.column(model::columns::position);
+    return glm::distance(now.front(), then.front()) > 2.0F;
+}
+
 /// A session with mouse and keys: every kind of brush, some of it while it plays, the selection,
 /// the individual panel, undo and redo.
 class Session
@@ -113,6 +149,13 @@ public:
         settings.as<crowd::model::ColourSettings>().blends = true;
         m_editor.state().setBrush(settings);
         m_editor.drag(at(0.2, 0.5), at(0.8, 0.55));
+    }
+    void shade()
+    {
+        auto settings = brush(model::BrushKind::Colour, model::BrushSelection::Rectangle);
+        settings.op = model::BrushOperator::Gradient;
+        m_editor.state().setBrush(settings);
+        m_editor.drag(at(0.1, 0.1), at(0.9, 0.9));
     }
     void rotate()
     {
@@ -196,6 +239,7 @@ class TestRecording : public QObject
 private Q_SLOTS:
     void init();
     void aSessionIsReplayedToTheSameBytesAndPicture();
+    void strokesOnWalkersAreStrokes();
     void everyKindOfEditHasItsLines();
     void brushesMayNameWhatIsGone();
     void undoingWhatCameBeforeStartsAnew();
@@ -274,6 +318,47 @@ void TestRecording::aSessionIsReplayedToTheSameBytesAndPicture()
     const QImage again = replayed.picture();
     QCOMPARE(again.size(), painted.size());
     QVERIFY2(again == painted, "the replayed scene looks different");
+}
+
+/// What a stroke says of people goes by whom it met; where it goes by where they were, it is said.
+void TestRecording::strokesOnWalkersAreStrokes()
+{
+    QTemporaryDir folder; // the theatre is another one then
+    const QString path = copyOfTheatre(folder);
+    const QString script = folder.filePath(QStringLiteral("walkers.py"));
+    {
+        Editor editor;
+        QVERIFY(editor.open(path));
+        makeWalkers(editor.window.document());
+        QVERIFY(editor.window.files().save());
+        (void)editor.picture();
+        editor.window.recorder().setRecording(true);
+        QSignalSpy remarks(&editor.window.recorder(), &app::Recorder::remarked);
+        editor.state().transport().setPlaying(true);
+        QTRY_VERIFY_WITH_TIMEOUT(hasLeft(editor), 20'000);
+        editor.state().transport().setPlaying(false);
+        Session session(editor);
+        session.paint();
+        session.recolour();
+        session.animate();
+        QCOMPARE(remarks.count(), 0);
+        session.shade(); // by where they are on screen
+        QTRY_COMPARE(remarks.count(), 1);
+        QVERIFY2(remarks.front().front().toString().contains(QStringLiteral("what came of it")),
+                 qPrintable(remarks.front().front().toString()));
+        editor.window.recorder().setRecording(false);
+        QVERIFY(editor.window.recorder().save(script));
+        QVERIFY(editor.window.files().save());
+    }
+    const QByteArray said = contentOf(script);
+    for (const char* part : {"scene.stroke(create_brush", "scene.stroke(colour_brush",
+                             "scene.stroke(animation_brush", "selected={"}) {
+        QVERIFY2(said.contains(part), part);
+    }
+    QCOMPARE(said.count("scene.stroke(colour_brush"), 1);
+    const QString again = folder.filePath(QStringLiteral("again.crowd"));
+    QCOMPARE(replayInProgram(script, again), QString());
+    QVERIFY2(contentOf(again) == contentOf(path), "the replay gives another scene");
 }
 
 /// Edits as the editor's parts make them, and odd ones: ids given out and taken back, seats and

@@ -50,6 +50,42 @@ class Strokes(unittest.TestCase):
         self.assertEqual(painted(3), painted(3))
         self.assertNotEqual(painted(3), painted(4))
 
+    def test_means_those_it_is_told_of(self):
+        scene = theatre()
+        ids = scene.ids
+        brush = Brush(BrushKind.COLOUR)
+        brush.selection = Selection.ALL_IN_CIRCLE
+        brush.colour.colors = [(9, 200, 10)]
+        brush.colour.strength = 1.0
+
+        def painted(**told):
+            outcome = scene.stroke(brush, [(1, 1), (30, 1)], size=SIZE, **told)
+            green = (scene.column("tint")[:, :, :3] == (9, 200, 10)).all(axis=2).any(axis=1)
+            green = scene.ids[green].tolist()
+            if outcome.committed:
+                scene.undo()
+            return green
+
+        self.assertEqual(painted(), [])
+        self.assertEqual(painted(selected={}), [])
+        self.assertEqual(painted(selected={0: ids[3:5], 1: [ids[9], ids[9], ids[3]]}),
+                         [ids[3], ids[4], ids[9]])
+        brush.selection = Selection.RECTANGLE
+        self.assertEqual(painted(selected={0: ids[7:8]}), [ids[7]])
+        removal = Brush(BrushKind.DELETE)
+        removal.selection = Selection.ALL_IN_CIRCLE
+        removal.build_up = True
+        self.assertEqual(scene.stroke(removal, [(1, 1), (30, 1)], size=SIZE, selected={
+            0: ids[:2], 1: ids[1:3]}).affected, 3)
+        for told, said in (([ids[3]], "must be a dict"), ({-1: ids[:1]}, "-1 is no number"),
+                           ({10**30: ids[:1]}, "is no number"), ({"a": ids[:1]}, "'a' is no"),
+                           ({0: [10**9]}, "no individual 1000000000"), ({0: "x"}, "ids"),
+                           ({0: None}, "ids")):
+            with self.subTest(told=told), self.assertRaisesRegex(crowdbrush.Error, said):
+                scene.stroke(brush, [(1, 1)], size=SIZE, selected=told)
+        with self.assertRaisesRegex(crowdbrush.Error, "creates"):
+            scene.stroke(creation(scene), [(1, 1)], size=SIZE, selected={0: ids[:1]})
+
     def test_creates_where_people_can_walk_or_anywhere(self):
         def painted(anywhere):
             scene = crowdbrush.Scene()
