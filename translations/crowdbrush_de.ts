@@ -799,6 +799,86 @@
         <source>Show the panel of what characters do when, and of its cues</source>
         <translation>Zeigt das Bedienfeld mit dem, was Figuren wann tun, und seinen Stichworten</translation>
     </message>
+    <message>
+        <source>Recall State &amp;1</source>
+        <translation>Zustand &amp;1 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;1</source>
+        <translation>Zustand &amp;1 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;2</source>
+        <translation>Zustand &amp;2 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;2</source>
+        <translation>Zustand &amp;2 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;3</source>
+        <translation>Zustand &amp;3 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;3</source>
+        <translation>Zustand &amp;3 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;4</source>
+        <translation>Zustand &amp;4 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;4</source>
+        <translation>Zustand &amp;4 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;5</source>
+        <translation>Zustand &amp;5 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;5</source>
+        <translation>Zustand &amp;5 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;6</source>
+        <translation>Zustand &amp;6 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;6</source>
+        <translation>Zustand &amp;6 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;7</source>
+        <translation>Zustand &amp;7 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;7</source>
+        <translation>Zustand &amp;7 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;8</source>
+        <translation>Zustand &amp;8 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;8</source>
+        <translation>Zustand &amp;8 merken</translation>
+    </message>
+    <message>
+        <source>Recall State &amp;9</source>
+        <translation>Zustand &amp;9 abrufen</translation>
+    </message>
+    <message>
+        <source>Keep State &amp;9</source>
+        <translation>Zustand &amp;9 merken</translation>
+    </message>
+    <message>
+        <source>Give everybody back what he had in the state of this number</source>
+        <translation>Allen zurückgeben, was sie im Zustand mit dieser Nummer hatten</translation>
+    </message>
+    <message>
+        <source>Keep how the crowd is now, or who is selected, as the state of this number</source>
+        <translation>Wie die Menge jetzt ist, oder die Ausgewählten, als Zustand mit dieser Nummer merken</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -2465,6 +2545,18 @@
         <source>From the template: what suits standing or sitting, at the usual speed</source>
         <translation>Aus der Vorlage: was zum Stehen oder Sitzen passt, im üblichen Tempo</translation>
     </message>
+    <message>
+        <source>Materials and parts</source>
+        <translation>Materialien und Teile</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Place and heading</source>
+        <translation>Ort und Richtung</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -2720,6 +2812,14 @@
     <message>
         <source>&amp;Values and Scripts</source>
         <translation>Werte und &amp;Skripte</translation>
+    </message>
+    <message>
+        <source>Recall &amp;State</source>
+        <translation>&amp;Zustand abrufen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep State</source>
+        <translation>Zustand &amp;merken</translation>
     </message>
 </context>
 <context>
@@ -3713,10 +3813,6 @@
         <translation>%1 konnte nicht bis zum Ende gelesen werden (%2).</translation>
     </message>
     <message>
-        <source>row %1 of the individuals must be a list</source>
-        <translation>Zeile %1 der Figuren muss eine Liste sein</translation>
-    </message>
-    <message>
         <source>a list of three finite numbers</source>
         <translation>eine Liste von drei endlichen Zahlen</translation>
     </message>
@@ -3753,16 +3849,8 @@
         <translation>„%1“ steht zweimal im selben Objekt</translation>
     </message>
     <message>
-        <source>row %1 of the individuals, column &quot;%2&quot;: it must be %3</source>
-        <translation>Zeile %1 der Figuren, Spalte „%2“: Hierher gehört %3</translation>
-    </message>
-    <message>
         <source>the file must hold a JSON object</source>
         <translation>die Datei muss ein JSON-Objekt enthalten</translation>
-    </message>
-    <message>
-        <source>row %1 of the individuals must have %2 values, one for each column</source>
-        <translation>Zeile %1 der Figuren muss %2 Werte haben, einen für jede Spalte</translation>
     </message>
     <message>
         <source>it is nested more than %1 deep</source>
@@ -3843,18 +3931,6 @@
     <message>
         <source>%1 individuals followed a path that the file does not list; they follow none now.</source>
         <translation>Figuren, die einem Weg folgten, den die Datei nicht nennt, und jetzt keinem mehr folgen: %1.</translation>
-    </message>
-    <message>
-        <source>individuals.columns must be a list of names that begins with &quot;id&quot;</source>
-        <translation>individuals.columns muss eine Liste von Namen sein, die mit „id“ beginnt</translation>
-    </message>
-    <message>
-        <source>individuals.columns names &quot;%1&quot; twice</source>
-        <translation>individuals.columns nennt „%1“ zweimal</translation>
-    </message>
-    <message>
-        <source>individuals.columns lacks &quot;%1&quot;</source>
-        <translation>in individuals.columns fehlt „%1“</translation>
     </message>
     <message>
         <source>a whole number above zero and at most 4000000000</source>
@@ -3999,6 +4075,62 @@
     <message>
         <source>Place &quot;%1&quot;: %2 characters want to stand there; there is room for %3. Make it larger, or send them to several places.</source>
         <translation>Ort „%1“: %2 Figuren wollen dort stehen, Platz ist für %3. Vergrößern Sie ihn, oder schicken Sie sie zu mehreren Orten.</translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must be a list</source>
+        <translation>Zeile %1 von %2 muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>row %1 of %2, column &quot;%3&quot;: it must be %4</source>
+        <translation>Zeile %1 von %2, Spalte „%3“: Hierher gehört %4</translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must have %3 values, one for each column</source>
+        <translation>Zeile %1 von %2 muss %3 Werte haben, einen für jede Spalte</translation>
+    </message>
+    <message>
+        <source>%1.rows stands there twice</source>
+        <translation>%1.rows steht zweimal da</translation>
+    </message>
+    <message>
+        <source>%1.ids must be ascending numbers like &quot;1-7,9&quot; and stand before the rows</source>
+        <translation>%1.ids müssen aufsteigende Nummern wie „1-7,9“ sein und vor den Zeilen stehen</translation>
+    </message>
+    <message>
+        <source>%1.columns must be a list of names and stand before the rows</source>
+        <translation>%1.columns muss eine Liste von Namen sein und vor den Zeilen stehen</translation>
+    </message>
+    <message>
+        <source>%1 must have as many rows as ids: %2</source>
+        <translation>%1 muss so viele Zeilen wie Nummern haben: %2</translation>
+    </message>
+    <message>
+        <source>%1.columns must be a list of names that begins with &quot;id&quot;</source>
+        <translation>%1.columns muss eine Liste von Namen sein, die mit „id“ beginnt</translation>
+    </message>
+    <message>
+        <source>%1.columns names &quot;%2&quot; twice</source>
+        <translation>%1.columns nennt „%2“ zweimal</translation>
+    </message>
+    <message>
+        <source>%1.columns lacks &quot;%2&quot;</source>
+        <translation>In %1.columns fehlt „%2“</translation>
+    </message>
+    <message>
+        <source>For %1 of them the template is gone.</source>
+        <translation>Bei %1 von ihnen ist die Vorlage nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>For %1 of them the path is gone.</source>
+        <translation>Bei %1 von ihnen ist der Weg nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>For %1 of them the seat is taken: they stay where they are.</source>
+        <translation>Bei %1 von ihnen ist der Sitz besetzt: Sie bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>For %1 of them there is no clip &quot;%2&quot;: they keep theirs.</source>
+        <translation>Bei %1 von ihnen gibt es keine Animation „%2“: Sie behalten ihre.</translation>
     </message>
 </context>
 <context>
@@ -5622,6 +5754,30 @@
         <source>Put characters on the ground</source>
         <translation>Figuren auf den Boden stellen</translation>
     </message>
+    <message>
+        <source>Keep a state</source>
+        <translation>Einen Zustand merken</translation>
+    </message>
+    <message>
+        <source>Recall a state</source>
+        <translation>Einen Zustand abrufen</translation>
+    </message>
+    <message>
+        <source>Remove a state</source>
+        <translation>Einen Zustand entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a state</source>
+        <translation>Einen Zustand umbenennen</translation>
+    </message>
+    <message>
+        <source>Arrange states</source>
+        <translation>Zustände ordnen</translation>
+    </message>
+    <message>
+        <source>Change states</source>
+        <translation>Zustände ändern</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -5674,6 +5830,75 @@
     <message>
         <source>All of them stand where characters can walk.</source>
         <translation>Alle stehen, wo Figuren gehen können.</translation>
+    </message>
+</context>
+<context>
+    <name>StateCommands</name>
+    <message>
+        <source>“%1”: all of them are like that already</source>
+        <translation>„%1“: Alle sind schon so</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” recalled: %n characters changed</source>
+        <translation>
+            <numerusform>„%1“ abgerufen: %n Figur geändert</numerusform>
+            <numerusform>„%1“ abgerufen: %n Figuren geändert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>State %1</source>
+        <translation>Zustand %1</translation>
+    </message>
+    <message>
+        <source>Tick what the state is to hold first.</source>
+        <translation>Haken Sie zuerst an, was der Zustand enthalten soll.</translation>
+    </message>
+    <message>
+        <source>Nobody is selected whose state could be kept.</source>
+        <translation>Niemand ist ausgewählt, dessen Zustand gemerkt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Nobody is there yet whose state could be kept.</source>
+        <translation>Es ist noch niemand da, dessen Zustand gemerkt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Keep a state</source>
+        <translation>Einen Zustand merken</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” keeps how %n characters are now</source>
+        <translation>
+            <numerusform>„%1“ merkt sich, wie %n Figur jetzt ist</numerusform>
+            <numerusform>„%1“ merkt sich, wie %n Figuren jetzt sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep a state anew</source>
+        <translation>Einen Zustand neu merken</translation>
+    </message>
+    <message>
+        <source>Recall “%1”</source>
+        <translation>„%1“ abrufen</translation>
+    </message>
+    <message>
+        <source>Remove a state</source>
+        <translation>Einen Zustand entfernen</translation>
+    </message>
+    <message>
+        <source>A state needs a name.</source>
+        <translation>Ein Zustand braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a state “%1” already.</source>
+        <translation>Es gibt schon einen Zustand „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename a state</source>
+        <translation>Einen Zustand umbenennen</translation>
+    </message>
+    <message>
+        <source>Move a state</source>
+        <translation>Einen Zustand verschieben</translation>
     </message>
 </context>
 <context>
@@ -6750,6 +6975,21 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Click a field and press the keys.</source>
         <translation>In ein Feld klicken und die Tasten drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::StateKeys</name>
+    <message>
+        <source>The scene has no state %1. %2 keeps the crowd as one.</source>
+        <translation>Die Szene hat keinen Zustand %1. %2 merkt die Menge als einen.</translation>
+    </message>
+    <message>
+        <source>The scene has no states yet</source>
+        <translation>Die Szene hat noch keine Zustände</translation>
+    </message>
+    <message>
+        <source>New State</source>
+        <translation>Neuer Zustand</translation>
     </message>
 </context>
 <context>
@@ -8317,6 +8557,96 @@ Verworfen ist sie fort.</translation>
             <numerusform>Die Haltung einer Figur behalten</numerusform>
             <numerusform>Die Haltung von %n Figuren behalten</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::StatesDock</name>
+    <message>
+        <source>States</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>Keep how they are now as a new state</source>
+        <translation>Wie sie jetzt sind, als neuen Zustand merken</translation>
+    </message>
+    <message>
+        <source>Recall the chosen state</source>
+        <translation>Den gewählten Zustand abrufen</translation>
+    </message>
+    <message>
+        <source>Keep how they are now as the chosen state</source>
+        <translation>Wie sie jetzt sind, als den gewählten Zustand merken</translation>
+    </message>
+    <message>
+        <source>Remove the chosen state</source>
+        <translation>Den gewählten Zustand entfernen</translation>
+    </message>
+    <message>
+        <source>A new state is of</source>
+        <translation>Ein neuer Zustand ist von</translation>
+    </message>
+    <message>
+        <source>the whole crowd</source>
+        <translation>der ganzen Menge</translation>
+    </message>
+    <message>
+        <source>who is selected</source>
+        <translation>den Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Of whom a new state is</source>
+        <translation>Von wem ein neuer Zustand ist</translation>
+    </message>
+    <message>
+        <source>and holds</source>
+        <translation>und enthält</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n Figur</numerusform>
+            <numerusform>%n Figuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Double click or Shift+F%2: recall. F2: rename.</source>
+        <translation>%1. Doppelklick oder Umschalt+F%2: abrufen. F2: umbenennen.</translation>
+    </message>
+    <message>
+        <source>%1. Double click: recall. F2: rename.</source>
+        <translation>%1. Doppelklick: abrufen. F2: umbenennen.</translation>
+    </message>
+    <message>
+        <source>A state keeps how the crowd is now, and gives it back later: calm, cheering, disappointed. + keeps one.</source>
+        <translation>Ein Zustand merkt sich, wie die Menge jetzt ist, und gibt es später zurück: ruhig, jubelnd, enttäuscht. + merkt einen.</translation>
+    </message>
+    <message>
+        <source>Recall</source>
+        <translation>Abrufen</translation>
+    </message>
+    <message>
+        <source>Keep anew</source>
+        <translation>Neu merken</translation>
+    </message>
+    <message>
+        <source>Select its characters</source>
+        <translation>Seine Figuren auswählen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
     </message>
 </context>
 <context>

@@ -799,6 +799,86 @@
         <source>Show the panel of what characters do when, and of its cues</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Recall State &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall State &amp;9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep State &amp;9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give everybody back what he had in the state of this number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep how the crowd is now, or who is selected, as the state of this number</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -2465,6 +2545,18 @@
         <source>From the template: what suits standing or sitting, at the usual speed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Materials and parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place and heading</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -2719,6 +2811,14 @@
     </message>
     <message>
         <source>&amp;Values and Scripts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall &amp;State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep State</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3713,10 +3813,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>row %1 of the individuals must be a list</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a list of three finite numbers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3753,15 +3849,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>row %1 of the individuals, column &quot;%2&quot;: it must be %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the file must hold a JSON object</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>row %1 of the individuals must have %2 values, one for each column</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3842,18 +3930,6 @@
     </message>
     <message>
         <source>%1 individuals followed a path that the file does not list; they follow none now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>individuals.columns must be a list of names that begins with &quot;id&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>individuals.columns names &quot;%1&quot; twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>individuals.columns lacks &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3998,6 +4074,62 @@
     </message>
     <message>
         <source>Place &quot;%1&quot;: %2 characters want to stand there; there is room for %3. Make it larger, or send them to several places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must be a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of %2, column &quot;%3&quot;: it must be %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must have %3 values, one for each column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.rows stands there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.ids must be ascending numbers like &quot;1-7,9&quot; and stand before the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.columns must be a list of names and stand before the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must have as many rows as ids: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.columns must be a list of names that begins with &quot;id&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.columns names &quot;%2&quot; twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.columns lacks &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 of them the template is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 of them the path is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 of them the seat is taken: they stay where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 of them there is no clip &quot;%2&quot;: they keep theirs.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5622,6 +5754,30 @@
         <source>Put characters on the ground</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keep a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrange states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change states</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -5673,6 +5829,75 @@
     </message>
     <message>
         <source>All of them stand where characters can walk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StateCommands</name>
+    <message>
+        <source>“%1”: all of them are like that already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” recalled: %n characters changed</source>
+        <translation>
+            <numerusform>“%1” recalled: one character changed</numerusform>
+            <numerusform>“%1” recalled: %n characters changed</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>State %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick what the state is to hold first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected whose state could be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is there yet whose state could be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” keeps how %n characters are now</source>
+        <translation>
+            <numerusform>“%1” keeps how one character is now</numerusform>
+            <numerusform>“%1” keeps how %n characters are now</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep a state anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A state needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a state “%1” already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a state</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6742,6 +6967,21 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Click a field and press the keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::app::StateKeys</name>
+    <message>
+        <source>The scene has no state %1. %2 keeps the crowd as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no states yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New State</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8310,6 +8550,96 @@ Thrown away, it is gone.</source>
             <numerusform>Keep the pose of %n character</numerusform>
             <numerusform>Keep the pose of %n characters</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::StatesDock</name>
+    <message>
+        <source>States</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep how they are now as a new state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall the chosen state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep how they are now as the chosen state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new state is of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole crowd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of whom a new state is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation type="unfinished">
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Double click or Shift+F%2: recall. F2: rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Double click: recall. F2: rename.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A state keeps how the crowd is now, and gives it back later: calm, cheering, disappointed. + keeps one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select its characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

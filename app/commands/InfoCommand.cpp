@@ -179,7 +179,7 @@ model::Result<Json> describeScene(const std::string& file)
                 {"places", scene.places.size()},
                 {"paths", scene.paths.size()},
                 {"rules", scene.rules.size()},
-                {"states", 0},
+                {"states", scene.states.size()},
                 {"seats", seats},
                 {"warnings", std::move(warnings)}};
 }

@@ -22,12 +22,18 @@
 #include "model/population/PropertyValues.h"
 
 /// What the parts of the Python module share.
+namespace crowd::model {
+struct StateRecall;
+}
+
 namespace crowd::app {
 
 namespace py = pybind11;
 
 class LongCall;
 class ScriptPresets;
+struct ScriptStates;
+struct StateHandle;
 class ScriptSession;
 struct PythonBrush;
 
@@ -175,6 +181,12 @@ inline constexpr bool kIsBound<PythonBrush> = true;
 template<>
 inline constexpr bool kIsBound<ScriptPresets> = true;
 template<>
+inline constexpr bool kIsBound<StateHandle> = true;
+template<>
+inline constexpr bool kIsBound<ScriptStates> = true;
+template<>
+inline constexpr bool kIsBound<model::StateRecall> = true;
+template<>
 inline constexpr bool kIsBound<model::BrushKind> = true;
 template<>
 inline constexpr bool kIsBound<model::BrushSelection> = true;
@@ -204,7 +216,8 @@ void paintDabs(const ScenePtr& scene, ScriptStrokeLink& dabs, const py::object& 
                LongCall* call = nullptr);
 void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
-void bindEnvironment(SceneClass& scene);                   ///< places, paths, rules
+void bindStates(py::module_& module, SceneClass& scene);
+void bindEnvironment(SceneClass& scene); ///< places, paths, rules
 /// Classes for places, rules and so on; after the scene.
 void bindEntries(py::module_& module);
 void bindScene(py::module_& module);

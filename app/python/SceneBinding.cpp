@@ -267,6 +267,7 @@ void bindScene(py::module_& module)
     bindContents(module, scene);
     bindEnvironment(scene);
     bindStrokes(module, scene);
+    bindStates(module, scene);
     module.def(
         "open",
         [](const FilePath& path) {

@@ -1308,6 +1308,18 @@ class Scene:
         played have it. progress: is called with the share that is done, 0 to 1, some times a
         second; what it raises, as Ctrl+C, ends the call, which takes back what it did."""
     @property
+    def states(self) -> States:
+        """Kept states by name."""
+    def save_state(self, name: str, columns: Optional[List[str]] = ..., ids: Any = ...) -> None:
+        """Keeps how these people are now, or all of them: one undo step. columns: names;
+        without, everything but who and where they are (template, position, heading, seat,
+        group, seed). A state of that name is replaced. Raises Error for unknown columns and
+        dead ids."""
+    def recall_state(self, name: str, *, columns: Optional[List[str]] = ..., ids: Any = ...) -> StateRecall:
+        """Gives them back what they had: one undo step. columns, ids: these alone. Clips, slots
+        and parts go by name; who is gone is skipped. Raises Error where there is no such
+        state, and for dead ids."""
+    @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of
         undo."""
@@ -1473,6 +1485,58 @@ class StrokeOutcome:
     @property
     def message(self) -> str:
         """Why nothing happened; empty otherwise."""
+
+
+class State:
+    """How some people were in some of their properties, as it was when it was asked for."""
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def columns(self) -> List[str]:
+        """Names of the columns that it gives back."""
+    @property
+    def ids(self) -> _Array:
+        """Whose they are, ascending; some may be gone."""
+    def __len__(self) -> int:
+        """How many people it is of."""
+    def column(self, name: str) -> _Array:
+        """What it holds, as Scene.column has it, in the order of ids. Raises Error for what it
+        does not hold."""
+
+
+class StateRecall:
+    """What came of giving a state back."""
+    @property
+    def affected(self) -> int:
+        """How many people changed."""
+    @property
+    def notes(self) -> List[str]:
+        """What did not fit any more."""
+
+
+class States:
+    """The states of a scene by their names, in the order of the panel."""
+    def __getitem__(self, name: str) -> State:
+        ...
+    def __delitem__(self, name: str) -> None:
+        """One undo step."""
+    def __contains__(self, arg0: str) -> bool:
+        ...
+    def __len__(self) -> int:
+        ...
+    def __iter__(self) -> Iterator[str]:
+        ...
+    def keys(self) -> List[str]:
+        """The names, in their order."""
+    def rename(self, name: str, to: str) -> None:
+        """One undo step."""
+    def arrange(self, names: List[str]) -> None:
+        """All names in another order: one undo step."""
+    def text(self) -> str:
+        """All of them as the text of a project file with nothing else."""
+    def set_text(self, text: str) -> None:
+        """What text() gave, in place of what there is: one undo step."""
 
 
 class Entry(Dict[str, Any]):

@@ -69,7 +69,7 @@ ARGUMENTS = {
 }
 ERROR_DOC = "What is wrong, as the editor would say it. Nothing has changed."
 RESULTS = {("Scene", "render"): "Picture", ("Session", "render"): "Picture", ("Edit", "__enter__"): "Scene",
-           ("Presets", "__iter__"): "Iterator[str]", ("Presets", "keys"): "List[str]",
+           ("Presets", "__iter__"): "Iterator[str]", ("States", "__iter__"): "Iterator[str]", ("Presets", "keys"): "List[str]",
            ("Presets", "values"): "List[Brush]", ("Presets", "items"): "List[Tuple[str, Brush]]"}
 
 

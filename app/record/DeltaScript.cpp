@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/record/ScriptText.h"
+#include "app/record/StateScript.h"
 #include "model/population/Properties.h"
 #include "model/project/EnvironmentText.h"
 
@@ -374,6 +375,11 @@ std::string deltaScript(const SceneDelta& delta, const QString& undoText, const 
     }
     if (const auto& changed = delta.of<members::Light>()) {
         text += lightingCall(changed->after);
+    }
+    if (const auto& changed = delta.of<members::States>()) {
+        for (const std::string& line : stateLines(changed->before, after)) {
+            text += std::string(kIndent, ' ') + line;
+        }
     }
     return text;
 }

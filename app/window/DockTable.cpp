@@ -41,6 +41,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Strokes, &make<widgets::StrokesDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Presets, &make<widgets::PresetsDock>, kLeft, 0, 0, DockId::BrushSettings},
     {DockId::Groups, &make<widgets::GroupsDock>, kRight, 0, 0, DockId::Individual},
+    {DockId::States, &make<widgets::StatesDock>, kRight, 0, 0, DockId::Scene},
     {DockId::Console, &makeConsole, kBottom, 0, 0, DockId::Rules, false},
 }};
 

@@ -35,6 +35,7 @@ enum class DockId : std::uint8_t {
     Strokes,
     Presets,
     Groups,
+    States,
     Console,
     Count
 };

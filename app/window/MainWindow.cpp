@@ -59,7 +59,8 @@ MainWindow::MainWindow()
       m_assets(m_state, this), m_pictures(m_state, this), m_queue(m_files, m_assets, this),
       m_interpreter(m_state), m_painter(m_interpreter, m_state, nullptr), m_recorder(m_document),
       m_viewport(new widgets::ViewportWidget(m_state, this)), m_layout(*this),
-      m_bookmarks(m_state, m_actions, this), m_language([this] { return isFree(); }, this)
+      m_bookmarks(m_state, m_actions, this), m_states(m_state, m_actions, this),
+      m_language([this] { return isFree(); }, this)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
@@ -202,6 +203,7 @@ void MainWindow::buildMenus()
     fillRecentMenu();
     fillExamplesMenu(submenus.at("@examples"));
     m_bookmarks.attach(submenus.at("@cameras"), submenus.at("@keep-cameras"));
+    m_states.attach(submenus.at("@states"), submenus.at("@keep-states"));
     fillLookMenu(*submenus.at("@looks"), m_state);
     fillStepMenu(*submenus.at("@step-length"), m_state);
     fillLanguageMenu(*submenus.at("@language"),

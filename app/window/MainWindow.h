@@ -14,6 +14,7 @@
 #include "app/window/FileQueue.h"
 #include "app/window/LanguageMenu.h"
 #include "app/window/PictureController.h"
+#include "app/window/StateKeys.h"
 #include "model/document/SceneDocument.h"
 #include "widgets/actions/ActionRegistry.h"
 #include "widgets/state/EditorState.h"
@@ -100,6 +101,7 @@ private:
     QMenu* m_recentMenu = nullptr;       ///< child
     DockLayout m_layout;
     CameraBookmarks m_bookmarks;
+    StateKeys m_states;
     LanguageSwitch m_language;
 };
 

@@ -321,7 +321,7 @@ const WindowAction kOtherActions[] = {
     {{"keys", QT_TRANSLATE_NOOP("Actions", "&Mouse and Keys"), "help", "F1",
       QT_TRANSLATE_NOOP("Actions", "What mouse buttons and keys do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
-    {{"about", QT_TRANSLATE_NOOP("Actions", "&About Crowdbrush"), "about", "Shift+F1",
+    {{"about", QT_TRANSLATE_NOOP("Actions", "&About Crowdbrush"), "about", "Alt+Shift+F1",
       QT_TRANSLATE_NOOP("Actions", "What this is, and its version")},
      [](MainWindow& w, bool) { w.showAbout(); }},
 };
@@ -343,8 +343,8 @@ constexpr const char* kFileMenu[] = {"new-theatre",
                                      "",
                                      "quit"};
 constexpr const char* kEditMenu[] = {
-    "undo",     "redo", "",          "delete",     "put-on-ground", "@path-of-places",
-    "path-end", "",     "@language", "preferences"};
+    "undo",    "redo",         "", "delete",    "put-on-ground", "@path-of-places", "path-end", "",
+    "@states", "@keep-states", "", "@language", "preferences"};
 constexpr const char* kSelectMenu[] = {"select-all",     "select-none",   "select-invert", "",
                                        "select-similar", "select-grow",   "select-shrink", "",
                                        "select-lasso",   "group-selected"};
@@ -410,6 +410,8 @@ const std::vector<SubmenuSpec>& submenus()
         {"@examples", QT_TRANSLATE_NOOP("Menus", "Open &Example"), {}},
         {"@cameras", QT_TRANSLATE_NOOP("Menus", "Go to &Camera"), {}},
         {"@keep-cameras", QT_TRANSLATE_NOOP("Menus", "Keep View as Ca&mera"), {}},
+        {"@states", QT_TRANSLATE_NOOP("Menus", "Recall &State"), {}},
+        {"@keep-states", QT_TRANSLATE_NOOP("Menus", "&Keep State"), {}},
         {"@path-of-places", QT_TRANSLATE_NOOP("Menus", "&Make Path of Places"), kPathsOfPlaces},
         {"@looks", QT_TRANSLATE_NOOP("Menus", "Dra&wn As"), {}},
         {"@language", QT_TRANSLATE_NOOP("Menus", "&Language"), {}},

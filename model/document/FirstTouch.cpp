@@ -5,7 +5,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "model/document/StoredRows.h"
+#include "model/population/StoredRows.h"
 
 namespace crowd::model {
 

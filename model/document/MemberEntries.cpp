@@ -90,6 +90,11 @@ bool isSame(const SurfaceSettings& a, const SurfaceSettings& b)
     return a == b;
 }
 
+bool isSame(const State& a, const State& b)
+{
+    return a == b; // of columns, the bytes
+}
+
 bool isSame(const TagName& a, const TagName& b)
 {
     return a == b;
@@ -279,6 +284,20 @@ std::size_t bytesOf(const Cue& cue)
 {
     return sizeof(cue) + cue.name.size() + cue.event.size() + cue.key.size() +
            cue.unknownMembers.size();
+}
+
+std::size_t bytesOf(const State& state)
+{
+    std::size_t total = sizeof(state) + state.name.size() + state.unknownMembers.size() +
+                        state.people->bytes() + state.templates.size() * sizeof(StateTemplate);
+    for (const StateTemplate& each : state.templates) {
+        for (const auto* names : {&each.clips, &each.slots, &each.parts}) {
+            for (const std::string& name : *names) {
+                total += sizeof(std::string) + name.size();
+            }
+        }
+    }
+    return total;
 }
 
 std::size_t bytesOf(const SurfaceSettings& surface)

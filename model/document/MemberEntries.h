@@ -28,6 +28,7 @@ namespace crowd::model {
 [[nodiscard]] bool isSame(const TagName& a, const TagName& b);
 [[nodiscard]] bool isSame(const NumberName& a, const NumberName& b);
 [[nodiscard]] bool isSame(const Cue& a, const Cue& b);
+[[nodiscard]] bool isSame(const State& a, const State& b);
 [[nodiscard]] bool isSame(const SurfaceSettings& a, const SurfaceSettings& b);
 [[nodiscard]] inline bool isSame(std::uint32_t a, std::uint32_t b)
 {
@@ -55,6 +56,7 @@ template<class Entry>
 [[nodiscard]] std::size_t bytesOf(const TagName& tag);
 [[nodiscard]] std::size_t bytesOf(const NumberName& named);
 [[nodiscard]] std::size_t bytesOf(const Cue& cue);
+[[nodiscard]] std::size_t bytesOf(const State& state);
 [[nodiscard]] std::size_t bytesOf(const SurfaceSettings& surface);
 [[nodiscard]] inline std::size_t bytesOf(std::uint32_t value)
 {

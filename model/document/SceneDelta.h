@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/document/StoredRows.h"
+#include "model/population/StoredRows.h"
 #include "model/scene/SceneMembers.h"
 
 namespace crowd::model {

@@ -59,6 +59,8 @@ public:
     /// By ascending ids.
     void setNumbers(std::vector<NumberName> all) { set<members::Numbers>(std::move(all)); }
     void setCues(std::vector<Cue> cues) { set<members::Cues>(std::move(cues)); }
+    /// In the order in which they are shown; with different ids.
+    void setStates(std::vector<State> states) { set<members::States>(std::move(states)); }
     void setSurface(const SurfaceSettings& surface) { set<members::Surface>(surface); }
     /// One of kStepRates.
     void setStepsPerSecond(std::uint32_t steps) { set<members::Steps>(steps); }

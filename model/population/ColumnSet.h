@@ -28,6 +28,16 @@ public:
         return m_bits.test(static_cast<std::size_t>(column));
     }
     [[nodiscard]] bool isEmpty() const { return m_bits.none(); }
+    /// Calls visit(ColumnId) for each, in ascending order.
+    template<class Visit>
+    void forEach(const Visit& visit) const
+    {
+        for (std::size_t column = 0; column < Count; ++column) {
+            if (m_bits.test(column)) {
+                visit(static_cast<ColumnId>(column));
+            }
+        }
+    }
     friend bool operator==(const ColumnBits&, const ColumnBits&) = default;
 
 private:

@@ -46,6 +46,31 @@ enum PropertyWriter : std::uint8_t {
     kWrittenByHand = kWrittenByBrush | kWrittenByPanel | kWrittenByScript
 };
 
+/// What properties are about, where an artist chooses several at once, as for what a state holds.
+enum class PropertyAspect : std::uint8_t {
+    Colours,
+    Materials,
+    Animation,
+    Size,
+    Walking,
+    Tags,
+    Template,
+    Place,
+    Group
+};
+
+struct PropertyAspectInfo
+{
+    PropertyAspect aspect;
+    const char* key;   ///< in preferences
+    const char* label; ///< to be translated in the context "Fields"
+    /// Who and where people are: left out unless it is asked for.
+    bool isWhoOrWhere = false;
+};
+
+/// In the order in which they are shown, which is that of PropertyAspect.
+[[nodiscard]] std::span<const PropertyAspectInfo> propertyAspects();
+
 struct PropertyTraits
 {
     PropertyKind kind = PropertyKind::Number;
@@ -57,6 +82,7 @@ struct PropertyTraits
     const char* change = QT_TRANSLATE_NOOP("Fields", "Change character");
     /// Whoever is created without it gets what the template, the seat or the number suggests.
     bool isSuggested = false;
+    PropertyAspect aspect = PropertyAspect::Animation;
 };
 
 /// Legal ranges are those of floating-point properties, of each component, and do not depend on the

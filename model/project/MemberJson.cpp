@@ -7,7 +7,7 @@ void writeMembers(const Scene& scene, nlohmann::json& top)
 {
     static const Scene kEmpty;
     forEachMember([&]<class M>(const M& member) {
-        if constexpr (M::isEnvironment) {
+        if constexpr (M::isOptional) {
             if (M::of(scene) == M::of(kEmpty)) {
                 return;
             }

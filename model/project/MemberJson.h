@@ -9,6 +9,7 @@
 #include "model/project/EnvironmentJson.h"
 #include "model/project/JsonWriting.h"
 #include "model/project/RulesJson.h"
+#include "model/project/StatesJson.h"
 #include "model/project/ViewJson.h"
 
 /// The members of a scene (see SceneMembers.h) as members of the project file's top-level object.

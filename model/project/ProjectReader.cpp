@@ -2,6 +2,7 @@
 #include "model/project/ProjectReader.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "model/base/ShownText.h"
 #include "model/project/ProjectHeader.h"
 #include "model/project/RowParser.h"
+#include "model/project/StatesJson.h"
 
 namespace crowd::model {
 
@@ -39,6 +41,8 @@ public:
     }
     /// What was built so far.
     [[nodiscard]] const json& root() const { return m_root; }
+    /// What is open, the innermost.
+    [[nodiscard]] const json& current() const { return *m_open.back(); }
     [[nodiscard]] std::size_t valueCount() const { return m_values; }
     /// False when the open object has this member already.
     [[nodiscard]] bool key(std::string name)
@@ -84,8 +88,7 @@ private:
 };
 
 constexpr std::size_t kMostReason = 200; ///< the parser quotes what it read
-constexpr const char* kRowNoList =
-    QT_TRANSLATE_NOOP("Messages", "row %1 of the individuals must be a list");
+constexpr const char* kRowNoList = QT_TRANSLATE_NOOP("Messages", "row %1 of %2 must be a list");
 constexpr const char* kThreeFinite =
     QT_TRANSLATE_NOOP("Messages", "a list of three finite numbers");
 
@@ -157,8 +160,9 @@ public:
         }
         if (m_depth == 1) {
             m_isInIndividuals = name == "individuals";
+            m_isInStates = name == members::States::key;
         }
-        if (m_isInIndividuals && m_depth == 2) {
+        if (m_depth == tableDepth()) {
             m_tableKey = name;
         }
         return m_header.key(name) || failTwice(name);
@@ -203,11 +207,11 @@ private:
     /// `expected`: a message of what belongs there.
     bool failCell(const char* expected)
     {
-        return fail({QT_TRANSLATE_NOOP("Messages",
-                                       "row %1 of the individuals, column \"%2\": it must be %3"),
-                     m_rows.rowCount() + 1, shortened(m_rows.nameOf(m_cell)), Message(expected)});
+        return fail({QT_TRANSLATE_NOOP("Messages", "row %1 of %2, column \"%3\": it must be %4"),
+                     m_rows->rowCount() + 1, m_rows->place(), shortened(m_rows->nameOf(m_cell)),
+                     Message(expected)});
     }
-    bool failRow() { return fail({kRowNoList, m_rows.rowCount() + 1}); }
+    bool failRow() { return fail({kRowNoList, m_rows->rowCount() + 1, m_rows->place()}); }
 
     template<class MakeJson>
     bool value(const CellValue& cell, const MakeJson& make)
@@ -224,7 +228,7 @@ private:
         case Where::Row:
             return rowValue(cell, make);
         case Where::Vector:
-            if (const char* expected = m_rows.putComponent(m_cell, m_component++, cell)) {
+            if (const char* expected = m_rows->putComponent(m_cell, m_component++, cell)) {
                 return failCell(expected);
             }
             return true;
@@ -238,14 +242,14 @@ private:
     template<class MakeJson>
     bool rowValue(const CellValue& cell, const MakeJson& make)
     {
-        if (m_cell >= m_rows.columnCount()) {
+        if (m_cell >= m_rows->columnCount()) {
             return failLength();
         }
-        if (!m_rows.isKnown(m_cell)) {
-            m_rows.putUnknown(m_cell++, make().dump());
+        if (!m_rows->isKnown(m_cell)) {
+            m_rows->putUnknown(m_cell++, make().dump());
             return true;
         }
-        if (const char* expected = m_rows.put(m_cell, cell)) {
+        if (const char* expected = m_rows->put(m_cell, cell)) {
             return failCell(expected);
         }
         ++m_cell;
@@ -255,9 +259,8 @@ private:
     bool failLength()
     {
         return fail(
-            {QT_TRANSLATE_NOOP(
-                 "Messages", "row %1 of the individuals must have %2 values, one for each column"),
-             m_rows.rowCount() + 1, m_rows.columnCount()});
+            {QT_TRANSLATE_NOOP("Messages", "row %1 of %2 must have %3 values, one for each column"),
+             m_rows->rowCount() + 1, m_rows->place(), m_rows->columnCount() - firstCell()});
     }
 
     bool open(json container)
@@ -269,15 +272,15 @@ private:
         const bool isArray = container.is_array();
         switch (m_where) {
         case Where::Header:
-            if (m_isInIndividuals && m_depth == 3 && m_tableKey == "rows" && isArray) {
-                return beginRows();
+            if (m_depth == tableDepth() + 1 && m_tableKey == "rows" && isArray) {
+                return m_isInStates ? beginStateRows() : beginRows();
             }
             m_header.open(std::move(container));
             return hasRoom();
         case Where::Rows:
             m_where = Where::Row;
-            m_cell = 0;
-            return isArray || failRow();
+            m_cell = firstCell();
+            return (isArray || failRow()) && putKnownId();
         case Where::Row:
             return openInRow(std::move(container));
         case Where::Vector:
@@ -291,15 +294,15 @@ private:
 
     bool openInRow(json container)
     {
-        if (m_cell >= m_rows.columnCount()) {
+        if (m_cell >= m_rows->columnCount()) {
             return failLength();
         }
-        if (!m_rows.isKnown(m_cell)) {
+        if (!m_rows->isKnown(m_cell)) {
             m_where = Where::Cell;
             m_tree.open(std::move(container));
             return true;
         }
-        if (!m_rows.isVector(m_cell) || !container.is_array()) {
+        if (!m_rows->isVector(m_cell) || !container.is_array()) {
             return failCell(QT_TRANSLATE_NOOP("Messages", "a single value of the right kind"));
         }
         m_where = Where::Vector;
@@ -316,14 +319,14 @@ private:
             return true;
         case Where::Rows:
             m_where = Where::Header;
-            return true;
+            return haveAllRows();
         case Where::Row:
-            if (m_cell != m_rows.columnCount()) {
+            if (m_cell != m_rows->columnCount()) {
                 return failLength();
             }
-            m_rows.endRow();
+            m_rows->endRow();
             m_where = Where::Rows;
-            return m_rows.rowCount() <= kMaxIndividuals ||
+            return m_rows->rowCount() <= kMaxIndividuals ||
                    fail({QT_TRANSLATE_NOOP("Messages", "it holds more than %1 individuals"),
                          kMaxIndividuals});
         case Where::Vector:
@@ -336,7 +339,7 @@ private:
         case Where::Cell:
             m_tree.close();
             if (m_tree.isComplete()) {
-                m_rows.putUnknown(m_cell++, m_tree.take().dump());
+                m_rows->putUnknown(m_cell++, m_tree.take().dump());
                 m_where = Where::Row;
             }
             return true;
@@ -352,42 +355,131 @@ private:
                      kMaxHeaderValues});
     }
 
-    bool beginRows()
+    /// A newer version may have another kind of table: say so rather than what is odd in it.
+    bool isOurs()
     {
-        if (m_seenRows) {
-            return fail(QT_TRANSLATE_NOOP("Messages", "individuals.rows stands there twice"));
-        }
-        m_seenRows = true;
-        m_where = Where::Rows;
-        // A newer version may have another kind of table: say so rather than what is odd in it.
         if (m_header.root().contains("version")) {
             if (const Result<void> format = checkFormat(m_header.root()); !format) {
                 m_isForeign = true;
                 return fail(format.error().said);
             }
         }
+        return true;
+    }
+
+    bool beginRows()
+    {
+        if (m_seenRows) {
+            return fail(QT_TRANSLATE_NOOP("Messages", "individuals.rows stands there twice"));
+        }
+        m_seenRows = true;
+        m_rows = &m_people;
+        m_where = Where::Rows;
+        if (!isOurs()) {
+            return false;
+        }
         const json* table = m_header.peek("individuals");
         const json names =
             table == nullptr || !table->is_object() ? json() : table->value("columns", json());
-        if (!names.is_array() ||
-            !std::ranges::all_of(names, [](const json& name) { return name.is_string(); })) {
+        if (!areNames(names)) {
             return fail(QT_TRANSLATE_NOOP(
                 "Messages",
                 "individuals.columns must be a list of names and stand before the rows"));
         }
-        const Result<void> columns = m_rows.setColumns(names.get<std::vector<std::string>>());
+        const Result<void> columns = m_rows->setColumns(names.get<std::vector<std::string>>());
         return columns ? true : fail(columns.error().said);
     }
+
+    /// The people of a state: a table whose ids stand before it.
+    struct StateTable
+    {
+        std::size_t state = 0; ///< which one in the file
+        RowParser rows;
+        std::vector<IndividualId> ids;
+    };
+
+    bool beginStateRows()
+    {
+        const std::size_t state = m_header.root()[members::States::key].size() - 1;
+        const std::string place = "states[" + std::to_string(state) + ']';
+        if (!m_states.empty() && m_states.back()->state == state) {
+            return fail({QT_TRANSLATE_NOOP("Messages", "%1.rows stands there twice"), place});
+        }
+        m_states.push_back(
+            std::make_unique<StateTable>(StateTable{state, RowParser(place, {}), {}}));
+        m_rows = &m_states.back()->rows;
+        m_where = Where::Rows;
+        if (!isOurs()) {
+            return false;
+        }
+        const json& object = m_header.current();
+        const json ids = object.value("ids", json());
+        if (!ids.is_string() ||
+            !readIds(ids.get<std::string>(), kMaxIndividuals, m_states.back()->ids)) {
+            return fail({QT_TRANSLATE_NOOP("Messages", "%1.ids must be ascending numbers like "
+                                                       "\"1-7,9\" and stand before the rows"),
+                         place});
+        }
+        const json names = object.value("columns", json());
+        if (!areNames(names)) {
+            return fail(
+                {QT_TRANSLATE_NOOP("Messages",
+                                   "%1.columns must be a list of names and stand before the rows"),
+                 place});
+        }
+        std::vector<std::string> columns{"id"};
+        columns.insert(columns.end(), names.begin(), names.end());
+        const Result<void> known = m_rows->setColumns(columns);
+        return known ? true : fail(known.error().said);
+    }
+    static bool areNames(const json& names)
+    {
+        return names.is_array() &&
+               std::ranges::all_of(names, [](const json& name) { return name.is_string(); });
+    }
+    /// Of the objects that have tables.
+    [[nodiscard]] std::size_t tableDepth() const
+    {
+        return m_isInIndividuals ? 2 : m_isInStates ? 3 : kMaxDepth;
+    }
+    [[nodiscard]] bool isOfState() const { return m_rows != &m_people; }
+    /// That stands in the rows.
+    [[nodiscard]] std::size_t firstCell() const { return isOfState() ? 1 : 0; }
+    bool putKnownId()
+    {
+        if (!isOfState()) {
+            return true;
+        }
+        const std::vector<IndividualId>& ids = m_states.back()->ids;
+        if (m_rows->rowCount() >= ids.size()) {
+            return failCount();
+        }
+        m_rows->putId(ids[m_rows->rowCount()]);
+        return true;
+    }
+    bool haveAllRows()
+    {
+        return !isOfState() || m_rows->rowCount() == m_states.back()->ids.size() || failCount();
+    }
+    bool failCount()
+    {
+        return fail({QT_TRANSLATE_NOOP("Messages", "%1 must have as many rows as ids: %2"),
+                     m_rows->place(), m_states.back()->ids.size()});
+    }
+    [[nodiscard]] Result<void> fillStates(Scene& scene);
 
     std::string_view m_text;
     TreeBuilder m_header;
     TreeBuilder m_tree;
-    RowParser m_rows;
+    RowParser m_people{"individuals", {ColumnId::Template, ColumnId::Position}};
+    std::vector<std::unique_ptr<StateTable>> m_states; ///< as far as they were read
+    RowParser* m_rows = &m_people;                     ///< whose rows come
     Where m_where = Where::Header;
     std::size_t m_depth = 0;
     std::size_t m_cell = 0;
     std::size_t m_component = 0;
     bool m_isInIndividuals = false;
+    bool m_isInStates = false;
     bool m_seenRows = false;
     bool m_isForeign = false; ///< not damaged, but not for this program
     std::string m_tableKey;
@@ -397,6 +489,20 @@ private:
 Error ProjectHandler::problem() const
 {
     return m_isForeign ? Error{m_problem} : damaged(m_problem);
+}
+
+Result<void> ProjectHandler::fillStates(Scene& scene)
+{
+    for (const std::unique_ptr<StateTable>& each : m_states) {
+        Result<RowParser::Table> table = each->rows.take();
+        if (!table) {
+            return table.error();
+        }
+        State& state = scene.states[each->state];
+        state.people = std::make_shared<const StoredRows>(table.value().rows);
+        state.unknownColumns = std::move(table.value().unknownColumns);
+    }
+    return {};
 }
 
 Result<Scene> ProjectHandler::finish()
@@ -413,7 +519,10 @@ Result<Scene> ProjectHandler::finish()
         return damaged(QT_TRANSLATE_NOOP(
             "Messages", "\"individuals\" with \"columns\" and \"rows\" is missing"));
     }
-    if (const Result<void> rows = m_rows.finish(scene.value()); !rows) {
+    if (const Result<void> states = fillStates(scene.value()); !states) {
+        return damaged(states.error().said);
+    }
+    if (const Result<void> rows = m_people.finish(scene.value()); !rows) {
         return damaged(rows.error().said);
     }
     return scene;

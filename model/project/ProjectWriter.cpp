@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/project/ProjectHeader.h"
+#include "model/project/StatesJson.h"
 
 namespace crowd::model {
 
@@ -198,49 +199,77 @@ void appendUnknownTableMembers(std::string& text, const std::string& members)
     }
 }
 
+/// Bytes of a column: of each row, or one value for all.
+struct WrittenColumn
+{
+    ColumnId column{};
+    const std::byte* bytes = nullptr;
+    std::size_t step = 0; ///< from row to row
+};
+
+/// Rows of a table, one a line.
 class RowWriter
 {
 public:
-    explicit RowWriter(const Scene& scene)
-        : m_scene(scene), m_columns(columnsToWrite(scene.population)),
-          m_unknownNext(scene.unknownColumns.size())
+    RowWriter(std::span<const IndividualId> ids, std::vector<WrittenColumn> columns,
+              const std::vector<UnknownColumn>& unknown, bool areIdsWritten)
+        : m_ids(ids), m_columns(std::move(columns)), m_unknown(unknown),
+          m_unknownNext(unknown.size()), m_areIdsWritten(areIdsWritten)
     {
-        for (const ColumnId column : m_columns) {
-            m_bytes.push_back(scene.population.columnBytes(column).data());
-        }
     }
 
     void appendColumnNames(std::string& text) const
     {
-        text += "[\"id\"";
-        for (const ColumnId column : m_columns) {
-            text += ",\"" + std::string(columnInfo(column).name) + '"';
+        text += m_areIdsWritten ? "[\"id\"," : "[";
+        for (const WrittenColumn& column : m_columns) {
+            text += '"' + std::string(columnInfo(column.column).name) + "\",";
         }
-        for (const UnknownColumn& column : m_scene.unknownColumns) {
-            text += ',' + nlohmann::json(column.name).dump();
+        for (const UnknownColumn& column : m_unknown) {
+            text += nlohmann::json(column.name).dump() + ',';
         }
-        text += ']';
+        endList(text);
     }
 
-    void appendRow(std::string& text, std::size_t row)
+    void appendRows(std::string& text)
     {
-        const IndividualId id = m_scene.population.ids()[row];
         text += '[';
-        appendNumber(text, id);
-        for (std::size_t i = 0; i < m_columns.size(); ++i) {
-            text += ',';
-            appendValue(text, m_columns[i], m_bytes[i] + row * columnInfo(m_columns[i]).stride);
+        for (std::size_t row = 0; row < m_ids.size(); ++row) {
+            text += row == 0 ? "\n" : ",\n";
+            appendRow(text, row);
         }
-        for (std::size_t i = 0; i < m_scene.unknownColumns.size(); ++i) {
-            text += ',' + unknownValue(i, id);
-        }
-        text += ']';
+        text += "\n]";
     }
 
 private:
+    void appendRow(std::string& text, std::size_t row)
+    {
+        text += '[';
+        if (m_areIdsWritten) {
+            appendNumber(text, m_ids[row]);
+            text += ',';
+        }
+        for (const WrittenColumn& column : m_columns) {
+            appendValue(text, column.column, column.bytes + row * column.step);
+            text += ',';
+        }
+        for (std::size_t i = 0; i < m_unknown.size(); ++i) {
+            text += unknownValue(i, m_ids[row]) + ',';
+        }
+        endList(text);
+    }
+
+    /// In place of the last comma.
+    static void endList(std::string& text)
+    {
+        if (text.back() == ',') {
+            text.pop_back();
+        }
+        text += ']';
+    }
+
     std::string unknownValue(std::size_t column, IndividualId id)
     {
-        const auto& values = m_scene.unknownColumns[column].values;
+        const auto& values = m_unknown[column].values;
         std::size_t& next = m_unknownNext[column];
         while (next < values.size() && values[next].first < id) {
             ++next;
@@ -248,11 +277,51 @@ private:
         return next < values.size() && values[next].first == id ? values[next].second : "null";
     }
 
-    const Scene& m_scene;
-    std::vector<ColumnId> m_columns;
-    std::vector<const std::byte*> m_bytes;
+    std::span<const IndividualId> m_ids;
+    std::vector<WrittenColumn> m_columns;
+    const std::vector<UnknownColumn>& m_unknown;
     std::vector<std::size_t> m_unknownNext;
+    bool m_areIdsWritten;
 };
+
+RowWriter peopleOf(const Scene& scene)
+{
+    std::vector<WrittenColumn> columns;
+    for (const ColumnId column : columnsToWrite(scene.population)) {
+        columns.push_back(
+            {column, scene.population.columnBytes(column).data(), columnInfo(column).stride});
+    }
+    return {scene.population.ids(), std::move(columns), scene.unknownColumns, true};
+}
+
+RowWriter peopleOf(const State& state)
+{
+    std::vector<WrittenColumn> columns;
+    for (const StoredRows::Column& column : state.people->columns) {
+        const std::size_t stride = columnInfo(column.column).stride;
+        const bool isOne = column.bytes.size() == stride;
+        columns.push_back({column.column, column.bytes.data(), isOne ? 0 : stride});
+    }
+    return {state.people->ids, std::move(columns), state.unknownColumns, false};
+}
+
+/// Each on a line, with its people below it.
+void appendStates(std::string& text, const nlohmann::json& headers, const Scene& scene)
+{
+    text += "\"states\": [\n";
+    for (std::size_t i = 0; i < scene.states.size(); ++i) {
+        const State& state = scene.states[i];
+        std::string object = dumped(headers[i]);
+        object.pop_back();
+        text += object + ",\"ids\":\"" + idsText(state.people->ids) + "\",\"columns\":";
+        RowWriter rows = peopleOf(state);
+        rows.appendColumnNames(text);
+        text += ",\"rows\":";
+        rows.appendRows(text);
+        text += i + 1 < scene.states.size() ? "},\n" : "}\n";
+    }
+    text += "],\n";
+}
 
 } // namespace
 
@@ -269,19 +338,21 @@ Result<std::string> projectToText(const Scene& scene)
         return sound.error();
     }
     std::string text = "{\n";
+    const nlohmann::json states = header.value(members::States::key, nlohmann::json());
+    header.erase(members::States::key);
     appendHeader(text, std::move(header));
-    RowWriter rows(scene);
+    if (!scene.states.empty()) {
+        appendStates(text, states, scene);
+    }
+    RowWriter rows = peopleOf(scene);
     text += "\"individuals\": {\n";
     appendUnknownTableMembers(text, scene.unknownTableMembers);
     text += "\"columns\": ";
     rows.appendColumnNames(text);
-    text += ",\n\"rows\": [";
+    text += ",\n\"rows\": ";
     text.reserve(text.size() + scene.population.size() * 160);
-    for (std::size_t row = 0; row < scene.population.size(); ++row) {
-        text += row == 0 ? "\n" : ",\n";
-        rows.appendRow(text, row);
-    }
-    text += "\n]}\n}\n";
+    rows.appendRows(text);
+    text += "}\n}\n";
     return text;
 }
 

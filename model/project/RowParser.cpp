@@ -201,12 +201,13 @@ Result<void> RowParser::setColumns(const std::vector<std::string>& names)
 {
     if (names.empty() || names.front() != "id") {
         return Error{QT_TRANSLATE_NOOP(
-            "Messages", "individuals.columns must be a list of names that begins with \"id\"")};
+                         "Messages", "%1.columns must be a list of names that begins with \"id\""),
+                     m_place};
     }
     m_cells.assign(1, Cell{});
     for (std::size_t i = 1; i < names.size(); ++i) {
         if (std::ranges::count(names, names[i]) > 1) {
-            return Error{QT_TRANSLATE_NOOP("Messages", "individuals.columns names \"%1\" twice"),
+            return Error{QT_TRANSLATE_NOOP("Messages", "%1.columns names \"%2\" twice"), m_place,
                          shortened(names[i])};
         }
         const PropertyInfo* property = findProperty(names[i]);
@@ -218,10 +219,10 @@ Result<void> RowParser::setColumns(const std::vector<std::string>& names)
         m_cells.push_back(cell);
     }
     m_unknownTexts.resize(m_unknown.size());
-    for (const ColumnId needed : {ColumnId::Template, ColumnId::Position}) {
+    for (const ColumnId needed : m_needed) {
         const std::string name(columnInfo(needed).name);
         if (std::ranges::find(names, name) == names.end()) {
-            return Error{QT_TRANSLATE_NOOP("Messages", "individuals.columns lacks \"%1\""), name};
+            return Error{QT_TRANSLATE_NOOP("Messages", "%1.columns lacks \"%2\""), m_place, name};
         }
     }
     return {};
@@ -311,8 +312,8 @@ Result<IndividualRows> RowParser::sortedRows(std::vector<std::size_t>& order)
     return rows;
 }
 
-void RowParser::keepUnknown(Scene& scene, std::span<const IndividualId> ids,
-                            std::span<const std::size_t> order)
+std::vector<UnknownColumn> RowParser::unknownOf(std::span<const IndividualId> ids,
+                                                std::span<const std::size_t> order)
 {
     for (std::size_t u = 0; u < m_unknown.size(); ++u) {
         for (std::size_t i = 0; i < m_rows; ++i) {
@@ -322,17 +323,28 @@ void RowParser::keepUnknown(Scene& scene, std::span<const IndividualId> ids,
             }
         }
     }
-    scene.unknownColumns = std::move(m_unknown);
+    return std::move(m_unknown);
 }
 
-Result<void> RowParser::finish(Scene& scene)
+Result<RowParser::Table> RowParser::take()
 {
     std::vector<std::size_t> order;
     Result<IndividualRows> rows = sortedRows(order);
     if (!rows) {
         return rows.error();
     }
-    IndividualRows& table = rows.value();
+    Table table{std::move(rows).value(), {}};
+    table.unknownColumns = unknownOf(table.rows.ids, order);
+    return table;
+}
+
+Result<void> RowParser::finish(Scene& scene)
+{
+    Result<Table> taken = take();
+    if (!taken) {
+        return taken.error();
+    }
+    IndividualRows& table = taken.value().rows;
     for (std::size_t i = 0; i < table.ids.size(); ++i) {
         const TemplateId templateId = table.column(columns::templateId)[i];
         if (scene.findTemplate(templateId) == nullptr) {
@@ -345,7 +357,7 @@ Result<void> RowParser::finish(Scene& scene)
     freeSharedSeats(table, scene.readWarnings);
     leaveMissingPaths(table, scene);
     noteOddNumbers(table, scene.readWarnings);
-    keepUnknown(scene, table.ids, order);
+    scene.unknownColumns = std::move(taken.value().unknownColumns);
     if (!table.ids.empty()) {
         scene.nextId = std::max(scene.nextId, table.ids.back() + 1);
     }

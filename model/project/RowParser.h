@@ -26,6 +26,13 @@ struct CellValue
 class RowParser
 {
 public:
+    /// `place`: of the table in the file, for messages. It has the columns `needed`.
+    RowParser(std::string place, std::vector<ColumnId> needed)
+        : m_place(std::move(place)), m_needed(std::move(needed))
+    {
+    }
+
+    [[nodiscard]] const std::string& place() const { return m_place; }
     /// The names in the file, first of them "id". Columns that are not known are kept as text.
     [[nodiscard]] Result<void> setColumns(const std::vector<std::string>& names);
 
@@ -40,12 +47,21 @@ public:
     [[nodiscard]] const char* putComponent(std::size_t cell, std::size_t component,
                                            const CellValue& value);
     void putUnknown(std::size_t cell, std::string text);
+    /// Of a table whose rows do not say it themselves: as the first cell of the next row.
+    void putId(IndividualId id) { m_ids.push_back(id); }
     void endRow() { ++m_rows; }
     [[nodiscard]] std::size_t rowCount() const { return m_rows; }
 
     /// Sorts by id, checks ids and templates, frees seats that are taken twice (with a warning),
     /// and moves everything into the scene.
     [[nodiscard]] Result<void> finish(Scene& scene);
+    /// The table as it is, sorted by id.
+    struct Table
+    {
+        IndividualRows rows;
+        std::vector<UnknownColumn> unknownColumns;
+    };
+    [[nodiscard]] Result<Table> take();
 
 private:
     struct Cell
@@ -54,11 +70,13 @@ private:
         int unknown = -1; ///< index into m_unknown, -1: known
     };
 
-    void keepUnknown(Scene& scene, std::span<const IndividualId> ids,
-                     std::span<const std::size_t> order);
+    [[nodiscard]] std::vector<UnknownColumn> unknownOf(std::span<const IndividualId> ids,
+                                                       std::span<const std::size_t> order);
     [[nodiscard]] Result<IndividualRows> sortedRows(std::vector<std::size_t>& order);
     void putBytes(const Cell& cell, const void* value, std::size_t size);
 
+    std::string m_place;
+    std::vector<ColumnId> m_needed;
     std::vector<Cell> m_cells;
     std::vector<IndividualId> m_ids;
     std::array<std::vector<std::byte>, kColumnCount> m_bytes;

@@ -17,6 +17,7 @@
 #include "model/scene/Group.h"
 #include "model/scene/Path.h"
 #include "model/scene/Stage.h"
+#include "model/scene/State.h"
 #include "model/template/Template.h"
 #include "model/view/View.h"
 
@@ -89,15 +90,6 @@ struct Lighting
     friend bool operator==(const Lighting&, const Lighting&) = default;
 };
 
-/// A column of the project file that this version does not know: JSON text per individual, kept so
-/// that saving loses nothing.
-struct UnknownColumn
-{
-    std::string name;
-    std::vector<std::pair<IndividualId, std::string>> values; ///< ascending ids
-    friend bool operator==(const UnknownColumn&, const UnknownColumn&) = default;
-};
-
 /// A seat in the world, with the name individuals know it by.
 struct WorldSeat
 {
@@ -124,6 +116,7 @@ struct Scene
     std::vector<TagName> tags;       ///< ascending bits; those that have a name
     std::vector<NumberName> numbers; ///< ascending ids
     std::vector<Cue> cues;           ///< in the order in which they are shown
+    std::vector<State> states;       ///< in the order in which they are shown
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session

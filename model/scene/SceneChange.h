@@ -45,13 +45,18 @@ struct GroupsChanged
 struct RulesChanged
 {
 };
+/// Kept states of people.
+struct StatesChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
 };
 
-using SceneChange = std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged,
-                                 TemplatesChanged, StagesChanged, CamerasChanged, LightingChanged,
-                                 PathsChanged, GroupsChanged, RulesChanged, SceneReplaced>;
+using SceneChange =
+    std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
+                 StagesChanged, CamerasChanged, LightingChanged, PathsChanged, GroupsChanged,
+                 RulesChanged, StatesChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -32,6 +32,8 @@ struct SceneMember
     static constexpr bool isEnvironment = std::is_same_v<Change, PathsChanged> ||
                                           std::is_same_v<Change, RulesChanged> ||
                                           std::is_same_v<Change, GroupsChanged>;
+    /// Whether files are without it where there is nothing of it.
+    static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged>;
     [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
     [[nodiscard]] static Type& of(Scene& scene) { return scene.*Pointer; }
 };
@@ -92,13 +94,18 @@ struct Surface : SceneMember<&Scene::surface, PathsChanged, MemberKind::Value>
     static constexpr const char* key = "surface";
 };
 
+struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "states";
+};
+
 } // namespace members
 
 /// The one list. A member comes after those that it refers to: undo takes it back before them.
 using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
                members::Groups, members::Cameras, members::Light, members::Tags, members::Rules,
-               members::Numbers, members::Cues, members::Steps, members::Surface>;
+               members::Numbers, members::Cues, members::Steps, members::Surface, members::States>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -34,6 +34,7 @@
 #include "app/window/ShortcutsPage.h"
 #include "model/document/SceneEdit.h"
 #include "model/project/ProjectFile.h"
+#include "model/states/StateKeeping.h"
 #include "tests/app/SceneWindow.h"
 #include "tests/program/WindowTest.h"
 
@@ -85,6 +86,7 @@ private Q_SLOTS:
     void panelsAreRememberedAndReset();
     void pictureOnlyHidesThePanelsAndBringsThemBack();
     void numberKeysKeepAndShowCameras();
+    void functionKeysKeepAndRecallStates();
     void recentFilesComeNewestFirst();
     void shortcutsAreRemembered();
     void changedShortcutFreesItsOldKeys();
@@ -117,6 +119,11 @@ void MainWindowTest::everyActionCanBeReached()
     model::Scene scene = plainScene(0);
     for (const char* name : {"b", "c", "d", "e", "f", "g", "h", "i"}) {
         scene.cameras.push_back({name, scene.cameras.front().camera});
+    }
+    for (model::StateId id = 1; id <= 9; ++id) {
+        scene.states.push_back(
+            model::keepState(scene, "state " + std::to_string(id), model::usualStateColumns(), {}));
+        scene.states.back().id = id;
     }
     openScene(scene, QStringLiteral("a.crowd"));
     for (QMenu* menu : m_window->findChildren<QMenu*>()) {
@@ -588,6 +595,40 @@ void MainWindowTest::numberKeysKeepAndShowCameras()
     QVERIFY(document().scene().cameras[0].camera == other);
     document().undoStack().undo();
     QVERIFY(document().scene().cameras[0].camera == first);
+    document().undoStack().setClean();
+}
+
+void MainWindowTest::functionKeysKeepAndRecallStates()
+{
+    openScene(plainScene(2), QStringLiteral("a.crowd"));
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    const auto ids = document().scene().population.ids();
+    const auto setPhase = [&](float phase) {
+        document().edit(QStringLiteral("Phase"), [&](model::SceneEdit& edit) {
+            edit.setColumn(model::columns::phase, ids, std::span<const float>(&phase, 1));
+        });
+    };
+    const auto phase = [this] {
+        return document().scene().population.column(model::columns::phase)[0];
+    };
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F1, Qt::ShiftModifier);
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("no state 1")));
+    for (const float each : {0.25F, 0.5F}) {
+        setPhase(each);
+        QTest::keyClick(&m_window->viewport(), Qt::Key_F9,
+                        Qt::ControlModifier | Qt::ShiftModifier); // the next free number
+    }
+    QCOMPARE(document().scene().states.size(), std::size_t{2});
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F1, Qt::ShiftModifier);
+    QCOMPARE(phase(), 0.25F);
+    setPhase(0.75F);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F2, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F1, Qt::ShiftModifier);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F2, Qt::ShiftModifier);
+    QCOMPARE(phase(), 0.75F);
+    document().undoStack().undo();
+    QCOMPARE(phase(), 0.25F);
     document().undoStack().setClean();
 }
 

@@ -12,6 +12,7 @@
 #include "app/console/ConsoleDock.h"
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/states/StateKeeping.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/FileContent.h"
 #include "tests/program/WindowTest.h"
@@ -471,6 +472,26 @@ void TestRecording::everyKindOfEditHasItsLines()
     edit("A place away",
          [&](model::SceneEdit& open) { open.removePlace(scene.paths.front().places.front()); });
     edit("The path away", [&](model::SceneEdit& open) { open.removePath(scene.paths.front().id); });
+    edit("States kept", [&](model::SceneEdit& open) {
+        for (const char* name : {"calm", "\"wild\"", "gone"}) {
+            putState(open, keepState(scene, name, model::usualStateColumns(), two));
+        }
+    });
+    edit("A state as it is no more", [&](model::SceneEdit& open) {
+        putState(open, keepState(scene, "calm", {model::ColumnId::Phase}, std::span(ids).first(9)));
+        const float phase = 0.375F;
+        open.setColumn(model::columns::phase, two, std::span<const float>(&phase, 1));
+    });
+    edit("States changed", [&](model::SceneEdit& open) {
+        auto states = scene.states;
+        states.pop_back();
+        std::swap(states[0], states[1]);
+        states[1].name = "quiet";
+        open.setStates(std::move(states));
+    });
+    edit("A state recalled", [&](model::SceneEdit& open) {
+        (void)recallState(open, scene.states[1], scene.states[1].columns);
+    });
     edit("Everybody moved", [&](model::SceneEdit& open) {
         auto all = std::vector(scene.population.ids().begin(), scene.population.ids().end());
         auto rows = scene.population.rows(all);

@@ -50,6 +50,7 @@ crowd_add_tests(ROOM model
     tst_SceneDocument
     tst_SceneMembers
     tst_ShownText
+    tst_States
     tst_UndoMemory
     tst_WholeFile
 )

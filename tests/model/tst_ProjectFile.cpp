@@ -242,16 +242,16 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     row("a wrong name", changed("\"man.glb\"", "7"), "templates[0].path must be a text");
     row("an unknown template", changed("[7,1,", "[7,9,"), "individual 7 uses the template 9");
     row("the same id twice", changed("[7,1,", "[4,1,"), "the id 4");
-    row("id zero", changed("[7,1,", "[0,1,"), "row 2 of the individuals, column \"id\"");
-    row("a huge number", changed("2e1", "2e99"), "row 2 of the individuals, column \"position\"");
+    row("id zero", changed("[7,1,", "[0,1,"), "row 2 of individuals, column \"id\"");
+    row("a huge number", changed("2e1", "2e99"), "row 2 of individuals, column \"position\"");
     row("a text for a number", changed("0.5", "\"x\""),
-        "row 1 of the individuals, column \"position\"");
+        "row 1 of individuals, column \"position\"");
     row("a vector of two", changed("[0,0.5,-1]", "[0,0.5]"), "column \"position\"");
     row("a vector of four", changed("[0,0.5,-1]", "[0,0,0,0]"), "column \"position\"");
     row("a tint without hash", changed("#ff000080", "ff000080"), "column \"tint0\"");
     row("a tint of letters", changed("#ff000080", "#zz000080"), "column \"tint0\"");
-    row("a short row", changed(",4294967295]", "]"), "row 1 of the individuals must have 5");
-    row("a long row", changed(",4294967295]", ",1,1,1]"), "row 1 of the individuals must have 5");
+    row("a short row", changed(",4294967295]", "]"), "row 1 of individuals must have 5");
+    row("a long row", changed(",4294967295]", ",1,1,1]"), "row 1 of individuals must have 5");
     row("a seat too large", changed("16777217", "99999999999"), "column \"seat\"");
     row("a column twice", changed("\"seat\"]", "\"tint0\"]"), "\"tint0\" twice");
     row("no id column", changed("\"id\",\"template\"", "\"template\",\"id\""),
@@ -270,7 +270,7 @@ void tst_ProjectFile::refusesBadInputWithItsPlace_data()
     row("a negative seat", changed("16777217", "-1"), "column \"seat\"");
     row("a fraction for a seat", changed("16777217", "1.5"), "column \"seat\"");
     row("an id that leaves none for others", changed("[7,1,", "[4294967295,1,"),
-        "row 2 of the individuals, column \"id\"");
+        "row 2 of individuals, column \"id\"");
     row("a next id that leaves none",
         changed("\"version\": 1", "\"version\": 1, \"nextId\": 4294967295"), "nextId");
     row("a next id of zero", changed("\"version\": 1", "\"version\": 1, \"nextId\": 0"), "nextId");

@@ -6,6 +6,7 @@
 #include "model/base/Random.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
+#include "model/states/StateKeeping.h"
 #include "tests/program/Test.h"
 
 using namespace crowd::model;
@@ -63,6 +64,12 @@ Scene seedScene()
     scene.places = {{.id = 1, .name = "door", .position = {1.0F, 0.0F, 2.0F}, .radius = 1.5F},
                     {.id = 4, .name = "tree", .role = crowd::model::PlaceRole::Obstacle}};
     scene.paths = {{.id = 1, .name = "way", .places = {1, 4}, .branches = {{4, 1, 0.5F}}}};
+    State state =
+        keepState(scene, "calm", usualStateColumns(), std::vector<IndividualId>{1, 2, 3, 8});
+    state.id = 3;
+    state.unknownMembers = "{\"mood\":7}";
+    state.unknownColumns.push_back({"fear", {{2, "[1]"}}});
+    scene.states.push_back(state);
     scene.unknownColumns.push_back({"fear", {{1, "{\"of\":\"dogs\"}"}, {8, "2"}}});
     return scene;
 }

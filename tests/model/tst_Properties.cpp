@@ -8,8 +8,8 @@
 
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
-#include "model/document/StoredRows.h"
 #include "model/population/ColumnSet.h"
+#include "model/population/StoredRows.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
 #include "tests/program/Test.h"

@@ -10,6 +10,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/project/MemberJson.h"
 #include "model/project/ProjectReader.h"
+#include "model/states/StateKeeping.h"
 #include "tests/model/ProjectText.h"
 #include "tests/program/Test.h"
 
@@ -84,6 +85,11 @@ void alter(members::Surface, SceneEdit& edit)
     SurfaceSettings surface;
     surface.climb = 0.1F;
     edit.set<members::Surface>(surface);
+}
+
+void alter(members::States, SceneEdit& edit)
+{
+    putState(edit, keepState(edit.scene(), "calm", usualStateColumns(), {}));
 }
 
 /// What a member of a scene may be made of, described by fields alone.

@@ -22,6 +22,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_RulePanel
     tst_RulesList
     tst_SelectTool
+    tst_StatesDock
     tst_StrokesDock
     tst_ToolController
     tst_Transport

@@ -13,5 +13,6 @@
 #include "widgets/docks/PresetsDock.h"
 #include "widgets/docks/RulesDock.h"
 #include "widgets/docks/SceneDock.h"
+#include "widgets/docks/StatesDock.h"
 #include "widgets/docks/StrokesDock.h"
 #include "widgets/docks/TemplatesDock.h"

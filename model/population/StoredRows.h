@@ -16,6 +16,7 @@ struct StoredRows
     {
         ColumnId column{};
         std::vector<std::byte> bytes; ///< ids.size() × stride, or one stride
+        friend bool operator==(const Column&, const Column&) = default;
     };
     std::vector<IndividualId> ids; ///< ascending
     std::vector<Column> columns;   ///< ascending
@@ -25,6 +26,7 @@ struct StoredRows
 
     [[nodiscard]] IndividualRows unpacked() const;
     [[nodiscard]] std::size_t bytes() const;
+    friend bool operator==(const StoredRows&, const StoredRows&) = default;
 };
 
 /// Keeps rows of bytes once where all are the same.

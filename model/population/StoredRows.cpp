@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/document/StoredRows.h"
+#include "model/population/StoredRows.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QObject>
+
+#include "widgets/actions/ActionRegistry.h"
+#include "widgets/state/EditorState.h"
+
+class QMenu;
+
+namespace crowd::app {
+
+/// The first nine states under function keys, which are the same on every keyboard: Shift+F1 to
+/// Shift+F9 recall one, with Ctrl too the crowd, or who is selected, is kept as it. Their actions
+/// are in the registry as "state-N" and "state-keep-N". Main thread only; state and registry
+/// outlive it.
+class StateKeys : public QObject
+{
+    Q_OBJECT
+
+public:
+    StateKeys(widgets::EditorState& state, widgets::ActionRegistry& actions, QObject* parent);
+
+    /// Fills two menus whenever they are shown: all states by name, and what can be kept as one.
+    void attach(QMenu* recall, QMenu* keep);
+
+private:
+    void recall(std::size_t index);
+    void keep(std::size_t index);
+    void fillRecall(QMenu* menu);
+    void fillKeep(QMenu* menu);
+
+    widgets::EditorState& m_state;
+    widgets::ActionRegistry& m_actions;
+};
+
+} // namespace crowd::app

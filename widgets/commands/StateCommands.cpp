@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/commands/StateCommands.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/base/Translated.h"
+#include "model/states/StateKeeping.h"
+
+namespace crowd::widgets {
+
+using model::State;
+
+namespace {
+
+struct StatesText
+{
+    Q_DECLARE_TR_FUNCTIONS(StateCommands)
+};
+
+const State* stateOf(const EditorState& state, model::StateId id)
+{
+    const auto& all = state.scene().states;
+    const auto found = std::ranges::find(all, id, &State::id);
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<model::IndividualId> peopleFor(const EditorState& state, StateReach reach)
+{
+    const auto ids =
+        reach == StateReach::Selected ? state.selection().ids() : state.scene().population.ids();
+    return {ids.begin(), ids.end()};
+}
+
+void editList(EditorState& state, const QString& text,
+              const std::function<void(std::vector<State>&)>& change)
+{
+    std::vector<State> all = state.scene().states;
+    change(all);
+    state.document().edit(text, [&](model::SceneEdit& edit) { edit.setStates(std::move(all)); });
+}
+
+QString quoted(const std::string& name)
+{
+    return QString::fromStdString(name);
+}
+
+void say(EditorState& state, const QString& name, const model::StateRecall& recall)
+{
+    QStringList said;
+    said << (recall.changed.empty()
+                 ? StatesText::tr("“%1”: all of them are like that already").arg(name)
+                 : StatesText::tr("“%1” recalled: %n characters changed", nullptr,
+                                  static_cast<int>(recall.changed.size()))
+                       .arg(name));
+    for (const model::Message& note : recall.notes) {
+        said << model::translated(note);
+    }
+    state.showStatus(said.join(QLatin1Char(' ')));
+}
+
+} // namespace
+
+QString freeStateName(const model::Scene& scene)
+{
+    for (std::size_t number = scene.states.size() + 1;; ++number) {
+        const QString name = StatesText::tr("State %1").arg(number);
+        if (model::findState(scene, name.toStdString()) == nullptr) {
+            return name;
+        }
+    }
+}
+
+bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet columns,
+                 StateReach reach)
+{
+    const auto people = peopleFor(state, reach);
+    if (people.empty() || columns.isEmpty()) {
+        state.showStatus(columns.isEmpty() ? StatesText::tr("Tick what the state is to hold first.")
+                         : reach == StateReach::Selected
+                             ? StatesText::tr("Nobody is selected whose state could be kept.")
+                             : StatesText::tr("Nobody is there yet whose state could be kept."));
+        return false;
+    }
+    const auto outcome =
+        state.document().edit(StatesText::tr("Keep a state"), [&](model::SceneEdit& edit) {
+            putState(edit, keepState(edit.scene(), name.toStdString(), columns, people));
+        });
+    if (outcome != model::EditOutcome::Refused) {
+        state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,
+                                        static_cast<int>(people.size()))
+                             .arg(name));
+    }
+    return outcome != model::EditOutcome::Refused;
+}
+
+void keepStateAnew(EditorState& state, model::StateId id)
+{
+    const State* before = stateOf(state, id);
+    if (before == nullptr) {
+        return;
+    }
+    std::vector<model::IndividualId> people = before->people->ids;
+    std::erase_if(people, [&state](model::IndividualId each) {
+        return state.scene().population.rowOf(each) == model::Population::npos;
+    });
+    State now = keepState(state.scene(), before->name, before->columns, people);
+    now.id = id;
+    const QString name = quoted(now.name);
+    editList(state, StatesText::tr("Keep a state anew"), [&](std::vector<State>& all) {
+        *std::ranges::find(all, id, &State::id) = std::move(now);
+    });
+    state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,
+                                    static_cast<int>(people.size()))
+                         .arg(name));
+}
+
+void recallStateOf(EditorState& state, model::StateId id)
+{
+    const State* found = stateOf(state, id);
+    if (found == nullptr) {
+        return;
+    }
+    const State kept = *found;
+    model::StateRecall recall;
+    const auto outcome = state.document().edit(
+        StatesText::tr("Recall “%1”").arg(quoted(kept.name)),
+        [&](model::SceneEdit& edit) { recall = recallState(edit, kept, kept.columns); });
+    if (outcome != model::EditOutcome::Refused) {
+        say(state, quoted(kept.name), recall);
+    }
+}
+
+void removeState(EditorState& state, model::StateId id)
+{
+    editList(state, StatesText::tr("Remove a state"), [id](std::vector<State>& all) {
+        std::erase_if(all, [id](const State& each) { return each.id == id; });
+    });
+}
+
+bool renameState(EditorState& state, model::StateId id, const QString& name)
+{
+    const std::string text = name.simplified().toStdString();
+    const State* same = model::findState(state.scene(), text);
+    if (text.empty() || (same != nullptr && same->id != id)) {
+        state.showStatus(text.empty() ? StatesText::tr("A state needs a name.")
+                                      : StatesText::tr("There is a state “%1” already.").arg(name));
+        return false;
+    }
+    editList(state, StatesText::tr("Rename a state"), [&](std::vector<State>& all) {
+        if (const auto found = std::ranges::find(all, id, &State::id); found != all.end()) {
+            found->name = text;
+        }
+    });
+    return true;
+}
+
+void moveState(EditorState& state, model::StateId id, int by)
+{
+    editList(state, StatesText::tr("Move a state"), [&](std::vector<State>& all) {
+        const auto found = std::ranges::find(all, id, &State::id);
+        const auto place = found - all.begin();
+        const auto to = place + by;
+        if (found == all.end() || to < 0 || to >= std::ssize(all)) {
+            return;
+        }
+        State moved = std::move(*found);
+        all.erase(found);
+        all.insert(all.begin() + to, std::move(moved));
+    });
+}
+
+void selectPeopleOf(EditorState& state, model::StateId id)
+{
+    if (const State* found = stateOf(state, id)) {
+        std::vector<model::IndividualId> people = found->people->ids;
+        std::erase_if(people, [&state](model::IndividualId each) {
+            return state.scene().population.rowOf(each) == model::Population::npos;
+        });
+        state.selection().set(people);
+    }
+}
+
+} // namespace crowd::widgets

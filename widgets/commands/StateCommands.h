@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QString>
+
+#include "model/population/ColumnSet.h"
+#include "model/scene/State.h"
+#include "widgets/state/EditorState.h"
+
+/// What panels, menus and keys do with kept states: one undo step each, nothing while something
+/// else is edited. They say in the status bar what came of it.
+namespace crowd::widgets {
+
+enum class StateReach : std::uint8_t { Everybody, Selected };
+
+/// "State 3": a name that none has.
+[[nodiscard]] QString freeStateName(const model::Scene& scene);
+/// Whether there was somebody to keep it of.
+bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet columns,
+                 StateReach reach);
+/// How they are now, of the same people as far as they are there, with the same properties.
+void keepStateAnew(EditorState& state, model::StateId id);
+void recallStateOf(EditorState& state, model::StateId id);
+void removeState(EditorState& state, model::StateId id);
+/// Whether it has that name now.
+bool renameState(EditorState& state, model::StateId id, const QString& name);
+/// Before the one that is so many places further.
+void moveState(EditorState& state, model::StateId id, int by);
+void selectPeopleOf(EditorState& state, model::StateId id);
+
+} // namespace crowd::widgets

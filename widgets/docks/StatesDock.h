@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QtCore/QTimer>
+
+#include "model/population/ColumnSet.h"
+#include "model/scene/State.h"
+#include "widgets/docks/DockBase.h"
+#include "widgets/state/EditorState.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+
+namespace crowd::widgets {
+
+/// The kept states of the scene, in the order of their keys: a double click recalls one. What the
+/// next one holds is ticked below, and of whom it is. Each change is one undo step. Main thread.
+class StatesDock : public DockBase
+{
+    Q_OBJECT
+
+public:
+    StatesDock(EditorState& state, QWidget* parent);
+
+private:
+    [[nodiscard]] QWidget* buttons();
+    [[nodiscard]] QWidget* holding();
+    void connectParts();
+    void fill();
+    void showMenu(const QPoint& position);
+    void keep();
+    void edit(model::StateId id);
+    void recallChosen();
+    [[nodiscard]] model::StateId chosen() const; ///< 0: none
+    [[nodiscard]] model::ColumnSet ticked() const;
+    void refreshNotes();
+
+    EditorState& m_state;
+    QTimer m_rebuild;
+    // Children of this widget.
+    QListWidget* m_list;
+    QLabel* m_note;
+    QComboBox* m_reach;
+    std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
+    QWidget* m_chosenButtons = nullptr;
+    bool m_isFilling = false;
+};
+
+} // namespace crowd::widgets
