@@ -97,6 +97,7 @@ void Steps::arrange()
 {
     const auto idsOf = [](const std::vector<State>& states) {
         std::vector<StateId> ids;
+        ids.reserve(states.size());
         for (const State& each : states) {
             ids.push_back(each.id);
         }
@@ -119,6 +120,7 @@ void Steps::arrange()
 bool areNamesDifferent(const std::vector<State>& states)
 {
     std::vector<std::string> names;
+    names.reserve(states.size());
     for (const State& each : states) {
         names.push_back(each.name);
     }

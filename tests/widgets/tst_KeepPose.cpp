@@ -91,6 +91,7 @@ private Q_SLOTS:
     void keepingTwiceKeepsTheLatest();
     void keptNumbersAreInTheFile();
     void undoneItIsAsBefore();
+    void itIsShownWithoutBeingKept();
     void stepsAreAsLongAsTheSceneSays_data();
     void stepsAreAsLongAsTheSceneSays();
 };
@@ -159,6 +160,20 @@ void TestKeepPose::keptNumbersAreInTheFile()
     const auto read = model::projectFromText(projectText(stage.document.scene()));
     QVERIFY2(read.isOk(), read ? "" : read.error().message.c_str());
     QCOMPARE(read.value().numbers, stage.document.scene().numbers);
+}
+
+/// What a state keeps while it plays.
+void TestKeepPose::itIsShownWithoutBeingKept()
+{
+    Stage stage(changeable());
+    QCOMPARE(projectText(stage.control.shownScene()), projectText(stage.document.scene()));
+    QVERIFY(stage.change({2}));
+    const std::string before = projectText(stage.document.scene());
+    const std::string shown = projectText(stage.control.shownScene());
+    QVERIFY(shown != before);
+    QCOMPARE(projectText(stage.document.scene()), before);
+    QVERIFY(stage.control.keepPose());
+    QCOMPARE(projectText(stage.document.scene()), shown);
 }
 
 void TestKeepPose::undoneItIsAsBefore()

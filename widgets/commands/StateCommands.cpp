@@ -68,7 +68,7 @@ void say(EditorState& state, const QString& name, const model::StateRecall& reca
 QString freeStateName(const model::Scene& scene)
 {
     for (std::size_t number = scene.states.size() + 1;; ++number) {
-        const QString name = StatesText::tr("State %1").arg(number);
+        QString name = StatesText::tr("State %1").arg(number);
         if (model::findState(scene, name.toStdString()) == nullptr) {
             return name;
         }
@@ -86,9 +86,10 @@ bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet colum
                              : StatesText::tr("Nobody is there yet whose state could be kept."));
         return false;
     }
+    const model::Scene shown = state.session().shownScene();
     const auto outcome =
         state.document().edit(StatesText::tr("Keep a state"), [&](model::SceneEdit& edit) {
-            putState(edit, keepState(edit.scene(), name.toStdString(), columns, people));
+            putState(edit, keepState(shown, name.toStdString(), columns, people));
         });
     if (outcome != model::EditOutcome::Refused) {
         state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,
@@ -108,7 +109,7 @@ void keepStateAnew(EditorState& state, model::StateId id)
     std::erase_if(people, [&state](model::IndividualId each) {
         return state.scene().population.rowOf(each) == model::Population::npos;
     });
-    State now = keepState(state.scene(), before->name, before->columns, people);
+    State now = keepState(state.session().shownScene(), before->name, before->columns, people);
     now.id = id;
     const QString name = quoted(now.name);
     editList(state, StatesText::tr("Keep a state anew"), [&](std::vector<State>& all) {

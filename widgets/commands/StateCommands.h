@@ -15,10 +15,10 @@ enum class StateReach : std::uint8_t { Everybody, Selected };
 
 /// "State 3": a name that none has.
 [[nodiscard]] QString freeStateName(const model::Scene& scene);
-/// Whether there was somebody to keep it of.
+/// As they are seen now, also while it plays. Whether there was somebody to keep it of.
 bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet columns,
                  StateReach reach);
-/// How they are now, of the same people as far as they are there, with the same properties.
+/// How they are seen now, of the same people as far as they are there, with the same properties.
 void keepStateAnew(EditorState& state, model::StateId id);
 void recallStateOf(EditorState& state, model::StateId id);
 void removeState(EditorState& state, model::StateId id);

@@ -379,4 +379,19 @@ bool SessionControl::keepPose()
     return outcome == model::EditOutcome::Committed;
 }
 
+model::Scene SessionControl::shownScene() const
+{
+    if (!isRunning()) {
+        return m_document.scene();
+    }
+    model::SceneDocument scratch;
+    scratch.replaceScene(m_document.scene(), {});
+    const model::CrowdFramePtr shown = frame(m_transport.seconds());
+    const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
+    scratch.edit(QString(), [&](model::SceneEdit& edit) {
+        (void)behavior::keepPose(edit, shown->population, pose.get());
+    });
+    return scratch.scene();
+}
+
 } // namespace crowd::widgets
