@@ -2,6 +2,7 @@
 #include "behavior/session/PoseKeeping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -142,6 +143,28 @@ int keepPose(model::SceneEdit& edit, const model::Population& shown, const Sessi
         keepNumbers(edit, *pose->numbers);
     }
     return people;
+}
+
+void keepClips(model::SceneEdit& edit, const model::Population& shown)
+{
+    const model::Population before = edit.scene().population;
+    std::vector<model::IndividualId> ids;
+    std::vector<std::uint16_t> clips;
+    std::vector<float> phases;
+    std::vector<float> speeds;
+    for (const Present& each : stillPresent(before, shown)) {
+        if (before.column(keys::path)[each.before] != 0) {
+            continue;
+        }
+        const float phase = shown.column(keys::phase)[each.shown];
+        ids.push_back(each.id);
+        clips.push_back(shown.column(keys::clip)[each.shown]);
+        phases.push_back(std::clamp(phase - std::floor(phase), 0.0F, 1.0F));
+        speeds.push_back(shown.column(keys::playbackSpeed)[each.shown]);
+    }
+    edit.setColumn(keys::clip, ids, std::span<const std::uint16_t>(clips));
+    edit.setColumn(keys::phase, ids, std::span<const float>(phases));
+    edit.setColumn(keys::playbackSpeed, ids, std::span<const float>(speeds));
 }
 
 } // namespace crowd::behavior

@@ -13,4 +13,8 @@ namespace crowd::behavior {
 /// begin with. How many people stand or sit another way than before.
 int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose);
 
+/// The clips that people are seen in become theirs, from where they are in them. Not of those who
+/// follow a path: what they are seen in is how they get about.
+void keepClips(model::SceneEdit& edit, const model::Population& shown);
+
 } // namespace crowd::behavior

@@ -162,18 +162,30 @@ void TestKeepPose::keptNumbersAreInTheFile()
     QCOMPARE(read.value().numbers, stage.document.scene().numbers);
 }
 
-/// What a state keeps while it plays.
+/// What a state keeps while it plays: also clips that rules play, which nobody has of his own.
 void TestKeepPose::itIsShownWithoutBeingKept()
 {
-    Stage stage(changeable());
+    model::Scene scene = changeable();
+    actions::PlayClip play;
+    play.clips = {{"sit", 1.0F}};
+    play.isLooped = true;
+    play.seconds = 0.0F;
+    scene.rules.push_back(onEvent("play", {play}));
+    scene.rules.back().id = 77;
+    Stage stage(scene);
     QCOMPARE(projectText(stage.control.shownScene()), projectText(stage.document.scene()));
     QVERIFY(stage.change({2}));
+    stage.control.send({"play", 0.0F}, std::vector<model::IndividualId>{3});
+    QVERIFY(stage.step(5));
     const std::string before = projectText(stage.document.scene());
-    const std::string shown = projectText(stage.control.shownScene());
-    QVERIFY(shown != before);
+    const model::Scene shown = stage.control.shownScene();
     QCOMPARE(projectText(stage.document.scene()), before);
-    QVERIFY(stage.control.keepPose());
-    QCOMPARE(projectText(stage.document.scene()), shown);
+    QCOMPARE(shown.population.column(keys::height)[1], 1.5F);
+    QCOMPARE(shown.population.column(keys::clip)[1], std::uint16_t{4});
+    QCOMPARE(shown.population.column(keys::clip)[2], std::uint16_t{4});
+    QVERIFY(stage.document.scene().population.column(keys::clip)[2] != 4);
+    const float phase = shown.population.column(keys::phase)[2];
+    QVERIFY2(phase >= 0.0F && phase <= 1.0F, qPrintable(QString::number(phase)));
 }
 
 void TestKeepPose::undoneItIsAsBefore()

@@ -390,6 +390,7 @@ model::Scene SessionControl::shownScene() const
     const behavior::SessionPosePtr pose = m_player->poseAt(m_transport.seconds());
     scratch.edit(QString(), [&](model::SceneEdit& edit) {
         (void)behavior::keepPose(edit, shown->population, pose.get());
+        behavior::keepClips(edit, shown->population);
     });
     return scratch.scene();
 }

@@ -46,7 +46,8 @@ public:
     void stop();
     /// Where everybody is now becomes where the scene has them: one undo step.
     bool keepPose();
-    /// The scene as keepPose() would make it; without a session as it is.
+    /// The scene as keepPose() would make it, with people in the clips that they are seen in;
+    /// without a session as it is.
     [[nodiscard]] model::Scene shownScene() const;
     /// To a running session only.
     void send(const model::EventSettings& event, std::span<const model::IndividualId> ids);
