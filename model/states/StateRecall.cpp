@@ -32,12 +32,15 @@ class NameMap
 {
 public:
     NameMap(const StateTemplate& then, const StateTemplate& now)
-        : m_isSame(then.clips == now.clips && then.slots == now.slots && then.parts == now.parts),
-          m_clips(placesOf(then.clips, now.clips)), m_slots(placesOf(now.slots, then.slots)),
-          m_parts(placesOf(now.parts, then.parts))
+        : m_areClipsSame(then.clips == now.clips), m_areSlotsSame(then.slots == now.slots),
+          m_arePartsSame(then.parts == now.parts), m_clips(placesOf(then.clips, now.clips)),
+          m_slots(placesOf(now.slots, then.slots)), m_parts(placesOf(now.parts, then.parts))
     {
     }
-    [[nodiscard]] bool isSame() const { return m_isSame; }
+    // Also where no names are known.
+    [[nodiscard]] bool areClipsSame() const { return m_areClipsSame; }
+    [[nodiscard]] bool areSlotsSame() const { return m_areSlotsSame; }
+    [[nodiscard]] bool arePartsSame() const { return m_arePartsSame; }
     /// kGone: it has none of that name.
     [[nodiscard]] int clip(std::size_t then) const
     {
@@ -50,7 +53,9 @@ public:
     [[nodiscard]] std::span<const int> partsThen() const { return m_parts; }
 
 private:
-    bool m_isSame;
+    bool m_areClipsSame;
+    bool m_areSlotsSame;
+    bool m_arePartsSame;
     std::vector<int> m_clips; ///< today's by those of then
     std::vector<int> m_slots; ///< those of then by today's
     std::vector<int> m_parts;
@@ -219,7 +224,7 @@ void Recall::writeClips(ColumnId column, std::uint16_t first)
     write(column, [&](const Pair& pair) {
         const auto then = held.valueOf<std::uint16_t>(pair.then);
         const NameMap& map = names(pair);
-        if (map.isSame() || then < first) {
+        if (map.areClipsSame() || then < first) {
             return held.of(pair.then);
         }
         const std::size_t place = static_cast<std::size_t>(then) - first;
@@ -247,7 +252,7 @@ void Recall::writeTint(ColumnId column)
     }
     write(column, [&](const Pair& pair) {
         const NameMap& map = names(pair);
-        const int then = map.isSame() ? static_cast<int>(slot) : map.slotThen(slot);
+        const int then = map.areSlotsSame() ? static_cast<int>(slot) : map.slotThen(slot);
         return then == kGone ? Value() : held[static_cast<std::size_t>(then)].of(pair.then);
     });
 }
@@ -259,8 +264,8 @@ void Recall::writeChoices()
     write(ColumnId::MaterialChoices, [&](const Pair& pair) {
         const auto then = held.valueOf<MaterialChoices>(pair.then);
         const NameMap& map = names(pair);
-        MaterialChoices choices = map.isSame() ? then : now[pair.row];
-        for (std::size_t slot = 0; slot < choices.size() && !map.isSame(); ++slot) {
+        MaterialChoices choices = map.areSlotsSame() ? then : now[pair.row];
+        for (std::size_t slot = 0; slot < choices.size() && !map.areSlotsSame(); ++slot) {
             const int from = map.slotThen(slot);
             choices[slot] = from == kGone ? choices[slot] : then[static_cast<std::size_t>(from)];
         }
@@ -275,8 +280,8 @@ void Recall::writeReplaces()
     write(ColumnId::TintReplaces, [&](const Pair& pair) {
         const unsigned then = held.valueOf<std::uint16_t>(pair.then);
         const NameMap& map = names(pair);
-        unsigned bits = map.isSame() ? then : now[pair.row];
-        for (unsigned slot = 0; slot < kTintColumns.size() && !map.isSame(); ++slot) {
+        unsigned bits = map.areSlotsSame() ? then : now[pair.row];
+        for (unsigned slot = 0; slot < kTintColumns.size() && !map.areSlotsSame(); ++slot) {
             if (const int from = map.slotThen(slot); from != kGone) {
                 bits = (bits & ~(1U << slot)) | ((then >> static_cast<unsigned>(from)) & 1U)
                                                     << slot;
@@ -293,9 +298,9 @@ void Recall::writeParts()
     write(ColumnId::Parts, [&](const Pair& pair) {
         const auto then = held.valueOf<std::uint32_t>(pair.then);
         const NameMap& map = names(pair);
-        std::uint32_t bits = map.isSame() ? then : now[pair.row];
+        std::uint32_t bits = map.arePartsSame() ? then : now[pair.row];
         const std::span<const int> parts = map.partsThen();
-        for (std::size_t part = 0; part < parts.size() && !map.isSame(); ++part) {
+        for (std::size_t part = 0; part < parts.size() && !map.arePartsSame(); ++part) {
             if (parts[part] != kGone) {
                 const std::uint32_t isShown = (then >> static_cast<unsigned>(parts[part])) & 1U;
                 bits = (bits & ~(1U << part)) | isShown << part;

@@ -110,6 +110,7 @@ private Q_SLOTS:
     void someOfItForSomeOfThem();
     void whoIsGoneIsSkipped();
     void clipsSlotsAndPartsGoByName();
+    void slotsOfMissingFilesAreWhatTheyWere();
     void whatIsGoneIsSaid();
     void seatsAreNotTakenFromOthers();
     void aStateOfThatNameIsReplaced();
@@ -214,6 +215,25 @@ void tst_States::clipsSlotsAndPartsGoByName()
     const std::uint32_t swapped = (parts & 1U) << 1U | (parts >> 1U & 1U);
     QCOMPARE(scene.valueOf(columns::parts, 0) & 3U, swapped);
     QCOMPARE(scene.valueOf(columns::clip, 1), std::uint16_t{1}); // of the other template
+}
+
+/// Nothing says that they are others, whatever becomes of the clips.
+void tst_States::slotsOfMissingFilesAreWhatTheyWere()
+{
+    StatesScene scene;
+    TemplateEntry entry = *scene.document.scene().findTemplate(1);
+    entry.path = "lost.glb"; // else what was loaded is kept
+    entry.asset.reset();
+    scene.change(entry);
+    const Tint tint = scene.valueOf(columns::tint(1), 2);
+    const std::uint32_t parts = scene.valueOf(columns::parts, 2);
+    const State calm = scene.keep("calm");
+    std::ranges::rotate(entry.clipNames, entry.clipNames.begin() + 1);
+    scene.change(entry);
+    scene.stir();
+    (void)scene.recall(calm);
+    QVERIFY(scene.valueOf(columns::tint(1), 2) == tint);
+    QCOMPARE(scene.valueOf(columns::parts, 2), parts);
 }
 
 void tst_States::whatIsGoneIsSaid()
