@@ -3,10 +3,8 @@
 
 #include <QtCore/QObject>
 
-#include "widgets/actions/ActionRegistry.h"
+#include "app/window/NumberedActions.h"
 #include "widgets/state/EditorState.h"
-
-class QMenu;
 
 namespace crowd::app {
 
@@ -22,17 +20,15 @@ public:
 
     /// Fills two menus whenever they are shown: all cameras by name, and those that the present
     /// view can be kept as.
-    void attach(QMenu* goTo, QMenu* keep);
+    void attach(QMenu* goTo, QMenu* keep) { m_numbered.attach(goTo, keep); }
 
 private:
-    void addActions();
+    [[nodiscard]] QStringList names() const;
     void goTo(std::size_t index);
     void keepAs(std::size_t index);
-    void fillGoTo(QMenu* menu);
-    void fillKeep(QMenu* menu);
 
     widgets::EditorState& m_state;
-    widgets::ActionRegistry& m_actions;
+    NumberedActions m_numbered;
 };
 
 } // namespace crowd::app

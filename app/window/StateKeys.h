@@ -3,10 +3,8 @@
 
 #include <QtCore/QObject>
 
-#include "widgets/actions/ActionRegistry.h"
+#include "app/window/NumberedActions.h"
 #include "widgets/state/EditorState.h"
-
-class QMenu;
 
 namespace crowd::app {
 
@@ -22,16 +20,15 @@ public:
     StateKeys(widgets::EditorState& state, widgets::ActionRegistry& actions, QObject* parent);
 
     /// Fills two menus whenever they are shown: all states by name, and what can be kept as one.
-    void attach(QMenu* recall, QMenu* keep);
+    void attach(QMenu* recall, QMenu* keep) { m_numbered.attach(recall, keep); }
 
 private:
+    [[nodiscard]] QStringList names() const;
     void recall(std::size_t index);
     void keep(std::size_t index);
-    void fillRecall(QMenu* menu);
-    void fillKeep(QMenu* menu);
 
     widgets::EditorState& m_state;
-    widgets::ActionRegistry& m_actions;
+    NumberedActions m_numbered;
 };
 
 } // namespace crowd::app
