@@ -872,12 +872,12 @@
         <translation>Zustand &amp;9 merken</translation>
     </message>
     <message>
-        <source>Give everybody back what he had in the state of this number</source>
-        <translation>Allen zurückgeben, was sie im Zustand mit dieser Nummer hatten</translation>
-    </message>
-    <message>
         <source>Keep how the crowd is now, or who is selected, as the state of this number</source>
         <translation>Wie die Menge jetzt ist, oder die Ausgewählten, als Zustand mit dieser Nummer merken</translation>
+    </message>
+    <message>
+        <source>Give everybody back what he had in the state of this number: while it plays in this run alone, else in the scene</source>
+        <translation>Allen zurückgeben, was sie im Zustand dieser Nummer hatten: beim Abspielen nur in diesem Lauf, sonst in der Szene</translation>
     </message>
 </context>
 <context>
@@ -2556,6 +2556,66 @@
     <message>
         <source>Place and heading</source>
         <translation>Ort und Richtung</translation>
+    </message>
+    <message>
+        <source>The last begins after</source>
+        <translation>Letzte beginnen nach</translation>
+    </message>
+    <message>
+        <source>0: all begin at the same moment</source>
+        <translation>0: alle beginnen im selben Augenblick</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>from a point</source>
+        <translation>von einem Punkt aus</translation>
+    </message>
+    <message>
+        <source>Like a ring that grows on the ground</source>
+        <translation>Wie ein Ring, der am Boden wächst</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Who is near in the picture begins</source>
+        <translation>Wer im Bild nah ist, beginnt</translation>
+    </message>
+    <message>
+        <source>row by row</source>
+        <translation>Reihe für Reihe</translation>
+    </message>
+    <message>
+        <source>From the front seats to the last row</source>
+        <translation>Von den vorderen Sitzen bis zur letzten Reihe</translation>
+    </message>
+    <message>
+        <source>block by block</source>
+        <translation>Block für Block</translation>
+    </message>
+    <message>
+        <source>From one wedge of seats to the next</source>
+        <translation>Von einem Sitzblock zum nächsten</translation>
+    </message>
+    <message>
+        <source>at random</source>
+        <translation>zufällig</translation>
+    </message>
+    <message>
+        <source>Each takes</source>
+        <translation>Jeder braucht</translation>
+    </message>
+    <message>
+        <source>Clips fade into each other, colours and sizes run, while it plays</source>
+        <translation>Beim Abspielen gehen Clips ineinander über, Farben und Größen laufen</translation>
     </message>
 </context>
 <context>
@@ -5900,6 +5960,21 @@
         <source>Move a state</source>
         <translation>Einen Zustand verschieben</translation>
     </message>
+    <message>
+        <source>“%1”: none of its characters is there</source>
+        <translation>„%1“: Keine seiner Figuren ist da</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” for %n characters, in this run alone: Stop gives the scene back</source>
+        <translation>
+            <numerusform>„%1“ für %n Figur, nur in diesem Lauf: Anhalten gibt die Szene zurück</numerusform>
+            <numerusform>„%1“ für %n Figuren, nur in diesem Lauf: Anhalten gibt die Szene zurück</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wait until it is known where characters can walk, then recall the state.</source>
+        <translation>Warten Sie, bis bekannt ist, wo Figuren gehen können, und rufen Sie den Zustand dann ab.</translation>
+    </message>
 </context>
 <context>
     <name>StepMenu</name>
@@ -7650,10 +7725,6 @@ Verworfen ist sie fort.</translation>
         <translation>Im Bild wählen</translation>
     </message>
     <message>
-        <source>Then click the point to face</source>
-        <translation>Dann den Punkt anklicken, zu dem sie sehen</translation>
-    </message>
-    <message>
         <source>Any, by the operator</source>
         <translation>Irgendeines, nach dem Operator</translation>
     </message>
@@ -7664,6 +7735,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>All parts</source>
         <translation>Alle Teile</translation>
+    </message>
+    <message>
+        <source>Then click the point</source>
+        <translation>Dann den Punkt anklicken</translation>
     </message>
 </context>
 <context>
@@ -8648,6 +8723,22 @@ Verworfen ist sie fort.</translation>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
+    <message>
+        <source>Only in this run</source>
+        <translation>Nur in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation>Beim Abspielen bleibt die Szene, wie sie ist, und Anhalten gibt sie zurück. Die Tasten tun das immer.</translation>
+    </message>
+    <message>
+        <source>Recall only in this run</source>
+        <translation>Nur in diesem Lauf abrufen</translation>
+    </message>
+    <message>
+        <source>When one is recalled</source>
+        <translation>Beim Abrufen</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::StrokesDock</name>
@@ -8816,6 +8907,14 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Brush size: %1 px</source>
         <translation>Pinselgröße: %1 px</translation>
+    </message>
+    <message>
+        <source>There is no ground under the cursor</source>
+        <translation>Unter dem Mauszeiger ist kein Boden</translation>
+    </message>
+    <message>
+        <source>Click a point in the picture</source>
+        <translation>Einen Punkt im Bild anklicken</translation>
     </message>
 </context>
 <context>

@@ -872,11 +872,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give everybody back what he had in the state of this number</source>
+        <source>Keep how the crowd is now, or who is selected, as the state of this number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep how the crowd is now, or who is selected, as the state of this number</source>
+        <source>Give everybody back what he had in the state of this number: while it plays in this run alone, else in the scene</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2555,6 +2555,66 @@
     </message>
     <message>
         <source>Place and heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last begins after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: all begin at the same moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Like a ring that grows on the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who is near in the picture begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row by row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the front seats to the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>block by block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From one wedge of seats to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips fade into each other, colours and sizes run, while it plays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5900,6 +5960,21 @@
         <source>Move a state</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1”: none of its characters is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” for %n characters, in this run alone: Stop gives the scene back</source>
+        <translation>
+            <numerusform>“%1” for %n character, in this run alone: Stop gives the scene back</numerusform>
+            <numerusform>“%1” for %n characters, in this run alone: Stop gives the scene back</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wait until it is known where characters can walk, then recall the state.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>StepMenu</name>
@@ -7643,10 +7718,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Then click the point to face</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Any, by the operator</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7656,6 +7727,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>All parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click the point</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8596,7 +8671,7 @@ Thrown away, it is gone.</source>
     </message>
     <message numerus="yes">
         <source>%n characters</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n character</numerusform>
             <numerusform>%n characters</numerusform>
         </translation>
@@ -8639,6 +8714,22 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only in this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recall only in this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When one is recalled</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8808,6 +8899,14 @@ Thrown away, it is gone.</source>
     <name>crowd::widgets::ToolController</name>
     <message>
         <source>Brush size: %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no ground under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a point in the picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

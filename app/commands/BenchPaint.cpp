@@ -12,6 +12,7 @@
 #include <QtCore/QJsonObject>
 
 #include "app/commands/BenchReport.h"
+#include "app/commands/BenchStates.h"
 #include "model/base/Random.h"
 #include "model/brush/Stroke.h"
 #include "model/document/SceneDocument.h"
@@ -155,6 +156,8 @@ public:
     [[nodiscard]] double medianUndo();
     [[nodiscard]] std::optional<double> medianFrame();
     [[nodiscard]] AreaQueries queryArea(model::AreaMode mode);
+    /// Last: it changes people.
+    void addStates(QJsonObject& report) { measureStates(m_document, report); }
 
 private:
     [[nodiscard]] model::BrushContext context() { return {fieldView(), m_keyframes, m_stage}; }
@@ -343,6 +346,7 @@ int runBenchPaint(const BenchPaintOptions& options)
     report[QStringLiteral("undo_ms")] = rounded(undoMs);
     report[QStringLiteral("frame_ms")] = frameMs ? QJsonValue(rounded(*frameMs)) : QJsonValue();
     measureBrushes(bench, percentile(colour.dabMs, 0.5), report);
+    bench.addStates(report);
     measureAreas(cast.value(), report);
     printReport(report, options.json);
     return 0;

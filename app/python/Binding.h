@@ -24,7 +24,8 @@
 /// What the parts of the Python module share.
 namespace crowd::model {
 struct StateRecall;
-}
+struct Stagger;
+} // namespace crowd::model
 
 namespace crowd::app {
 
@@ -36,6 +37,7 @@ struct ScriptStates;
 struct StateHandle;
 class ScriptSession;
 struct PythonBrush;
+struct RecallOrder;
 
 /// crowdbrush.Error, with the message the editor would show.
 class ScriptError : public std::runtime_error
@@ -143,6 +145,11 @@ using SceneClass = pybind11::class_<ScriptScene, ScenePtr>;
 /// For these, or for everybody. Raises where the name is empty, the number none, or somebody dead.
 [[nodiscard]] ScriptEvent eventOf(const ScriptScene& scene, const std::string& name,
                                   const py::object& ids, float number);
+/// Of the arguments of recall_state; raises where they are none.
+[[nodiscard]] RecallOrder recallOrderOf(const ScriptScene& scene, float seconds,
+                                        const std::optional<model::Stagger>& stagger,
+                                        const py::object& ids,
+                                        const std::optional<std::vector<std::string>>& columns);
 /// crowdbrush.Picture of the scene at a time, or of this frame.
 [[nodiscard]] py::object pictureOf(ScriptScene& scene, const glm::ivec2& size,
                                    const CameraKey& camera, const std::string& look, double time,

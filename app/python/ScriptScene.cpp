@@ -76,8 +76,14 @@ ScriptScene::Snapshot ScriptScene::snapshot() const
 {
     return onDocument([this]() -> Snapshot {
         return {std::make_shared<const Scene>(m_host.document->scene()),
-                m_host.document->revision()};
+                m_host.document->revision(), m_change, m_changeRevision};
     });
+}
+
+void ScriptScene::noteChangeOver(ChangeOver change)
+{
+    m_change = std::make_shared<const ChangeOver>(std::move(change));
+    m_changeRevision = m_host.document->revision();
 }
 
 std::uint64_t ScriptScene::revision() const

@@ -21,6 +21,7 @@
 #include "model/document/SceneDocument.h"
 #include "model/document/SceneEdit.h"
 #include "model/pick/StageRays.h"
+#include "model/states/ChangeOver.h"
 
 namespace crowd::app {
 
@@ -72,8 +73,14 @@ public:
     {
         std::shared_ptr<const model::Scene> scene;
         std::uint64_t revision = 0;
+        /// The last recall that takes its time, and the revision before it; null: none yet.
+        std::shared_ptr<const model::ChangeOver> change{};
+        std::uint64_t changeRevision = 0;
     };
     [[nodiscard]] Snapshot snapshot() const;
+    /// Before a state is recalled over some time: sessions are told by the next snapshot. Where the
+    /// document is.
+    void noteChangeOver(model::ChangeOver change);
     /// Grows with every change.
     [[nodiscard]] std::uint64_t revision() const;
     [[nodiscard]] std::string path() const;
@@ -147,6 +154,8 @@ public:
     [[nodiscard]] bool isOwn() const { return m_own != nullptr; } ///< there is no host
 
 private:
+    std::shared_ptr<const model::ChangeOver> m_change;
+    std::uint64_t m_changeRevision = 0;
     struct OwnParts;
 
     void dropEdits();

@@ -43,6 +43,8 @@ void ScriptSession::follow(const ScriptScene::Snapshot& now, const std::atomic<b
     if (!m_session) {
         m_session = std::make_unique<behavior::Session>(scene);
         m_stepsPerSecond = scene.stepsPerSecond;
+    } else if (now.change && now.changeRevision >= m_revision) {
+        m_session->adopt(scene, *now.change);
     } else {
         m_session->adopt(scene);
     }
@@ -102,6 +104,12 @@ std::vector<PathId> ScriptSession::paths() const
 {
     const std::scoped_lock lock(m_mutex);
     return m_session->paths();
+}
+
+StateRecall ScriptSession::recall(const ChangeOver& change)
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_session->recall(change);
 }
 
 void ScriptSession::send(const std::string& event, float number,

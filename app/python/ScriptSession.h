@@ -43,6 +43,8 @@ public:
     /// See Session::paths.
     [[nodiscard]] std::vector<model::PathId> paths() const;
 
+    /// People take on a state in this session alone.
+    model::StateRecall recall(const model::ChangeOver& change);
     /// Happens at the next step. The number is finite.
     void send(const std::string& event, float number, const std::vector<model::IndividualId>& ids);
     void sendTagged(const std::string& event, float number, std::uint8_t tag);

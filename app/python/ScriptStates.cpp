@@ -6,6 +6,7 @@
 #include "app/python/ColumnRules.h"
 #include "model/base/ShownText.h"
 #include "model/brush/ByteChange.h"
+#include "model/describe/FieldChecks.h"
 #include "model/population/Properties.h"
 #include "model/project/ProjectReader.h"
 #include "model/project/ProjectWriter.h"
@@ -97,24 +98,43 @@ Result<void> saveState(ScriptScene& script, const std::string& name, ColumnSet c
     });
 }
 
+Result<ChangeOver> changeOverTo(const Scene& scene, const std::string& name,
+                                const RecallOrder& order)
+{
+    const State* found = findState(scene, name);
+    if (found == nullptr) {
+        return noState(scene, name);
+    }
+    if (auto alive = order.ids ? checkAlive(scene, *order.ids) : Result<void>(); !alive) {
+        return alive.error();
+    }
+    if (auto sound = checkFields(fieldsOf<RecallTiming>(), &order.timing, {}); !sound) {
+        return sound.error();
+    }
+    return ChangeOver{found->id, peopleOf(scene, *found, order.ids ? &*order.ids : nullptr),
+                      recalledColumns(*found, order.columns.value_or(found->columns)),
+                      order.timing};
+}
+
 Result<StateRecall> recallState(ScriptScene& script, const std::string& name,
-                                const ColumnSet* columns, const std::vector<IndividualId>* ids)
+                                const RecallOrder& order)
 {
     StateRecall recall;
     const auto done = script.onDocument([&]() -> Result<void> {
         const Scene& now = script.document().scene();
-        const State* found = findState(now, name);
-        if (found == nullptr) {
-            return noState(now, name);
+        const auto change = changeOverTo(now, name, order);
+        if (!change) {
+            return change.error();
         }
-        if (auto alive = ids != nullptr ? checkAlive(now, *ids) : Result<void>(); !alive) {
-            return alive;
+        if (!order.timing.isAtOnce()) {
+            script.noteChangeOver(change.value());
         }
-        const State state = *found;
-        return script.edit(
-            stepText(QT_TRANSLATE_NOOP("Script", "Recall a state")), [&](SceneEdit& open) {
-                recall = model::recallState(open, state, columns ? *columns : state.columns, ids);
-            });
+        const State state = *findState(now, name);
+        return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Recall a state")),
+                           [&](SceneEdit& open) {
+                               recall = model::recallState(open, state, change.value().columns,
+                                                           &change.value().ids, order.timing);
+                           });
     });
     if (!done) {
         return done.error();

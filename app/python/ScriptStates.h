@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,20 @@ namespace crowd::app {
 [[nodiscard]] model::Result<void> saveState(ScriptScene& script, const std::string& name,
                                             model::ColumnSet columns,
                                             const std::vector<model::IndividualId>* ids);
-/// `columns` null: all that it holds.
+/// Of a state that is given back.
+struct RecallOrder
+{
+    std::optional<model::ColumnSet> columns;             ///< nothing: all that it holds
+    std::optional<std::vector<model::IndividualId>> ids; ///< nothing: all of it; ascending
+    model::RecallTiming timing;
+};
+
+/// Sessions of the scene, and the window that plays it, let people change over to it.
 [[nodiscard]] model::Result<model::StateRecall>
-recallState(ScriptScene& script, const std::string& name, const model::ColumnSet* columns,
-            const std::vector<model::IndividualId>* ids);
+recallState(ScriptScene& script, const std::string& name, const RecallOrder& order);
+/// Whom and what it concerns in a scene: for sessions alone.
+[[nodiscard]] model::Result<model::ChangeOver>
+changeOverTo(const model::Scene& scene, const std::string& name, const RecallOrder& order);
 
 [[nodiscard]] model::Result<void> removeState(ScriptScene& script, const std::string& name);
 [[nodiscard]] model::Result<void> renameState(ScriptScene& script, const std::string& name,

@@ -9,6 +9,7 @@
 #include "app/python/OutsidePython.h"
 #include "app/python/ScriptPeople.h"
 #include "app/python/ScriptSession.h"
+#include "app/python/ScriptStates.h"
 
 namespace crowd::app {
 
@@ -118,6 +119,16 @@ void sendTagged(ScriptSession& session, const std::string& event,
     outsidePython([&] { session.sendTagged(made.name, made.number, bit); });
 }
 
+StateRecall recallGiven(ScriptSession& session, const std::string& name, float seconds,
+                        const std::optional<Stagger>& stagger, const py::object& ids,
+                        const std::optional<std::vector<std::string>>& columns)
+{
+    upToDate(session);
+    const RecallOrder order = recallOrderOf(*session.scene(), seconds, stagger, ids, columns);
+    const ChangeOver change = valueOrRaise(changeOverTo(*session.scene()->scene(), name, order));
+    return outsidePython([&] { return session.recall(change); });
+}
+
 py::list takeLog(ScriptSession& session)
 {
     py::list log;
@@ -163,6 +174,11 @@ void bindEvents(SessionClass& session)
         .def("send_tagged", &sendTagged, py::arg("event"), py::arg("tag"), py::kw_only(),
              py::arg("number") = 0.0F,
              "To those who have a tag at that time; tag: its name, or its number from 0 to 63.")
+        .def("recall_state", &recallGiven, py::arg("name"), py::arg("seconds") = 0.0F,
+             py::arg("stagger") = py::none(), py::arg("ids") = py::none(), py::kw_only(),
+             py::arg("columns") = py::none(),
+             "As Scene.recall_state, but in this session alone: the scene stays as it is. What an "
+             "edit of the scene sets later counts again.")
         .def_property_readonly(
             "fired", asked(&ScriptSession::fired),
             "How often each rule has fired, by its id; those that have not are left out.")

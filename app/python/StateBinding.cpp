@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/Binding.h"
 #include "app/python/ColumnArrays.h"
+#include "app/python/FieldBinding.h"
 #include "app/python/ScriptStates.h"
+#include "model/describe/FieldChecks.h"
 
 namespace crowd::app {
 
@@ -84,14 +86,37 @@ void saveStateGiven(const ScenePtr& scene, const std::string& name,
     valueOrRaise(saveState(*scene, name, columnsGiven(columns), people ? &*people : nullptr));
 }
 
-StateRecall recallStateGiven(const ScenePtr& scene, const std::string& name,
-                             const std::optional<std::vector<std::string>>& columns,
-                             const py::object& ids)
+StateRecall recallStateGiven(const ScenePtr& scene, const std::string& name, float seconds,
+                             const std::optional<Stagger>& stagger, const py::object& ids,
+                             const std::optional<std::vector<std::string>>& columns)
 {
-    const auto people = idsGiven(scene, ids);
-    const ColumnSet only = columnsGiven(columns);
     return valueOrRaise(
-        recallState(*scene, name, columns ? &only : nullptr, people ? &*people : nullptr));
+        recallState(*scene, name, recallOrderOf(*scene, seconds, stagger, ids, columns)));
+}
+
+/// `order` by the key of its choice.
+Stagger staggerOf(float seconds, const std::string& order, std::array<float, 3> point,
+                  float heading)
+{
+    Stagger stagger{seconds, {}, {point[0], point[1], point[2]}, heading};
+    const auto named = std::ranges::find(Stagger::kOrders, order, &FieldChoice::key);
+    if (named == Stagger::kOrders.end()) {
+        throw ScriptError("order is \"distance\", \"heading\", \"row\", \"wedge\" or "
+                          "\"random\".");
+    }
+    stagger.order = static_cast<StaggerOrder>(named - Stagger::kOrders.begin());
+    valueOrRaise(checkFields(fieldsOf<Stagger>(), &stagger, "stagger."));
+    return stagger;
+}
+
+void bindStagger(py::module_& module)
+{
+    auto type = bindStruct<Stagger, Stagger>(
+        module, "Stagger", "People take on a state one after the other.", fieldsOf<Stagger>());
+    type.def(py::init(&staggerOf), py::arg("seconds"), py::arg("order") = "distance",
+             py::arg("point") = std::array<float, 3>{}, py::arg("heading") = 0.0F,
+             "The last begins so many seconds after the first. order: distance (from point), "
+             "heading (in which it moves on, radians), row or wedge (of the seats), random.");
 }
 
 void bindState(py::module_& module)
@@ -176,8 +201,25 @@ void bindMapping(py::module_& module)
 
 } // namespace
 
+RecallOrder recallOrderOf(const ScriptScene& scene, float seconds,
+                          const std::optional<Stagger>& stagger, const py::object& ids,
+                          const std::optional<std::vector<std::string>>& columns)
+{
+    RecallOrder order;
+    if (columns) {
+        order.columns = columnsGiven(columns);
+    }
+    if (!ids.is_none()) {
+        std::vector<std::size_t> given;
+        order.ids = idsFrom(scene, ids, given);
+    }
+    order.timing = {seconds, stagger.value_or(Stagger())};
+    return order;
+}
+
 void bindStates(py::module_& module, SceneClass& scene)
 {
+    bindStagger(module);
     bindState(module);
     bindMapping(module);
     scene
@@ -190,11 +232,14 @@ void bindStates(py::module_& module, SceneClass& scene)
              "without, everything but who and where they are (template, position, heading, seat, "
              "group, seed). A state of that name is replaced. Raises Error for unknown columns and "
              "dead ids.")
-        .def("recall_state", &recallStateGiven, py::arg("name"), py::kw_only(),
-             py::arg("columns") = py::none(), py::arg("ids") = py::none(),
+        .def("recall_state", &recallStateGiven, py::arg("name"), py::arg("seconds") = 0.0F,
+             py::arg("stagger") = py::none(), py::arg("ids") = py::none(), py::kw_only(),
+             py::arg("columns") = py::none(),
              "Gives them back what they had: one undo step. columns, ids: these alone. Clips, "
-             "slots and parts go by name; who is gone is skipped. Raises Error where there is no "
-             "such state, and for dead ids.");
+             "slots and parts go by name; who is gone is skipped. seconds, stagger: the scene "
+             "changes at once, but in its sessions, and where the editor plays, each takes so "
+             "long, one after the other. Raises Error where there is no such state, and for dead "
+             "ids.");
 }
 
 } // namespace crowd::app

@@ -1315,10 +1315,11 @@ class Scene:
         without, everything but who and where they are (template, position, heading, seat,
         group, seed). A state of that name is replaced. Raises Error for unknown columns and
         dead ids."""
-    def recall_state(self, name: str, *, columns: Optional[List[str]] = ..., ids: Any = ...) -> StateRecall:
+    def recall_state(self, name: str, seconds: float = ..., stagger: Optional[Stagger] = ..., ids: Any = ..., *, columns: Optional[List[str]] = ...) -> StateRecall:
         """Gives them back what they had: one undo step. columns, ids: these alone. Clips, slots
-        and parts go by name; who is gone is skipped. Raises Error where there is no such
-        state, and for dead ids."""
+        and parts go by name; who is gone is skipped. seconds, stagger: the scene changes at
+        once, but in its sessions, and where the editor plays, each takes so long, one after
+        the other. Raises Error where there is no such state, and for dead ids."""
     @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of
@@ -1485,6 +1486,37 @@ class StrokeOutcome:
     @property
     def message(self) -> str:
         """Why nothing happened; empty otherwise."""
+
+
+class Stagger:
+    """People take on a state one after the other."""
+    def __init__(self, seconds: float, order: str = ..., point: Sequence[float] = ..., heading: float = ...) -> None:
+        """The last begins so many seconds after the first. order: distance (from point), heading
+        (in which it moves on, radians), row or wedge (of the seats), random."""
+    @property
+    def seconds(self) -> float:
+        """from the first who begins to the last; 0: all together"""
+    @seconds.setter
+    def seconds(self, value: float) -> None:
+        ...
+    @property
+    def order(self) -> str:
+        """who begins when"""
+    @order.setter
+    def order(self, value: str) -> None:
+        ...
+    @property
+    def point(self) -> Sequence[float]:
+        """metres; of `distance`"""
+    @point.setter
+    def point(self, value: Sequence[float]) -> None:
+        ...
+    @property
+    def heading(self) -> float:
+        """radians; of `heading`, in which it moves on"""
+    @heading.setter
+    def heading(self, value: float) -> None:
+        ...
 
 
 class State:
@@ -2257,6 +2289,9 @@ class Session:
         that are dead, an empty name and a number that is not finite."""
     def send_tagged(self, event: str, tag: Union[int, str], *, number: float = ...) -> None:
         """To those who have a tag at that time; tag: its name, or its number from 0 to 63."""
+    def recall_state(self, name: str, seconds: float = ..., stagger: Optional[Stagger] = ..., ids: Any = ..., *, columns: Optional[List[str]] = ...) -> StateRecall:
+        """As Scene.recall_state, but in this session alone: the scene stays as it is. What an
+        edit of the scene sets later counts again."""
     @property
     def fired(self) -> Dict[int, int]:
         """How often each rule has fired, by its id; those that have not are left out."""

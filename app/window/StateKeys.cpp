@@ -29,8 +29,9 @@ constexpr NumberedKeys kStateKeys{{
      QT_TRANSLATE_NOOP("Actions", "Keep State &9"), "Ctrl+Shift+F9"},
 }};
 
-constexpr const char* kRecallTip =
-    QT_TRANSLATE_NOOP("Actions", "Give everybody back what he had in the state of this number");
+constexpr const char* kRecallTip = QT_TRANSLATE_NOOP(
+    "Actions", "Give everybody back what he had in the state of this number: while "
+               "it plays in this run alone, else in the scene");
 constexpr const char* kKeepStateTip = QT_TRANSLATE_NOOP(
     "Actions", "Keep how the crowd is now, or who is selected, as the state of this number");
 
@@ -60,7 +61,7 @@ void StateKeys::recall(std::size_t index)
 {
     const auto& states = m_state.scene().states;
     if (index < states.size()) {
-        widgets::recallStateOf(m_state, states[index].id);
+        widgets::recallStateOf(m_state, states[index].id, widgets::RecallInto::Run);
         return;
     }
     m_state.showStatus(tr("The scene has no state %1. %2 keeps the crowd as one.")

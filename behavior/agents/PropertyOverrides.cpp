@@ -51,15 +51,15 @@ std::shared_ptr<const OverrideColumns> PropertyOverrides::publish()
             continue;
         }
         const std::size_t stride = model::columnInfo(static_cast<model::ColumnId>(index)).stride;
-        auto column = std::make_shared<OverrideColumn>();
-        column->ids.reserve(m_values[index].size());
-        column->bytes.reserve(m_values[index].size() * stride);
+        OverrideColumn column;
+        column.ids.reserve(m_values[index].size());
+        column.bytes.reserve(m_values[index].size() * stride);
         for (const auto& [id, value] : m_values[index]) {
-            column->ids.push_back(id);
-            column->bytes.insert(column->bytes.end(), value.begin(),
-                                 value.begin() + static_cast<std::ptrdiff_t>(stride));
+            column.ids.push_back(id);
+            column.bytes.insert(column.bytes.end(), value.begin(),
+                                value.begin() + static_cast<std::ptrdiff_t>(stride));
         }
-        published->m_columns[index] = column->ids.empty() ? nullptr : std::move(column);
+        published->put(static_cast<model::ColumnId>(index), std::move(column));
     }
     m_isStale.reset();
     m_published = std::move(published);

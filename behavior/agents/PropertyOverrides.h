@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/population/Columns.h"
@@ -38,9 +40,19 @@ public:
     {
         return m_columns[static_cast<std::size_t>(column)].get();
     }
+    /// Before it is published. One without individuals is none.
+    void put(model::ColumnId column, OverrideColumn values)
+    {
+        m_columns[static_cast<std::size_t>(column)] =
+            values.ids.empty() ? nullptr
+                               : std::make_shared<const OverrideColumn>(std::move(values));
+    }
+    [[nodiscard]] bool isEmpty() const
+    {
+        return std::ranges::none_of(m_columns, [](const auto& each) { return each != nullptr; });
+    }
 
 private:
-    friend class PropertyOverrides;
     std::array<std::shared_ptr<const OverrideColumn>, model::kColumnCount> m_columns;
 };
 

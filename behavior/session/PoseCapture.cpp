@@ -70,6 +70,10 @@ SessionPosePtr capturePose(const SessionParts& parts)
     pose->hasSeats = parts.seating.hasChanged();
     pose->overrides = parts.shownOverrides;
     pose->numbers = parts.shownNumbers;
+    pose->recalled = parts.recalled.columns();
+    pose->people = pose->recalled ? parts.population : model::Population();
+    pose->sceneVersion = parts.lastScene.population.version();
+    pose->stateFades = parts.fades.shown();
     std::vector<std::uint32_t> active;
     active.reserve(parts.agents.size());
     for (std::uint32_t agent = 0; agent < parts.agents.size(); ++agent) {
@@ -88,6 +92,16 @@ SessionPosePtr capturePose(const SessionParts& parts)
         pose->lit.push_back(parts.population.ids()[agent]);
     }
     return pose;
+}
+
+model::CrowdFrame captureFrame(const SessionParts& parts)
+{
+    model::CrowdFrame frame{parts.lastScene.population, parts.templates.entries(),
+                            parts.clock.seconds()};
+    frame.hiddenGroups = parts.hiddenGroups;
+    const SessionPosePtr now = capturePose(parts);
+    applyPose(*now, *now, frame);
+    return frame;
 }
 
 SessionTally countPeople(const SessionParts& parts)

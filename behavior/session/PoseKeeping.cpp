@@ -99,12 +99,12 @@ int keepShown(model::SceneEdit& edit, const model::Population& shown)
     return static_cast<int>(moved.size());
 }
 
-/// What rules have set of people who are there.
-void keepOverrides(model::SceneEdit& edit, const OverrideColumns& overrides)
+/// What a session has made of people who are there.
+template<class IsMeant>
+void keepColumns(model::SceneEdit& edit, const OverrideColumns& columns, const IsMeant& isMeant)
 {
     for (const model::PropertyInfo& property : model::properties()) {
-        const OverrideColumn* column =
-            property.isWrittenBy(model::kWrittenByRule) ? overrides.column(property.id) : nullptr;
+        const OverrideColumn* column = isMeant(property) ? columns.column(property.id) : nullptr;
         if (column != nullptr) {
             const OverrideColumn there = presentIn(edit.scene().population, property.id, *column);
             edit.setColumn(property.id, there.ids, there.bytes);
@@ -135,9 +135,14 @@ void keepNumbers(model::SceneEdit& edit, const std::vector<OwnNumber>& numbers)
 
 int keepPose(model::SceneEdit& edit, const model::Population& shown, const SessionPose* pose)
 {
+    if (pose != nullptr && pose->recalled) {
+        keepColumns(edit, *pose->recalled, [](const model::PropertyInfo&) { return true; });
+    }
     const int people = keepShown(edit, shown);
     if (pose != nullptr && pose->overrides) {
-        keepOverrides(edit, *pose->overrides);
+        keepColumns(edit, *pose->overrides, [](const model::PropertyInfo& property) {
+            return property.isWrittenBy(model::kWrittenByRule);
+        });
     }
     if (pose != nullptr && pose->numbers) {
         keepNumbers(edit, *pose->numbers);

@@ -51,8 +51,9 @@ void forEdited(const model::Population& before, const model::Population& now,
 class Adoption
 {
 public:
-    Adoption(SessionParts& parts, const model::Scene& scene, bool arePosesKept)
-        : m_parts(parts), m_scene(scene), m_now(scene.population), m_arePosesKept(arePosesKept)
+    Adoption(SessionParts& parts, const model::Scene& scene, const model::Population& people,
+             bool arePosesKept)
+        : m_parts(parts), m_scene(scene), m_now(people), m_arePosesKept(arePosesKept)
     {
     }
     void run();
@@ -299,9 +300,18 @@ void Adoption::adoptTraits()
 
 } // namespace
 
+void adoptPeople(SessionParts& parts, const model::Scene& scene, const model::Population& people,
+                 bool arePosesKept)
+{
+    parts.fades.forgetEdited(parts.population, people);
+    Adoption(parts, scene, people, arePosesKept).run();
+}
+
 void adoptScene(SessionParts& parts, const model::Scene& scene, bool arePosesKept)
 {
-    Adoption(parts, scene, arePosesKept).run();
+    parts.recalled.forgetEdited(parts.lastScene.population, scene.population);
+    adoptPeople(parts, scene, parts.recalled.over(scene.population), arePosesKept);
+    parts.lastScene = scene;
 }
 
 } // namespace crowd::behavior

@@ -11,4 +11,8 @@ namespace crowd::behavior {
 /// where people are in the scene is where they are here.
 void adoptScene(SessionParts& parts, const model::Scene& scene, bool arePosesKept);
 
+/// The same with other people than the scene's, the same ones: as they are to be in the session.
+void adoptPeople(SessionParts& parts, const model::Scene& scene, const model::Population& people,
+                 bool arePosesKept);
+
 } // namespace crowd::behavior

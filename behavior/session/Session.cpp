@@ -9,6 +9,7 @@
 #include "behavior/session/PlanChecks.h"
 #include "behavior/session/PoseCapture.h"
 #include "behavior/session/SceneAdoption.h"
+#include "behavior/session/SceneRecall.h"
 #include "behavior/session/SessionParts.h"
 #include "behavior/session/SessionRules.h"
 
@@ -119,6 +120,20 @@ void Session::adopt(const model::Scene& scene, bool arePosesKept)
     adoptScene(*m_parts, scene, arePosesKept);
 }
 
+void Session::adopt(const model::Scene& scene, const model::ChangeOver& change)
+{
+    adoptRecall(*m_parts, scene, change);
+}
+
+model::StateRecall Session::recall(const model::ChangeOver& change)
+{
+    model::StateRecall done = recallInSession(*m_parts, change);
+    for (const model::Message& note : done.notes) {
+        m_parts->problems.add({note});
+    }
+    return done;
+}
+
 void Session::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
     m_parts->surface = std::move(surface);
@@ -183,6 +198,7 @@ void Session::step()
     parts.update.updateAll();
     parts.shownOverrides = parts.overrides.publish();
     parts.shownNumbers = parts.rules.ownNumbers();
+    parts.fades.end(parts.clock.seconds());
     if (parts.clock.steps % parts.clock.stepsPerSecond == 0) {
         warnOfCrowding();
     }
@@ -212,11 +228,7 @@ SessionPosePtr Session::pose() const
 
 model::CrowdFramePtr Session::frame() const
 {
-    model::CrowdFrame frame{m_parts->population, m_parts->templates.entries(), seconds()};
-    frame.hiddenGroups = m_parts->hiddenGroups;
-    const SessionPosePtr now = pose();
-    applyPose(*now, *now, frame);
-    return std::make_shared<const model::CrowdFrame>(std::move(frame));
+    return std::make_shared<const model::CrowdFrame>(captureFrame(*m_parts));
 }
 
 std::vector<model::PathId> Session::paths() const

@@ -14,6 +14,7 @@
 #include "behavior/surface/WalkSurface.h"
 #include "model/scene/CrowdFrame.h"
 #include "model/scene/Scene.h"
+#include "model/states/StateKeeping.h"
 
 namespace crowd::behavior {
 
@@ -44,6 +45,11 @@ public:
     /// everything else goes on as it is. After poses were kept, where people are in the scene is
     /// where they are here.
     void adopt(const model::Scene& scene, bool arePosesKept = false);
+    /// The same after a state was recalled: people are seen to change over to what is new.
+    void adopt(const model::Scene& scene, const model::ChangeOver& change);
+    /// People take on a state of the scene in this session alone, until the scene is edited where
+    /// they do. What did not fit is also among the warnings.
+    model::StateRecall recall(const model::ChangeOver& change);
     /// What there is to walk on, and its walls; null: open ground.
     void setSurface(std::shared_ptr<const WalkSurface> surface);
     /// An event happens to these people at the next step.

@@ -26,7 +26,7 @@ std::uint32_t stepRateOf(const model::Scene& scene)
 } // namespace
 
 SessionParts::SessionParts(const model::Scene& scene, const SessionPlan& plan)
-    : population(scene.population), places(plan.places), paths(plan.paths),
+    : lastScene(scene), population(scene.population), places(plan.places), paths(plan.paths),
       plannedWalls(plan.walls), clock(SessionClock::withSteps(stepRateOf(scene))),
       walkers(templates, scene.seed), idle(population, templates, clock, agents, overrides),
       animation(templates, clock, idle, agents),

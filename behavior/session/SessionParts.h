@@ -12,8 +12,10 @@
 #include "behavior/agents/IdleClips.h"
 #include "behavior/agents/ParkedDetours.h"
 #include "behavior/agents/PropertyOverrides.h"
+#include "behavior/agents/RecalledValues.h"
 #include "behavior/agents/Seating.h"
 #include "behavior/agents/SessionClock.h"
+#include "behavior/agents/StateFades.h"
 #include "behavior/agents/TemplateTables.h"
 #include "behavior/agents/Walkers.h"
 #include "behavior/crowd/CrowdSimulation.h"
@@ -49,6 +51,8 @@ struct SessionParts
     void leave(std::uint32_t agent);
 
     // Of the scene.
+    model::Scene lastScene; ///< as it was when the session last looked
+    /// Its people, with what states that were recalled here alone have made of them.
     model::Population population;
     std::vector<model::Place> places;
     std::vector<model::Path> paths;
@@ -61,6 +65,8 @@ struct SessionParts
     SessionProblems problems;
     AgentColumns agents;
     PropertyOverrides overrides;
+    RecalledValues recalled;
+    StateFades fades;
     CrowdSimulation crowd;
     PathFollower follower;
     RuleEngine rules;

@@ -167,6 +167,18 @@ void SessionPlayer::adopt(const model::Scene& scene, bool arePosesKept)
     });
 }
 
+void SessionPlayer::adopt(const model::Scene& scene, const model::ChangeOver& change)
+{
+    give([copy = std::make_shared<const model::Scene>(scene), change](Run& run) {
+        run.session->adopt(*copy, change);
+    });
+}
+
+void SessionPlayer::recall(const model::ChangeOver& change)
+{
+    give([change](Run& run) { (void)run.session->recall(change); });
+}
+
 void SessionPlayer::setSurface(std::shared_ptr<const WalkSurface> surface)
 {
     give([surface = std::move(surface)](Run& run) { run.session->setSurface(surface); });

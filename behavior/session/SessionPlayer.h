@@ -39,6 +39,9 @@ public:
 
     /// The scene was edited; see Session::adopt().
     void adopt(const model::Scene& scene, bool arePosesKept = false);
+    void adopt(const model::Scene& scene, const model::ChangeOver& change);
+    /// See Session::recall().
+    void recall(const model::ChangeOver& change);
     void setSurface(std::shared_ptr<const WalkSurface> surface);
     void send(const std::string& event, float payload, std::vector<model::IndividualId> ids);
     void sendTagged(const std::string& event, float payload, std::uint8_t tag);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "behavior/agents/RecalledValues.h"
 #include "behavior/agents/Turning.h"
 
 namespace crowd::behavior {
@@ -223,10 +224,28 @@ void applyOverrides(const OverrideColumns& overrides, model::Population& people)
     }
 }
 
+/// Rows of those whose clip is not the one that they play by the clock.
+std::vector<bool> whoIsBusy(const SessionPose& pose, const model::Population& people)
+{
+    std::vector<bool> isBusy(people.size());
+    const std::vector<std::uint32_t> rows = Between::find(pose.ids, people.ids());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i] != Between::kNone && (pose.flags[i] & kPoseClock) == 0) {
+            isBusy[rows[i]] = true;
+        }
+    }
+    return isBusy;
+}
+
 } // namespace
 
 void applyPose(const SessionPose& before, const SessionPose& after, model::CrowdFrame& frame)
 {
+    if (before.recalled && frame.population.version() == before.sceneVersion) {
+        frame.population = before.people;
+    } else if (before.recalled) {
+        writeColumns(*before.recalled, frame.population); // the scene has been edited since
+    }
     if (before.overrides) {
         applyOverrides(*before.overrides, frame.population);
     }
@@ -234,6 +253,9 @@ void applyPose(const SessionPose& before, const SessionPose& after, model::Crowd
         Between(before, after, frame.seconds).apply(frame);
     } else {
         frame.fades.clear();
+    }
+    if (before.stateFades) {
+        applyFades(*before.stateFades, whoIsBusy(before, frame.population), frame);
     }
 }
 

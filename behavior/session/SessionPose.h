@@ -7,6 +7,7 @@
 
 #include "behavior/agents/ClipPlace.h"
 #include "behavior/agents/PropertyOverrides.h"
+#include "behavior/agents/StateFades.h"
 #include "behavior/rules/OwnNumber.h"
 #include "model/scene/CrowdFrame.h"
 
@@ -46,6 +47,12 @@ struct SessionPose
     /// already.
     std::shared_ptr<const OverrideColumns> overrides;      ///< null: nothing
     std::shared_ptr<const std::vector<OwnNumber>> numbers; ///< see RuleEngine::ownNumbers
+    /// What states that were recalled in the session alone have made of people; null: nothing.
+    std::shared_ptr<const OverrideColumns> recalled;
+    model::Population people; ///< where there is such: the scene's, with these values
+    /// Version of the scene's population that the session knows.
+    std::uint64_t sceneVersion = 0;
+    std::shared_ptr<const FadeColumns> stateFades; ///< null: nobody changes over
 };
 
 using SessionPosePtr = std::shared_ptr<const SessionPose>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "model/brush/PropertyChange.h"
 
 namespace crowd::model {
+
+/// Gives these people, ascending ids, one value each.
+using WriteColumn = std::function<void(ColumnId column, std::span<const IndividualId> ids,
+                                       std::span<const std::byte> bytes)>;
 
 /// Values of one column as bytes, of whatever type it is: those that differ from today's, in
 /// ascending order of id.
@@ -36,7 +41,11 @@ public:
     /// Adds those who changed to `changed`.
     void apply(SceneEdit& edit, std::vector<IndividualId>& changed) const
     {
-        edit.setColumn(m_column, m_ids, m_values);
+        apply([&edit](auto... what) { edit.setColumn(what...); }, changed);
+    }
+    void apply(const WriteColumn& write, std::vector<IndividualId>& changed) const
+    {
+        write(m_column, m_ids, m_values);
         std::vector<IndividualId> all;
         std::ranges::set_union(changed, m_ids, std::back_inserter(all));
         changed = std::move(all);

@@ -21,6 +21,7 @@ namespace crowd::model {
 
 class SceneEdit;
 class StoredDelta;
+struct ChangeOver;
 enum class DeltaDirection;
 struct RecordedStroke;
 struct SceneDelta;
@@ -89,6 +90,9 @@ public:
 
 Q_SIGNALS:
     void changed(const crowd::model::SceneChange& change);
+    /// People are about to have other values, in the edit that is open: who shows the scene as it
+    /// plays lets them change over to these. Undone and done again, they change at once.
+    void changingOver(const crowd::model::ChangeOver& change);
     /// The scene is changed; the undo stack gets its step next.
     void stepCommitted(const crowd::model::StepCommitted& step);
     /// A step was undone (or done again); the undo stack moves its index next.

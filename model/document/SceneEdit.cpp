@@ -158,6 +158,11 @@ void SceneEdit::setColumn(ColumnId column, std::span<const IndividualId> ids,
     m_document.announce(ColumnsChanged{{ids.begin(), ids.end()}, {column}});
 }
 
+void SceneEdit::announce(const ChangeOver& change)
+{
+    Q_EMIT m_document.changingOver(change);
+}
+
 template<class M>
 requires(M::kind == MemberKind::Value) void SceneEdit::set(typename M::Type value)
 {

@@ -14,6 +14,7 @@
 namespace crowd::model {
 
 class EditRecord;
+struct ChangeOver;
 
 /// A transaction on the document: every change is applied (and announced) at once, old values are
 /// kept at first touch. commit() pushes exactly one undo command holding ids with old and new
@@ -78,6 +79,9 @@ public:
 
     /// By ascending ids.
     void setGroups(std::vector<Group> groups) { set<members::Groups>(std::move(groups)); }
+
+    /// Before people change in these columns: see SceneDocument::changingOver().
+    void announce(const ChangeOver& change);
 
     /// Undoes what was done so far and stays open (gradients are re-evaluated this way).
     void rollback();

@@ -2,6 +2,7 @@
 #include "model/states/StateKeeping.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "model/brush/ByteChange.h"
 #include "model/population/Properties.h"
@@ -23,6 +24,8 @@ std::vector<StateTemplate> templatesOf(const Scene& scene, std::span<const Templ
     return templates;
 }
 
+} // namespace
+
 ColumnSet withBothOfPlace(ColumnSet columns)
 {
     if (columns.contains(ColumnId::Position) || columns.contains(ColumnId::Seat)) {
@@ -31,8 +34,6 @@ ColumnSet withBothOfPlace(ColumnSet columns)
     }
     return columns;
 }
-
-} // namespace
 
 StateTemplate rememberedTemplate(const TemplateEntry& entry, ColumnSet columns)
 {
@@ -98,6 +99,20 @@ State keepState(const Scene& scene, std::string name, ColumnSet columns,
     state.templates = templatesOf(scene, rows.column(columns::templateId), state.columns);
     state.people = std::make_shared<const StoredRows>(rows);
     return state;
+}
+
+std::vector<IndividualId> peopleOf(const Scene& scene, const State& state,
+                                   const std::vector<IndividualId>* ids)
+{
+    std::vector<IndividualId> people;
+    std::ranges::set_intersection(state.people->ids, scene.population.ids(),
+                                  std::back_inserter(people));
+    if (ids != nullptr) {
+        std::vector<IndividualId> meant;
+        std::ranges::set_intersection(people, *ids, std::back_inserter(meant));
+        people = std::move(meant);
+    }
+    return people;
 }
 
 const State* findState(const Scene& scene, const std::string& name)

@@ -9,6 +9,7 @@
 #include "model/document/SceneEdit.h"
 #include "model/population/Properties.h"
 #include "model/scene/State.h"
+#include "model/states/ChangeOver.h"
 
 /// States are kept from a scene and given back to it.
 namespace crowd::model {
@@ -16,9 +17,11 @@ namespace crowd::model {
 /// What a state holds unless something else is said: everything but who and where people are.
 [[nodiscard]] ColumnSet usualStateColumns();
 [[nodiscard]] ColumnSet columnsOf(PropertyAspect aspect);
+/// Where people stand and which seat they have go together: with one of them, both.
+[[nodiscard]] ColumnSet withBothOfPlace(ColumnSet columns);
 
-/// How these people are now, under a name and without an id. Ids ascend, all of them alive. Where
-/// people stand and which seat they have go together: with one of them it has both.
+/// How these people are now, under a name and without an id, in withBothOfPlace() of the columns.
+/// Ids ascend, all of them alive.
 [[nodiscard]] State keepState(const Scene& scene, std::string name, ColumnSet columns,
                               std::span<const IndividualId> ids);
 
@@ -39,11 +42,22 @@ struct StateRecall
     std::vector<Message> notes;        ///< what did not fit, for the artist
 };
 
-/// Who of the state is still there becomes as he was then, in those of its columns that are also in
-/// `columns`. Clips, slots and parts go by name: who has none of that name keeps his. So does who
-/// would get a seat that somebody else has, or a template, path or group that is gone. `ids`: these
-/// alone, ascending; null: all of the state.
+/// Of a state's columns those that are also among these: where people are, and their seats, go
+/// together.
+[[nodiscard]] ColumnSet recalledColumns(const State& state, ColumnSet columns);
+/// Who of the state is still there; `ids`: of these alone, ascending; null: all of the state.
+[[nodiscard]] std::vector<IndividualId> peopleOf(const Scene& scene, const State& state,
+                                                 const std::vector<IndividualId>* ids = nullptr);
+
+/// peopleOf() become as they were then, in recalledColumns(). Clips, slots and parts go by name:
+/// who has none of that name keeps his. So does who would get a seat that somebody else has, or a
+/// template, path or group that is gone. `timing` is how those who show the scene as it plays
+/// change over to that; the scene itself changes at once.
 [[nodiscard]] StateRecall recallState(SceneEdit& edit, const State& state, ColumnSet columns,
+                                      const std::vector<IndividualId>* ids = nullptr,
+                                      const RecallTiming& timing = {});
+/// The same to a scene that is nobody's document.
+[[nodiscard]] StateRecall recallState(Scene& scene, const State& state, ColumnSet columns,
                                       const std::vector<IndividualId>* ids = nullptr);
 
 } // namespace crowd::model

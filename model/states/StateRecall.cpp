@@ -103,8 +103,10 @@ struct Pair
 class Recall
 {
 public:
-    Recall(SceneEdit& edit, const State& state, const std::vector<IndividualId>* ids)
-        : m_edit(edit), m_state(state), m_rows(*state.people)
+    /// `write` changes the scene.
+    Recall(const Scene& scene, WriteColumn write, const State& state,
+           const std::vector<IndividualId>* ids)
+        : m_scene(scene), m_write(std::move(write)), m_state(state), m_rows(*state.people)
     {
         pairUp(ids);
     }
@@ -128,6 +130,7 @@ private:
     void writeSeats();
     void writeOne(ColumnId column);
     [[nodiscard]] const NameMap& names(const Pair& pair);
+    [[nodiscard]] const NameMap& namesBetween(const Pair& pair);
     [[nodiscard]] std::set<std::size_t> whoFindNoSeat() const;
     template<class T>
     [[nodiscard]] Value hold(T value)
@@ -135,13 +138,15 @@ private:
         std::memcpy(m_value.data(), &value, sizeof(T));
         return {m_value.data(), sizeof(T)};
     }
-    [[nodiscard]] const Population& people() const { return m_edit.scene().population; }
+    [[nodiscard]] const Population& people() const { return m_scene.population; }
 
-    SceneEdit& m_edit;
+    const Scene& m_scene;
+    WriteColumn m_write;
     const State& m_state;
     const StoredRows& m_rows;
     std::vector<Pair> m_pairs; ///< ascending ids
     std::map<std::pair<TemplateId, TemplateId>, NameMap> m_names;
+    std::vector<const NameMap*> m_namesOf;  ///< of m_pairs; null: not asked yet
     std::map<std::string, int> m_lostClips; ///< how many by name
     std::array<std::byte, PropertyInfo::kMostBytes> m_value{};
     StateRecall m_result;
@@ -171,7 +176,7 @@ void Recall::write(ColumnId column, const ValueFor& valueFor)
             change.set(pair.id, pair.row, value);
         }
     }
-    change.apply(m_edit, m_result.changed);
+    change.apply(m_write, m_result.changed);
 }
 
 void Recall::writePlain(ColumnId column)
@@ -185,7 +190,7 @@ void Recall::writeTemplates()
     const HeldColumn held(m_rows, ColumnId::Template);
     int lost = 0;
     write(ColumnId::Template, [&](const Pair& pair) {
-        const bool isThere = m_edit.scene().findTemplate(held.valueOf<TemplateId>(pair.then));
+        const bool isThere = m_scene.findTemplate(held.valueOf<TemplateId>(pair.then));
         lost += isThere ? 0 : 1;
         return isThere ? held.of(pair.then) : Value();
     });
@@ -195,7 +200,7 @@ void Recall::writeTemplates()
     }
 }
 
-const NameMap& Recall::names(const Pair& pair)
+const NameMap& Recall::namesBetween(const Pair& pair)
 {
     TemplateId then = 0;
     std::memcpy(&then, HeldColumn(m_rows, ColumnId::Template).of(pair.then).data(), sizeof(then));
@@ -207,7 +212,7 @@ const NameMap& Recall::names(const Pair& pair)
     const auto remembered = std::ranges::find(m_state.templates, then, &StateTemplate::id);
     const StateTemplate former =
         remembered == m_state.templates.end() ? StateTemplate{} : *remembered;
-    const TemplateEntry* entry = m_edit.scene().findTemplate(now);
+    const TemplateEntry* entry = m_scene.findTemplate(now);
     StateTemplate current =
         entry == nullptr ? StateTemplate{} : rememberedTemplate(*entry, m_state.columns);
     if (then == now && (current.slots.empty() || former.slots.empty())) {
@@ -215,6 +220,17 @@ const NameMap& Recall::names(const Pair& pair)
         current.parts = former.parts;
     }
     return m_names.emplace(std::pair(then, now), NameMap(former, current)).first->second;
+}
+
+/// Once for each: what they have of templates comes before all that goes by names.
+const NameMap& Recall::names(const Pair& pair)
+{
+    m_namesOf.resize(m_pairs.size());
+    const NameMap*& known = m_namesOf[static_cast<std::size_t>(&pair - m_pairs.data())];
+    if (known == nullptr) {
+        known = &namesBetween(pair);
+    }
+    return *known;
 }
 
 /// `first`: what stands for the first clip.
@@ -314,7 +330,7 @@ void Recall::writeParts()
 void Recall::writeReferences(ColumnId column)
 {
     const HeldColumn held(m_rows, column);
-    const Scene& scene = m_edit.scene();
+    const Scene& scene = m_scene;
     int lost = 0;
     write(column, [&](const Pair& pair) {
         const auto then = held.valueOf<std::uint32_t>(pair.then);
@@ -435,15 +451,39 @@ StateRecall Recall::run(ColumnSet columns)
 
 } // namespace
 
+ColumnSet recalledColumns(const State& state, ColumnSet columns)
+{
+    ColumnSet recalled;
+    withBothOfPlace(columns).forEach([&](ColumnId column) {
+        if (state.columns.contains(column)) {
+            recalled.insert(column);
+        }
+    });
+    return recalled;
+}
+
 StateRecall recallState(SceneEdit& edit, const State& state, ColumnSet columns,
+                        const std::vector<IndividualId>* ids, const RecallTiming& timing)
+{
+    if (!timing.isAtOnce()) {
+        edit.announce({state.id, peopleOf(edit.scene(), state, ids),
+                       recalledColumns(state, columns), timing});
+    }
+    const auto write = [&edit](ColumnId column, std::span<const IndividualId> whom,
+                               std::span<const std::byte> values) {
+        edit.setColumn(column, whom, values);
+    };
+    return Recall(edit.scene(), write, state, ids).run(recalledColumns(state, columns));
+}
+
+StateRecall recallState(Scene& scene, const State& state, ColumnSet columns,
                         const std::vector<IndividualId>* ids)
 {
-    const bool isPlaceMeant =
-        columns.contains(ColumnId::Position) || columns.contains(ColumnId::Seat);
-    if (isPlaceMeant) {
-        columns.insert(ColumnId::Seat);
-    }
-    return Recall(edit, state, ids).run(columns);
+    const auto write = [&scene](ColumnId column, std::span<const IndividualId> whom,
+                                std::span<const std::byte> values) {
+        scene.population.setValues(column, whom, values);
+    };
+    return Recall(scene, write, state, ids).run(recalledColumns(state, columns));
 }
 
 } // namespace crowd::model

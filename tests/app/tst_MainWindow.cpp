@@ -612,6 +612,7 @@ void MainWindowTest::functionKeysKeepAndRecallStates()
     const auto phase = [this] {
         return document().scene().population.column(model::columns::phase)[0];
     };
+    m_window->state().transport().setPlaying(false);
     QTest::keyClick(&m_window->viewport(), Qt::Key_F1, Qt::ShiftModifier);
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("no state 1")));
     for (const float each : {0.25F, 0.5F}) {
@@ -629,6 +630,15 @@ void MainWindowTest::functionKeysKeepAndRecallStates()
     QCOMPARE(phase(), 0.75F);
     document().undoStack().undo();
     QCOMPARE(phase(), 0.25F);
+    // While it plays: in the run alone.
+    const int steps = document().undoStack().index();
+    m_window->state().transport().setPlaying(true);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_F2, Qt::ShiftModifier);
+    QTRY_COMPARE(m_window->state().frame()->population.column(model::columns::phase)[0], 0.75F);
+    QCOMPARE(phase(), 0.25F);
+    QCOMPARE(document().undoStack().index(), steps);
+    m_window->state().session().stop();
+    QCOMPARE(m_window->state().frame()->population.column(model::columns::phase)[0], 0.25F);
     document().undoStack().setClean();
 }
 

@@ -24,6 +24,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_Session
     tst_SessionEdits
     tst_SessionSteps
+    tst_StateFades
     tst_StrideKernel
     tst_SurfaceTheatre
     tst_Validation

@@ -104,7 +104,9 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
                           "triangles_drawn bytes_per_keyframe reference ratio samples clock");
     QTest::newRow("painting") << QStringLiteral("bench paint --count 100")
                               << QStringLiteral("count dab_ms_p50 dab_ms_p99 undo_ms frame_ms "
-                                                "candidates_per_dab candidates_ratio_100k_10k");
+                                                "candidates_per_dab candidates_ratio_100k_10k "
+                                                "state_keep_ms state_recall_ms state_undo_ms "
+                                                "session_frame_ms fade_frame_ms");
     for (const char* workload : {"square", "corridor", "city", "paths"}) {
         QTest::newRow(qPrintable(QStringLiteral("simulating a %1").arg(QLatin1String(workload))))
             << QStringLiteral("bench simulate --count 100 --steps 10 --workload %1")

@@ -122,6 +122,69 @@ class States(unittest.TestCase):
         scene.undo()
         self.assertEqual(len(scene.states), 0)
 
+    def test_they_change_over_in_sessions(self):
+        scene, ids = crowd()
+        scene.change(ids, height=1.0)
+        scene.save_state("small")
+        scene.change(ids, height=2.0)
+        session = crowdbrush.Session(scene)
+        session.step(2)
+        recall = scene.recall_state("small", 2.0)
+        self.assertEqual((recall.affected, scene.history[-1]), (len(ids), "Recall a state"))
+        self.assertTrue((scene.column("height") == 1.0).all())
+        self.assertTrue((session.column("height") == 2.0).all())
+        session.run(1.0)
+        np.testing.assert_allclose(session.column("height"), 1.5, atol=0.01)
+        session.run(1.1)
+        self.assertTrue((session.column("height") == 1.0).all())
+
+    def test_waves_in_a_session_alone(self):
+        scene, ids = crowd()
+        scene.save_state("small")
+        scene.change(ids, height=2.0)
+        scene.save_state("tall", columns=["height"])
+        scene.undo()
+        scene.undo()
+        scene.redo()
+        scene.save_state("tall", columns=["height"])
+        scene.change(ids, height=1.0)
+        session = crowdbrush.Session(scene)
+        steps = len(scene.history)
+        wave = crowdbrush.Stagger(10.0, point=(0, 0, 0))  # they stand along X, a metre apart
+        self.assertEqual(session.recall_state("tall", stagger=wave).affected, len(ids))
+        session.run(5.0)
+        tall = session.column("height") == 2.0
+        self.assertTrue(tall[:9].all() and not tall[11:].any(), tall)
+        session.recall_state("tall", ids=ids[-2:])
+        self.assertTrue((session.column("height")[-2:] == 2.0).all())
+        self.assertEqual(len(scene.history), steps)
+        self.assertTrue((scene.column("height") == 1.0).all())
+        self.assertEqual(session.keep_pose(), 0)  # nobody is elsewhere, but they are tall
+        self.assertTrue((scene.column("height")[:9] == 2.0).all())
+
+    def test_staggers(self):
+        stagger = crowdbrush.Stagger(3.0, "heading", heading=1.5)
+        self.assertEqual((stagger.seconds, stagger.order, stagger.heading), (3.0, "heading", 1.5))
+        stagger.order = "row"
+        with self.assertRaises(Error):
+            stagger.order = "up"
+        for bad in (dict(seconds=-1.0), dict(seconds=float("nan")), dict(seconds=1e9),
+                    dict(seconds=1.0, order="upwards"), dict(seconds=1.0, heading=float("inf")),
+                    dict(seconds=1.0, point=(0, 1e30, 0))):
+            with self.assertRaises(Error, msg=str(bad)):
+                crowdbrush.Stagger(**bad)
+        scene, ids = crowd(3)
+        scene.save_state("a")
+        session = crowdbrush.Session(scene)
+        for target in (scene, session):
+            for wrong in (dict(name="b"), dict(name="a", seconds=-1.0), dict(name="a", seconds=float("nan")),
+                          dict(name="a", ids=[99]), dict(name="a", columns=["mood"])):
+                with self.assertRaises(Error, msg=str(wrong)):
+                    target.recall_state(**wrong)
+            with self.assertRaises(TypeError):
+                target.recall_state("a", 1.0, "wave")
+        self.assertEqual(scene.history[-1], "Keep a state")
+
 
 if __name__ == "__main__":
     unittest.main()

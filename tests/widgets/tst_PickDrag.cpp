@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <optional>
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -41,6 +42,7 @@ private Q_SLOTS:
     void sizesAreTakenAndPainted();
     void aClipIsTaken();
     void aPointToFaceIsTakenFromTheGround();
+    void anyToolTakesAPointForAForm();
     void escapePutsTheBrushBack();
     void noGhostStandsWherePeopleArePicked();
     void theKeyAloneShowsWhatAPressWouldDo();
@@ -217,6 +219,30 @@ void PickDragTest::aPointToFaceIsTakenFromTheGround()
     QVERIFY(hand.tools.picture().target.has_value());
     const QPointF off = *hand.tools.picture().target - hand.pixelOf(place);
     QVERIFY2(std::hypot(off.x(), off.y()) < 2.0, "the point is marked in the picture");
+}
+
+void PickDragTest::anyToolTakesAPointForAForm()
+{
+    Hand hand;
+    const glm::vec3 place(2.0F, 0.05F, 3.0F);
+    for (const ToolId tool : {ToolId::Select, ToolId::BrushColour, ToolId::BrushPath}) {
+        hand.state.setTool(tool);
+        std::optional<glm::vec3> taken;
+        hand.state.choosePoint([&taken](const glm::vec3& point) { taken = point; });
+        hand.hover(hand.pixelOf(place));
+        QVERIFY(hand.tools.picture().crosshair.has_value());
+        QVERIFY(hand.state.hint().contains(QStringLiteral("Click a point")));
+        const int steps = hand.document.undoStack().count();
+        click(hand, hand.pixelOf(place));
+        QVERIFY(taken.has_value() && glm::length(*taken - place) < 0.1F);
+        QVERIFY(hand.state.picking() == Picking::None);
+        QCOMPARE(hand.document.undoStack().count(), steps);
+    }
+    bool isTaken = false;
+    hand.state.choosePoint([&isTaken](const glm::vec3&) { isTaken = true; });
+    QVERIFY(hand.key(Qt::Key_Escape));
+    hand.state.offerPoint({});
+    QVERIFY(!isTaken);
 }
 
 void PickDragTest::escapePutsTheBrushBack()

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <functional>
+
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
 #include <QtTest/QSignalSpy>
@@ -7,10 +10,12 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QPushButton>
 
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/StatesDock.h"
 
 using namespace crowd;
@@ -57,6 +62,24 @@ struct StatesDesk : crowd::testing::Desk<StatesDock>
             edit.setColumn(model::columns::phase, ids, std::span<const float>(&phase, 1));
         });
     }
+    void setHeight(float height)
+    {
+        const auto all = document.scene().population.ids();
+        const std::vector<model::IndividualId> ids(all.begin(), all.end());
+        document.edit(QStringLiteral("Height"), [&](model::SceneEdit& edit) {
+            edit.setColumn(model::columns::height, ids, std::span<const float>(&height, 1));
+        });
+    }
+    [[nodiscard]] float shownHeight(std::size_t row)
+    {
+        return state.frame()->population.column(model::columns::height)[row];
+    }
+    /// So much real time passes.
+    void play(double seconds)
+    {
+        state.advance(seconds);
+        QTest::qWait(1);
+    }
     [[nodiscard]] float phase(std::size_t row)
     {
         return document.scene().population.column(model::columns::phase)[row];
@@ -93,6 +116,11 @@ private Q_SLOTS:
     void keptAnewRemovedAndUndone();
     void namesThatAreTakenAreRefused();
     void nobodyHasNoState();
+    void takesItsTimeWhileItPlays();
+    void whileNothingPlaysItIsAtOnce();
+    void onlyInThisRun();
+    void howItComesIsRemembered();
+    void theWaveBeginsWhereOneClicks();
 };
 
 void TestStatesDock::init()
@@ -207,6 +235,135 @@ void TestStatesDock::nobodyHasNoState()
     desk.press("keepState");
     QVERIFY2(desk.said.contains(QStringLiteral("Nobody is there yet")), qPrintable(desk.said));
     QVERIFY(desk.document.scene().states.empty());
+}
+
+void TestStatesDock::takesItsTimeWhileItPlays()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("small");
+    desk.setHeight(2.0F);
+    desk.state.transport().setPlaying(true);
+    desk.state.setRecall({{2.0F, {}}});
+    desk.press("recallState");
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[3], 1.0F);
+    std::vector<float> seen{desk.shownHeight(3)};
+    QCOMPARE(seen.front(), 2.0F); // as before, at first
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (desk.play(0.02), seen.push_back(desk.shownHeight(3)), seen.back() == 1.0F), 20000);
+    QVERIFY2(std::ranges::is_sorted(seen, std::greater<>()), "it jumped");
+    QVERIFY2(std::ranges::any_of(seen, [](float each) { return each > 1.2F && each < 1.8F; }),
+             "it was seen in between");
+    // What began for that alone is over, and the clock goes on.
+    QTRY_VERIFY((desk.play(0.02), !desk.state.session().isRunning()));
+    QVERIFY(desk.state.transport().isPlaying());
+    QCOMPARE(desk.shownHeight(3), 1.0F);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.shownHeight(3), 2.0F);
+}
+
+void TestStatesDock::whileNothingPlaysItIsAtOnce()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("small");
+    desk.setHeight(2.0F);
+    desk.state.transport().setPlaying(false);
+    RecallSettings recall{{2.0F, {}}};
+    recall.isForRunAlone = true;
+    desk.state.setRecall(recall);
+    desk.dock->findChild<QCheckBox*>(QStringLiteral("recallInRun"))->setChecked(true);
+    desk.press("recallState");
+    QCOMPARE(desk.shownHeight(0), 1.0F);
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.0F);
+    QVERIFY(!desk.state.session().isRunning());
+}
+
+void TestStatesDock::onlyInThisRun()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("small");
+    desk.setHeight(2.0F);
+    const int steps = desk.document.undoStack().index();
+    desk.state.transport().setPlaying(true);
+    desk.dock->findChild<QCheckBox*>(QStringLiteral("recallInRun"))->setChecked(true);
+    desk.press("recallState");
+    QVERIFY2(desk.said.contains(QStringLiteral("in this run alone")), qPrintable(desk.said));
+    QTRY_VERIFY((desk.play(0.02), desk.shownHeight(2) == 1.0F));
+    QVERIFY(desk.state.session().hasRecalled());
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[2], 2.0F);
+    QCOMPARE(desk.document.undoStack().index(), steps);
+    // What is painted meanwhile is seen.
+    const std::vector<model::IndividualId> one{desk.document.scene().population.ids()[1]};
+    const float painted = 1.5F;
+    desk.document.edit(QStringLiteral("Paint"), [&](model::SceneEdit& edit) {
+        edit.setColumn(model::columns::height, one, std::span<const float>(&painted, 1));
+    });
+    QTRY_VERIFY((desk.play(0.02), desk.shownHeight(1) == painted));
+    QCOMPARE(desk.shownHeight(2), 1.0F);
+    // A state that is kept now keeps what is seen.
+    desk.keepAs("seen");
+    desk.state.session().stop();
+    QVERIFY(!desk.state.session().hasRecalled());
+    QCOMPARE(desk.shownHeight(2), 2.0F);
+    desk.press("recallState");
+    QCOMPARE(desk.shownHeight(2), 1.0F);
+    QCOMPARE(desk.shownHeight(1), painted);
+}
+
+void TestStatesDock::howItComesIsRemembered()
+{
+    RecallSettings recall{{3.0F, {5.0F, model::StaggerOrder::Row}}};
+    {
+        StatesDesk desk;
+        QVERIFY(desk.isReady());
+        auto* seconds = desk.dock->findChild<FieldForm*>(QStringLiteral("recallTiming"))
+                            ->findChild<ValueSlider*>();
+        QVERIFY(seconds != nullptr);
+        seconds->setValue(3.0);
+        Q_EMIT seconds->valueEdited(3.0);
+        QCOMPARE(desk.state.recall().timing.seconds, 3.0F);
+        QSettings().setValue("states/recall-stagger", 5.0);
+        QSettings().setValue("states/recall-order", 2);
+    }
+    {
+        StatesDesk desk;
+        QCOMPARE(desk.state.recall(), recall);
+    }
+    QSettings().setValue("states/recall-seconds", -4.0);
+    QSettings().setValue("states/recall-stagger", QStringLiteral("nonsense"));
+    QSettings().setValue("states/recall-order", 99);
+    StatesDesk desk;
+    QCOMPARE(desk.state.recall(), RecallSettings());
+}
+
+void TestStatesDock::theWaveBeginsWhereOneClicks()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    const auto choose = [&desk]() -> QPushButton* {
+        for (QPushButton* button : desk.all<QPushButton>()) {
+            if (button->text() == QLatin1String("Choose in the Picture")) {
+                return button;
+            }
+        }
+        return nullptr;
+    };
+    QVERIFY2(choose() == nullptr, "all together: there is no order");
+    desk.state.setRecall({{1.0F, {2.0F, model::StaggerOrder::Distance}}});
+    QTRY_VERIFY(choose() != nullptr);
+    QTest::mouseClick(choose(), Qt::LeftButton);
+    QVERIFY(desk.state.picking() == Picking::Place);
+    desk.state.offerPoint({1.0F, 0.0F, 4.0F});
+    QCOMPARE(desk.state.recall().timing.stagger.point, glm::vec3(1.0F, 0.0F, 4.0F));
+    QVERIFY(desk.state.picking() == Picking::None);
 }
 
 CROWD_WINDOW_TEST(TestStatesDock)

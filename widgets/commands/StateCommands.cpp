@@ -2,6 +2,7 @@
 #include "widgets/commands/StateCommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -63,6 +64,33 @@ void say(EditorState& state, const QString& name, const model::StateRecall& reca
     state.showStatus(said.join(QLatin1Char(' ')));
 }
 
+/// Along the view means away from where one looks from.
+model::RecallTiming timingNow(const EditorState& state)
+{
+    model::RecallTiming timing = state.recall().timing;
+    const glm::vec3 forward = state.camera().forward();
+    timing.stagger.headingRadians = std::atan2(forward.x, forward.z);
+    return timing;
+}
+
+void recallInRun(EditorState& state, const State& kept)
+{
+    const model::ChangeOver change{kept.id, peopleOf(state.scene(), kept), kept.columns,
+                                   timingNow(state)};
+    if (change.ids.empty()) {
+        state.showStatus(
+            StatesText::tr("“%1”: none of its characters is there").arg(quoted(kept.name)));
+    } else if (state.session().recall(change)) {
+        state.showStatus(StatesText::tr("“%1” for %n characters, in this run alone: Stop gives "
+                                        "the scene back",
+                                        nullptr, static_cast<int>(change.ids.size()))
+                             .arg(quoted(kept.name)));
+    } else {
+        state.showStatus(StatesText::tr("Wait until it is known where characters can walk, then "
+                                        "recall the state."));
+    }
+}
+
 } // namespace
 
 QString freeStateName(const model::Scene& scene)
@@ -120,17 +148,22 @@ void keepStateAnew(EditorState& state, model::StateId id)
                          .arg(name));
 }
 
-void recallStateOf(EditorState& state, model::StateId id)
+void recallStateOf(EditorState& state, model::StateId id, RecallInto into)
 {
     const State* found = stateOf(state, id);
     if (found == nullptr) {
         return;
     }
     const State kept = *found;
+    if (into == RecallInto::Run && state.transport().isPlaying()) {
+        recallInRun(state, kept);
+        return;
+    }
     model::StateRecall recall;
     const auto outcome = state.document().edit(
-        StatesText::tr("Recall “%1”").arg(quoted(kept.name)),
-        [&](model::SceneEdit& edit) { recall = recallState(edit, kept, kept.columns); });
+        StatesText::tr("Recall “%1”").arg(quoted(kept.name)), [&](model::SceneEdit& edit) {
+            recall = recallState(edit, kept, kept.columns, nullptr, timingNow(state));
+        });
     if (outcome != model::EditOutcome::Refused) {
         say(state, quoted(kept.name), recall);
     }

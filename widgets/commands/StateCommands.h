@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include <QtCore/QString>
 
 #include "model/population/ColumnSet.h"
@@ -20,7 +22,14 @@ bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet colum
                  StateReach reach);
 /// How they are seen now, of the same people as far as they are there, with the same properties.
 void keepStateAnew(EditorState& state, model::StateId id);
-void recallStateOf(EditorState& state, model::StateId id);
+/// Where a state goes.
+enum class RecallInto : std::uint8_t {
+    Scene, ///< one undo step
+    Run    ///< while it plays in the run alone, until it ends; else the scene
+};
+
+/// As EditorState::recall() says: over some time where it plays.
+void recallStateOf(EditorState& state, model::StateId id, RecallInto into);
 void removeState(EditorState& state, model::StateId id);
 /// Whether it has that name now.
 bool renameState(EditorState& state, model::StateId id, const QString& name);

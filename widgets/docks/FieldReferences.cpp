@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include <QtCore/QPointer>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
@@ -367,9 +368,14 @@ void addPoint(FieldForm& form, const Bound& bound)
         return;
     }
     auto* button = new QPushButton(FieldForm::tr("Choose in the Picture"), &form);
-    button->setToolTip(FieldForm::tr("Then click the point to face"));
-    QObject::connect(button, &QPushButton::clicked, &form,
-                     [state] { state->setPicking(Picking::Point); });
+    button->setToolTip(FieldForm::tr("Then click the point"));
+    QObject::connect(button, &QPushButton::clicked, &form, [state, &form, bound] {
+        state->choosePoint([shown = QPointer(&form), bound](const glm::vec3& point) {
+            if (shown) {
+                shown->setValue(bound, point);
+            }
+        });
+    });
     form.bind(
         button, [] {}, bound.isShown);
 }

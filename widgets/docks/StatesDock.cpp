@@ -16,6 +16,7 @@
 
 #include "model/states/StateKeeping.h"
 #include "widgets/commands/StateCommands.h"
+#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/WrapRow.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
@@ -35,6 +36,28 @@ constexpr int kStatesRebuildMs = 30;
 QString settingOf(const model::PropertyAspectInfo& aspect)
 {
     return QStringLiteral("states/holds-%1").arg(QLatin1String(aspect.key));
+}
+
+constexpr auto kSecondsSetting = "states/recall-seconds";
+constexpr auto kStaggerSetting = "states/recall-stagger";
+constexpr auto kOrderSetting = "states/recall-order";
+constexpr auto kForRunSetting = "states/recall-for-run";
+
+/// As it was the last time; the point is of another scene.
+void restoreRecall(RecallSettings& recall)
+{
+    const QSettings settings;
+    const auto seconds = [&settings](const char* key) {
+        const double value = settings.value(key, 0.0).toDouble();
+        return value >= 0.0 && value <= model::kLongestRecall ? static_cast<float>(value) : 0.0F;
+    };
+    recall.timing.seconds = seconds(kSecondsSetting);
+    recall.timing.stagger.seconds = seconds(kStaggerSetting);
+    const int order = settings.value(kOrderSetting, 0).toInt();
+    if (order >= 0 && order < std::ssize(model::Stagger::kOrders)) {
+        recall.timing.stagger.order = static_cast<model::StaggerOrder>(order);
+    }
+    recall.isForRunAlone = settings.value(kForRunSetting, false).toBool();
 }
 
 } // namespace
@@ -57,6 +80,7 @@ StatesDock::StatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(buttons());
     layout->addWidget(m_note);
     layout->addWidget(m_list);
+    layout->addWidget(recalling());
     layout->addWidget(holding());
     layout->addStretch(1);
     setScrolledContent(content);
@@ -95,6 +119,59 @@ QWidget* StatesDock::buttons()
                              "removeState", [this] { removeState(m_state, chosen()); }));
     layout->addWidget(m_chosenButtons, 1);
     return row;
+}
+
+/// How states are given back.
+QWidget* StatesDock::recalling()
+{
+    auto* box = new QWidget(this);
+    auto* rows = new QVBoxLayout(box);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    RecallSettings recall = m_state.recall();
+    restoreRecall(recall);
+    m_state.setRecall(recall);
+    const FormTarget target{[this] { return &m_state.recall().timing; },
+                            [this](const std::function<void(void*)>& change) {
+                                RecallSettings now = m_state.recall();
+                                change(&now.timing);
+                                keepRecall(now);
+                            },
+                            [this] { return model::FieldContext{&m_state.scene()}; }};
+    m_timing = new FieldForm(target, QStringLiteral("recall"), &m_state, box);
+    m_timing->setObjectName(QStringLiteral("recallTiming"));
+    m_timing->layout()->setContentsMargins(0, 0, 0, 0);
+    m_timing->addFields(model::fieldsOf<model::RecallTiming>());
+    m_timing->finish();
+    m_timing->refresh();
+    rows->addWidget(new QLabel(tr("When one is recalled"), box));
+    rows->addWidget(m_timing);
+    m_isForRun = new QCheckBox(tr("Only in this run"), box);
+    m_isForRun->setObjectName(QStringLiteral("recallInRun"));
+    m_isForRun->setToolTip(tr("While it plays the scene stays as it is, and Stop gives it back. "
+                              "The keys always do so."));
+    m_isForRun->setChecked(recall.isForRunAlone);
+    connect(&m_state, &EditorState::recallChanged, this, [this] {
+        m_timing->refresh();
+        m_isForRun->setChecked(m_state.recall().isForRunAlone);
+    });
+    connect(m_isForRun, &QCheckBox::toggled, this, [this](bool isOn) {
+        RecallSettings now = m_state.recall();
+        now.isForRunAlone = isOn;
+        keepRecall(now);
+    });
+    rows->addWidget(m_isForRun);
+    return box;
+}
+
+void StatesDock::keepRecall(const RecallSettings& recall)
+{
+    QSettings settings;
+    settings.setValue(kSecondsSetting, static_cast<double>(recall.timing.seconds));
+    settings.setValue(kStaggerSetting, static_cast<double>(recall.timing.stagger.seconds));
+    settings.setValue(kOrderSetting, static_cast<int>(recall.timing.stagger.order));
+    settings.setValue(kForRunSetting, recall.isForRunAlone);
+    m_state.setRecall(recall);
 }
 
 /// What a new state holds, and of whom it is.
@@ -236,7 +313,7 @@ void StatesDock::edit(model::StateId id)
 
 void StatesDock::recallChosen()
 {
-    recallStateOf(m_state, chosen());
+    recallStateOf(m_state, chosen(), m_isForRun->isChecked() ? RecallInto::Run : RecallInto::Scene);
 }
 
 void StatesDock::showMenu(const QPoint& position)
@@ -249,7 +326,10 @@ void StatesDock::showMenu(const QPoint& position)
     const int row = m_list->row(item);
     QMenu menu(this);
     menu.addAction(iconNamed("state"), tr("Recall"), this,
-                   [this, id] { recallStateOf(m_state, id); });
+                   [this, id] { recallStateOf(m_state, id, RecallInto::Scene); });
+    menu.addAction(tr("Recall only in this run"), this,
+                   [this, id] { recallStateOf(m_state, id, RecallInto::Run); })
+        ->setEnabled(m_state.transport().isPlaying());
     menu.addAction(iconNamed("state-add"), tr("Keep anew"), this,
                    [this, id] { keepStateAnew(m_state, id); });
     menu.addAction(tr("Select its characters"), this, [this, id] { selectPeopleOf(m_state, id); });

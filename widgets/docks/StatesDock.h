@@ -16,8 +16,11 @@ class QListWidgetItem;
 
 namespace crowd::widgets {
 
-/// The kept states of the scene, in the order of their keys: a double click recalls one. What the
-/// next one holds is ticked below, and of whom it is. Each change is one undo step. Main thread.
+class FieldForm;
+
+/// The kept states of the scene, in the order of their keys: a double click recalls one. Below, how
+/// it comes, and of whom the next one is and what it holds. Each change is one undo step. Main
+/// thread.
 class StatesDock : public DockBase
 {
     Q_OBJECT
@@ -28,6 +31,8 @@ public:
 private:
     [[nodiscard]] QWidget* buttons();
     [[nodiscard]] QWidget* holding();
+    [[nodiscard]] QWidget* recalling();
+    void keepRecall(const RecallSettings& recall);
     void connectParts();
     void fill();
     void showMenu(const QPoint& position);
@@ -46,6 +51,8 @@ private:
     QComboBox* m_reach;
     std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
     QWidget* m_chosenButtons = nullptr;
+    FieldForm* m_timing = nullptr;
+    QCheckBox* m_isForRun = nullptr;
     bool m_isFilling = false;
 };
 

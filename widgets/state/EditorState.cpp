@@ -136,7 +136,33 @@ void EditorState::setPicking(Picking picking)
         return;
     }
     m_picking = picking;
+    if (picking != Picking::Place) {
+        m_pointTaken = {};
+    }
     Q_EMIT pickingChanged(m_picking);
+}
+
+void EditorState::choosePoint(PointTaken taken)
+{
+    m_pointTaken = std::move(taken);
+    setPicking(Picking::Place);
+}
+
+void EditorState::offerPoint(const glm::vec3& metres)
+{
+    const PointTaken taken = std::exchange(m_pointTaken, {});
+    setPicking(Picking::None);
+    if (taken) {
+        taken(metres);
+    }
+}
+
+void EditorState::setRecall(const RecallSettings& recall)
+{
+    if (m_recall != recall) {
+        m_recall = recall;
+        Q_EMIT recallChanged(m_recall);
+    }
 }
 
 const BrushSettings& EditorState::brush(BrushKind kind) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "model/brush/BrushSettings.h"
 #include "model/brush/LastStrokes.h"
 #include "model/document/SceneDocument.h"
+#include "model/states/ChangeOver.h"
 #include "model/view/View.h"
 #include "render/RenderInput.h"
 #include "widgets/state/CameraMotion.h"
@@ -61,7 +63,16 @@ struct ViewCamera
 enum class Picking : std::uint8_t {
     None,
     Colour, ///< of the person under it, for the colours of the active brush
-    Point   ///< that people are to face, for the heading of the active brush
+    Point,  ///< that people are to face, for the heading of the active brush
+    Place   ///< any point on the ground or a stage, see choosePoint()
+};
+
+/// How states are given back, by whatever key or button.
+struct RecallSettings
+{
+    model::RecallTiming timing; ///< the heading is the view's at that moment
+    bool isForRunAlone = false; ///< from the panel, while it plays
+    friend bool operator==(const RecallSettings&, const RecallSettings&) = default;
 };
 
 /// Work that takes its time, shown over the picture. total 0: nothing is going on.
@@ -127,6 +138,11 @@ public:
 
     [[nodiscard]] Picking picking() const { return m_picking; }
     void setPicking(Picking picking); ///< ends when the tool changes
+    /// The next click in the picture, with any tool, calls `taken` with the point under it.
+    using PointTaken = std::function<void(const glm::vec3& metres)>;
+    void choosePoint(PointTaken taken);
+    /// That was the click: ends the picking.
+    void offerPoint(const glm::vec3& metres);
     /// A colour was picked in the picture.
     void offerColor(const model::PaintColor& color) { Q_EMIT colorPicked(color); }
     /// A stroke of this brush became an undo step.
@@ -147,6 +163,9 @@ public:
 
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_options; }
     void setViewOptions(const ViewOptions& options);
+
+    [[nodiscard]] const RecallSettings& recall() const { return m_recall; }
+    void setRecall(const RecallSettings& recall);
 
     [[nodiscard]] const LongWork& longWork() const { return m_longWork; }
     void setLongWork(const LongWork& work);
@@ -171,6 +190,7 @@ Q_SIGNALS:
     void strokeCommitted(crowd::model::BrushKind kind);
     void viewCameraChanged(const crowd::widgets::ViewCamera& view);
     void viewOptionsChanged(const crowd::widgets::ViewOptions& options);
+    void recallChanged(const crowd::widgets::RecallSettings& recall);
     void longWorkChanged(const crowd::widgets::LongWork& work);
     void hintChanged(const QString& hint);
     void statusMessage(const QString& text);
@@ -201,6 +221,8 @@ private:
     ToolId m_tool = ToolId::BrushCreate;
     ToolId m_previousTool = ToolId::Select;
     Picking m_picking = Picking::None;
+    PointTaken m_pointTaken; ///< of Picking::Place
+    RecallSettings m_recall;
     bool m_hasSeats = false;
     std::optional<model::PathId> m_wantedPath; ///< of the walk brush, also while it is undone
     ViewCamera m_view;

@@ -12,6 +12,7 @@
 #include "behavior/session/SessionPlayer.h"
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
+#include "model/states/ChangeOver.h"
 #include "widgets/state/SceneChanges.h"
 #include "widgets/state/SurfaceBuilder.h"
 
@@ -59,6 +60,15 @@ struct SessionControl::Surface
     SurfaceBuilder builder;
 };
 
+/// People who change over to what an edit has made of them: until the session's steps know of it,
+/// they are shown as they were.
+struct SessionControl::ChangingPeople
+{
+    model::ChangeOver change;
+    model::Population before;
+    std::uint64_t version = 0; ///< of the scene's people after it; 0: not yet
+};
+
 SessionControl::SessionControl(model::SceneDocument& document, Transport& transport,
                                QObject* parent)
     : QObject(parent), m_document(document), m_transport(transport),
@@ -82,6 +92,7 @@ SessionControl::SessionControl(model::SceneDocument& document, Transport& transp
     m_ways.setInterval(kWaysMs);
     connect(&m_ways, &QTimer::timeout, this, &SessionControl::followWays);
     connect(&document, &model::SceneDocument::changed, this, &SessionControl::followScene);
+    connect(&document, &model::SceneDocument::changingOver, this, &SessionControl::changeOver);
 }
 
 SessionControl::~SessionControl()
@@ -137,11 +148,89 @@ void SessionControl::followWays()
     }
 }
 
+/// What the scene has no behaviour for, a session is begun for: it lets people change over.
+bool SessionControl::startForRecall()
+{
+    if (!isRunning() && isReady()) {
+        m_isForRecall = !m_document.scene().hasBehaviour();
+        start();
+    }
+    return isRunning();
+}
+
+void SessionControl::changeOver(const model::ChangeOver& change)
+{
+    if (m_transport.isPlaying() && startForRecall()) {
+        handPending();
+        m_changing =
+            std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
+    }
+}
+
+bool SessionControl::recall(const model::ChangeOver& change)
+{
+    if (!startForRecall()) {
+        return false;
+    }
+    handPending();
+    m_player->recall(change);
+    return true;
+}
+
+bool SessionControl::hasRecalled() const
+{
+    const auto pose = isRunning() ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    return pose && pose->recalled;
+}
+
 void SessionControl::hand()
 {
-    if (isRunning()) {
-        (void)isReady(); // the surface may be wanted from now on
+    if (!isRunning()) {
+        return;
+    }
+    (void)isReady(); // the surface may be wanted from now on
+    if (m_changing && m_changing->version == 0) {
+        m_changing->version = m_document.scene().population.version();
+        m_player->adopt(m_document.scene(), m_changing->change);
+    } else {
         m_player->adopt(m_document.scene());
+    }
+}
+
+/// What was edited before something else happens.
+void SessionControl::handPending()
+{
+    if (m_hand.isActive()) {
+        m_hand.stop();
+        hand();
+    }
+}
+
+/// As they are still shown at a time; null: as the scene has them.
+const model::Population* SessionControl::peopleBefore(double seconds) const
+{
+    if (!m_changing) {
+        return nullptr;
+    }
+    const auto pose = m_player->poseAt(seconds);
+    const std::uint64_t version = m_document.scene().population.version();
+    const bool isOnItsWay = m_changing->version == 0 || (m_changing->version == version && pose &&
+                                                         pose->sceneVersion != version);
+    if (!isOnItsWay) {
+        m_changing.reset();
+    }
+    return m_changing ? &m_changing->before : nullptr;
+}
+
+/// Nobody changes over any more in a session that began for that alone.
+void SessionControl::endRecall()
+{
+    const auto pose =
+        m_isForRecall && !m_hasBehaviour ? m_player->poseAt(m_transport.seconds()) : nullptr;
+    const bool isBehind =
+        m_changing || (pose && pose->sceneVersion != m_document.scene().population.version());
+    if (pose && pose->step > 0 && !isBehind && !pose->stateFades && !pose->recalled) {
+        drop();
     }
 }
 
@@ -210,6 +299,7 @@ void SessionControl::start()
     m_startSeconds = m_transport.seconds();
     m_stepsPerSecond = m_document.scene().stepsPerSecond;
     m_player->start(m_document.scene(), m_startSeconds, m_surface->current);
+    m_changing.reset();
     m_frame.reset();
     followProblems();
     Q_EMIT stateChanged();
@@ -220,6 +310,8 @@ void SessionControl::drop()
     if (isRunning()) {
         m_player->stop();
         m_frame.reset();
+        m_changing.reset();
+        m_isForRecall = false;
         followProblems();
         Q_EMIT stateChanged();
     }
@@ -239,6 +331,7 @@ void SessionControl::advance(double realSeconds)
         return;
     }
     m_transport.advance(realSeconds, m_player->available());
+    endRecall();
     if (m_transport.isPlaying()) {
         // What the next picture needs is there when it is drawn, if it takes as long as the last.
         const double speed = m_transport.state().speed;
@@ -305,6 +398,9 @@ model::CrowdFramePtr SessionControl::frame(double seconds) const
     if (!m_frame || m_frame->seconds != seconds || m_frameAvailable != available ||
         m_frameRevision != m_document.revision()) {
         model::CrowdFrame frame = *m_document.frame(seconds);
+        if (const model::Population* before = peopleBefore(seconds)) {
+            frame.population = *before;
+        }
         m_player->pose(frame);
         m_frame = std::make_shared<const model::CrowdFrame>(std::move(frame));
         m_frameAvailable = available;

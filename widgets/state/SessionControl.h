@@ -23,6 +23,10 @@ class WalkSurface;
 struct RuleFired;
 } // namespace crowd::behavior
 
+namespace crowd::model {
+struct ChangeOver;
+} // namespace crowd::model
+
 namespace crowd::widgets {
 
 /// Play, as the artist knows it: while the scene has behaviour, playing runs a session that starts
@@ -49,6 +53,11 @@ public:
     /// The scene as keepPose() would make it, with people in the clips that they are seen in;
     /// without a session as it is.
     [[nodiscard]] model::Scene shownScene() const;
+    /// People take on a state of the scene in the run alone, which begins where there is none.
+    /// False: it cannot begin yet, and nothing happens.
+    bool recall(const model::ChangeOver& change);
+    /// Whether people differ from the scene since a state was recalled in the run alone.
+    [[nodiscard]] bool hasRecalled() const;
     /// To a running session only.
     void send(const model::EventSettings& event, std::span<const model::IndividualId> ids);
     /// To those who have a tag now.
@@ -92,9 +101,15 @@ Q_SIGNALS:
 
 private:
     struct Surface;
+    struct ChangingPeople;
 
     void followScene(const model::SceneChange& change);
+    void changeOver(const model::ChangeOver& change);
     void hand();
+    void handPending();
+    [[nodiscard]] bool startForRecall();
+    void endRecall();
+    [[nodiscard]] const model::Population* peopleBefore(double seconds) const;
     void start();
     void drop();
     [[nodiscard]] bool isReady();
@@ -115,6 +130,9 @@ private:
     QTimer m_ways;                       ///< until areas that are being changed come to rest
     double m_startSeconds = 0.0;         ///< of the transport, when the session began
     std::uint32_t m_stepsPerSecond = 30; ///< of the session
+    /// An edit that is on its way to the session; null: none.
+    mutable std::unique_ptr<ChangingPeople> m_changing;
+    bool m_isForRecall = false; ///< the scene has no behaviour: the session began for a recall
     bool m_isKeepingPose = false;
     bool m_isSurfaceStale = true;
     bool m_hasBehaviour = false;

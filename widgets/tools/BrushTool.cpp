@@ -85,6 +85,7 @@ std::optional<PickKind> BrushTool::pickFor(Qt::KeyboardModifiers modifiers) cons
         return PickKind::Colour;
     case Picking::Point:
         return PickKind::Point;
+    case Picking::Place: // whatever the tool is
     case Picking::None:
         break;
     }

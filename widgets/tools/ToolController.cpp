@@ -98,6 +98,11 @@ bool ToolController::isNavigation(const ToolInput& input) const
 DragSessionPtr ToolController::sessionFor(const ToolInput& input)
 {
     const ToolContext context{m_state, m_queries};
+    const bool isPlacing = m_state.picking() == Picking::Place && input.button == Qt::LeftButton;
+    if (!isNavigation(input) && isPlacing) {
+        takePoint(input);
+        return nullptr;
+    }
     if (!isNavigation(input)) {
         return activeTool().press(input);
     }
@@ -110,6 +115,18 @@ DragSessionPtr ToolController::sessionFor(const ToolInput& input)
         }
     }
     return std::make_unique<NavigateDrag>(context, kind, input);
+}
+
+/// The point that somebody waits for.
+void ToolController::takePoint(const ToolInput& input)
+{
+    const auto& pixel = input.pointer;
+    const auto surface = m_queries.picker(pixel.shownSeconds).surfaceAt(pixel.pixels());
+    if (surface) {
+        m_state.offerPoint(surface->point);
+    } else {
+        m_state.showStatus(tr("There is no ground under the cursor"));
+    }
 }
 
 void ToolController::press(const ToolInput& event)
@@ -368,6 +385,9 @@ void ToolController::refreshPicture()
         m_session->show(picture);
     } else if (m_pointer && m_isSpaceHeld) {
         picture.cursor = Qt::OpenHandCursor;
+    } else if (m_pointer && m_state.picking() == Picking::Place) {
+        picture.cursor = Qt::CrossCursor;
+        picture.crosshair = m_pointer->position();
     } else if (m_pointer) {
         activeTool().hover(*m_pointer, picture);
         // What takes longer stays as it was until the next frame.
@@ -387,7 +407,8 @@ void ToolController::renewTexts()
 
 void ToolController::refreshHint()
 {
-    m_state.setHint(activeTool().hint());
+    m_state.setHint(m_state.picking() == Picking::Place ? tr("Click a point in the picture")
+                                                        : activeTool().hint());
 }
 
 } // namespace crowd::widgets

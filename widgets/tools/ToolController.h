@@ -66,6 +66,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] Tool& activeTool() const;
     [[nodiscard]] DragSessionPtr sessionFor(const ToolInput& input);
+    void takePoint(const ToolInput& input);
     [[nodiscard]] bool isNavigation(const ToolInput& input) const;
     void showModifiers(const KeyInput& input);
     bool spaceDown(const KeyInput& input);

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "behavior/agents/StateFades.h"
+#include "behavior/agents/Turning.h"
+#include "behavior/crowd/Chunks.h"
+#include "model/pick/ShownPeople.h"
+#include "model/population/Properties.h"
+
+namespace crowd::behavior {
+
+using namespace model;
+
+namespace {
+
+namespace shownKeys = model::columns;
+
+/// Who of some people is still on the way at one moment.
+struct OnTheWay
+{
+    const FadeTimes* times = nullptr;
+    std::vector<std::uint32_t> people; ///< indices in the times
+    std::vector<std::uint32_t> rows;   ///< of the frame
+    std::vector<float> shares;         ///< 0..1 of what they become
+};
+
+OnTheWay onTheWay(const FadeTimes& times, const Population& people, double seconds)
+{
+    OnTheWay way{&times, {}, {}, {}};
+    const std::span<const IndividualId> ids = people.ids();
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < times.ids.size(); ++i) {
+        const float share = times.shareAt(i, seconds);
+        if (share >= 1.0F) {
+            continue;
+        }
+        while (row < ids.size() && ids[row] < times.ids[i]) {
+            ++row;
+        }
+        if (row < ids.size() && ids[row] == times.ids[i]) {
+            way.people.push_back(static_cast<std::uint32_t>(i));
+            way.rows.push_back(static_cast<std::uint32_t>(row));
+            way.shares.push_back(share);
+        }
+    }
+    return way;
+}
+
+Tint between(const Tint& from, const Tint& to, float share)
+{
+    constexpr std::uint32_t kWhole = 1U << 16U;
+    const auto weight = static_cast<std::uint32_t>(share * static_cast<float>(kWhole));
+    const auto mix = [weight](std::uint32_t one, std::uint32_t other) {
+        const std::uint32_t sum = one * (kWhole - weight) + other * weight + kWhole / 2U;
+        return static_cast<std::uint8_t>(sum / kWhole);
+    };
+    return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue),
+            mix(from.strength, to.strength)};
+}
+
+/// The picture at one moment.
+class FadedFrame
+{
+public:
+    FadedFrame(const std::vector<bool>& isBusy, CrowdFrame& frame)
+        : m_isBusy(isBusy), m_frame(frame)
+    {
+    }
+    void apply(const FadeColumn& column);
+
+private:
+    template<class T, class Blend>
+    void write(const FadeColumn& column, const Blend& blend);
+    void writeBetween(const FadeColumn& column);
+    void writeStep(const FadeColumn& column);
+    void writeClips(const FadeColumn& column);
+    void replaceFades(const std::vector<ClipFade>& coming, const std::vector<std::uint32_t>& rows);
+    /// Null: the template is not there, or has none of that number.
+    [[nodiscard]] const Clip* clipOf(TemplateId id, std::uint16_t clip);
+    [[nodiscard]] bool isBusy(std::uint32_t row) const
+    {
+        return row < m_isBusy.size() && m_isBusy[row];
+    }
+
+    const std::vector<bool>& m_isBusy;
+    CrowdFrame& m_frame;
+    OnTheWay m_way;
+    std::map<std::pair<TemplateId, std::uint16_t>, const Clip*> m_clips;
+};
+
+void FadedFrame::apply(const FadeColumn& column)
+{
+    if (m_way.times != column.times.get()) {
+        m_way = onTheWay(*column.times, m_frame.population, m_frame.seconds);
+    }
+    if (m_way.rows.empty()) {
+        return;
+    }
+    if (column.column == ColumnId::Clip) {
+        writeClips(column);
+    } else if (propertyInfo(column.column).traits.blend == PropertyBlend::Step) {
+        writeStep(column);
+    } else {
+        writeBetween(column);
+    }
+}
+
+/// blend(from, to, share).
+template<class T, class Blend>
+void FadedFrame::write(const FadeColumn& column, const Blend& blend)
+{
+    const std::span<T> shown = m_frame.population.edit(ColumnKey<T>{column.column}, m_way.rows);
+    overRows(m_way.rows.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            T from;
+            std::memcpy(&from, column.bytes.data() + m_way.people[i] * sizeof(T), sizeof(T));
+            T& to = shown[m_way.rows[i]];
+            to = blend(from, to, m_way.shares[i]);
+        }
+    });
+}
+
+void FadedFrame::writeBetween(const FadeColumn& column)
+{
+    const PropertyInfo& info = propertyInfo(column.column);
+    if (info.traits.blend == PropertyBlend::Colour) {
+        write<Tint>(column, [](const Tint& from, const Tint& to, float share) {
+            return between(from, to, share);
+        });
+    } else if (info.traits.blend == PropertyBlend::Turn) {
+        write<float>(column, [](float from, float to, float share) {
+            return wrappedRadians(from + wrappedRadians(to - from) * share);
+        });
+    } else if (info.column.type == ColumnType::Vec3) {
+        write<glm::vec3>(column, [](const glm::vec3& from, const glm::vec3& to, float share) {
+            return from + (to - from) * share;
+        });
+    } else if (info.column.type == ColumnType::Float) {
+        write<float>(column,
+                     [](float from, float to, float share) { return from + (to - from) * share; });
+    } else {
+        writeStep(column);
+    }
+}
+
+/// Half way they become what they will be.
+void FadedFrame::writeStep(const FadeColumn& column)
+{
+    constexpr float kHalf = 0.5F;
+    const std::size_t stride = columnInfo(column.column).stride;
+    std::vector<IndividualId> ids;
+    std::vector<std::byte> values;
+    ids.reserve(m_way.rows.size());
+    values.reserve(m_way.rows.size() * stride);
+    for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
+        if (m_way.shares[i] < kHalf) {
+            ids.push_back(m_frame.population.ids()[m_way.rows[i]]);
+            const auto value = std::span(column.bytes).subspan(m_way.people[i] * stride, stride);
+            values.insert(values.end(), value.begin(), value.end());
+        }
+    }
+    if (!ids.empty()) {
+        m_frame.population.setValues(column.column, ids, values);
+    }
+}
+
+const Clip* FadedFrame::clipOf(TemplateId id, std::uint16_t clip)
+{
+    if (const auto known = m_clips.find({id, clip}); known != m_clips.end()) {
+        return known->second;
+    }
+    const Clip* found = nullptr;
+    const auto entry = std::ranges::find(*m_frame.templates, id, &TemplateEntry::id);
+    if (entry != m_frame.templates->end() && entry->asset) {
+        const int index = assetClip(*entry, clip);
+        found = index < 0 ? nullptr : &entry->asset->clips[static_cast<std::size_t>(index)];
+    }
+    return m_clips[{id, clip}] = found;
+}
+
+void FadedFrame::writeClips(const FadeColumn& column)
+{
+    Population& people = m_frame.population;
+    const auto clips = people.edit(shownKeys::clip, m_way.rows);
+    const auto phases = people.edit(shownKeys::phase, m_way.rows);
+    const auto rates = people.edit(shownKeys::playbackSpeed, m_way.rows);
+    std::vector<ClipFade> coming;
+    std::vector<std::uint32_t> rows;
+    coming.reserve(m_way.rows.size());
+    rows.reserve(m_way.rows.size());
+    for (std::size_t i = 0; i < m_way.rows.size(); ++i) {
+        const std::uint32_t row = m_way.rows[i];
+        const std::uint32_t person = m_way.people[i];
+        if (isBusy(row)) {
+            continue;
+        }
+        rows.push_back(row);
+        std::uint16_t clip = 0;
+        std::memcpy(&clip, column.bytes.data() + person * sizeof(clip), sizeof(clip));
+        const float phase = column.phases[person];
+        const float rate = column.rates[person];
+        if (m_way.shares[i] <= 0.0F) {
+            clips[row] = clip;
+            phases[row] = phase;
+            rates[row] = rate;
+        } else if (const Clip* from = clipOf(people.column(shownKeys::templateId)[row], clip)) {
+            const float place = shownPhase(*from, phase, rate, m_frame.seconds);
+            coming.push_back({row, clip, place, m_way.shares[i]});
+        }
+    }
+    replaceFades(coming, rows);
+}
+
+/// Their fades from one clip to the next are these.
+void FadedFrame::replaceFades(const std::vector<ClipFade>& coming,
+                              const std::vector<std::uint32_t>& rows)
+{
+    std::erase_if(m_frame.fades, [&rows](const ClipFade& fade) {
+        return std::ranges::binary_search(rows, fade.row);
+    });
+    std::vector<ClipFade> all;
+    all.reserve(m_frame.fades.size() + coming.size());
+    std::ranges::merge(m_frame.fades, coming, std::back_inserter(all), {}, &ClipFade::row,
+                       &ClipFade::row);
+    m_frame.fades = std::move(all);
+}
+
+} // namespace
+
+void applyFades(const FadeColumns& fades, const std::vector<bool>& isBusy, CrowdFrame& frame)
+{
+    FadedFrame shown(isBusy, frame);
+    for (const auto& column : fades) {
+        shown.apply(*column);
+    }
+}
+
+} // namespace crowd::behavior
