@@ -909,6 +909,10 @@
         <source>Choose in the settings which templates characters become</source>
         <translation>In den Einstellungen wählen, zu welchen Vorlagen Figuren werden</translation>
     </message>
+    <message>
+        <source>Choose in the settings which state characters get back</source>
+        <translation>In den Einstellungen wählen, welchen Zustand Figuren zurückbekommen</translation>
+    </message>
 </context>
 <context>
     <name>BrushTexts</name>
@@ -1680,6 +1684,10 @@
         <source>Too near to a wall or an edge: lower “Body radius” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
         <translation>Zu nah an einer Wand oder Kante: „Körperradius“ verringern (Umgebung, Wo Figuren gehen können), oder im Pinsel „Überall“ wählen</translation>
     </message>
+    <message>
+        <source>Choose a state in the brush&apos;s settings first</source>
+        <translation>Zuerst in den Einstellungen des Pinsels einen Zustand wählen</translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1749,6 +1757,10 @@
     <message>
         <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
         <translation>Es wird noch herausgefunden, wo Figuren gehen können: Stichworte hören sie, sobald sie sich bewegen.</translation>
+    </message>
+    <message>
+        <source>The state that “%1” recalls is not there any more: choose another one.</source>
+        <translation>Den Zustand, den „%1“ abruft, gibt es nicht mehr: Wählen Sie einen anderen.</translation>
     </message>
 </context>
 <context>
@@ -2616,6 +2628,18 @@
     <message>
         <source>Clips fade into each other, colours and sizes run, while it plays</source>
         <translation>Beim Abspielen gehen Clips ineinander über, Farben und Größen laufen</translation>
+    </message>
+    <message>
+        <source>What a state has of them</source>
+        <translation>Was ein Zustand von ihnen hat</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>All that it holds</source>
+        <translation>Alles, was er enthält</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +4216,10 @@
         <source>For %1 of them there is no clip &quot;%2&quot;: they keep theirs.</source>
         <translation>Bei %1 von ihnen gibt es keine Animation „%2“: Sie behalten ihre.</translation>
     </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the state is not there. Choose another one.</source>
+        <translation>Regel „%1“: Den Zustand gibt es nicht. Wählen Sie einen anderen.</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -5747,6 +5775,62 @@
         <source>yields to others further up</source>
         <translation>weicht anderen Regeln weiter oben</translation>
     </message>
+    <message>
+        <source>take on a state</source>
+        <translation>einen Zustand annehmen</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>beginning within</source>
+        <translation>Beginn innerhalb von</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>take on “{state}”</source>
+        <translation>„{state}“ annehmen</translation>
+    </message>
+    <message>
+        <source>take on “{state}” within {within} s</source>
+        <translation>„{state}“ innerhalb von {within} s annehmen</translation>
+    </message>
+    <message>
+        <source>take on “{state}” over {seconds} s</source>
+        <translation>„{state}“ über {seconds} s annehmen</translation>
+    </message>
+    <message>
+        <source>a state is recalled</source>
+        <translation>ein Zustand wird abgerufen</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>irgendeiner</translation>
+    </message>
+    <message>
+        <source>When someone takes on a state</source>
+        <translation>Wenn jemand einen Zustand annimmt</translation>
+    </message>
+    <message>
+        <source>When someone takes on “{state}”</source>
+        <translation>Wenn jemand „{state}“ annimmt</translation>
+    </message>
+    <message>
+        <source>The state is not there any more: choose another one.</source>
+        <translation>Den Zustand gibt es nicht mehr: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a state; the panel States keeps one.</source>
+        <translation>Sie tut noch nichts: Wählen Sie einen Zustand; das Bedienfeld „Zustände“ merkt einen.</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5974,6 +6058,18 @@
     <message>
         <source>Wait until it is known where characters can walk, then recall the state.</source>
         <translation>Warten Sie, bis bekannt ist, wo Figuren gehen können, und rufen Sie den Zustand dann ab.</translation>
+    </message>
+    <message>
+        <source>Nobody is in the group whose state could be kept.</source>
+        <translation>In der Gruppe ist niemand, dessen Zustand gemerkt werden könnte.</translation>
+    </message>
+    <message>
+        <source>A state holds at least one of them.</source>
+        <translation>Ein Zustand enthält mindestens eines davon.</translation>
+    </message>
+    <message>
+        <source>Change what a state holds</source>
+        <translation>Ändern, was ein Zustand enthält</translation>
     </message>
 </context>
 <context>
@@ -7394,10 +7490,6 @@ Verworfen ist sie fort.</translation>
         <translation>Stichwort löschen</translation>
     </message>
     <message>
-        <source>Sends “%1” to %2. The arrow changes or deletes it.</source>
-        <translation>Sendet „%1“ an %2. Der Pfeil ändert oder löscht es.</translation>
-    </message>
-    <message>
         <source>+ Cue</source>
         <translation>+ Stichwort</translation>
     </message>
@@ -7408,6 +7500,18 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>A button, with a key if you like, that lets an event happen to characters</source>
         <translation>Eine Schaltfläche, auf Wunsch mit Taste, die Figuren ein Ereignis schickt</translation>
+    </message>
+    <message>
+        <source>“%1” is recalled for %2.</source>
+        <translation>„%1“ wird für %2 abgerufen.</translation>
+    </message>
+    <message>
+        <source>Sends “%1” to %2.</source>
+        <translation>Sendet „%1“ an %2.</translation>
+    </message>
+    <message>
+        <source>The arrow changes or deletes it.</source>
+        <translation>Der Pfeil ändert oder löscht es.</translation>
     </message>
 </context>
 <context>
@@ -7451,6 +7555,34 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>with number</source>
         <translation>mit Zahl</translation>
+    </message>
+    <message>
+        <source>recalls</source>
+        <translation>ruft ab</translation>
+    </message>
+    <message>
+        <source>no state</source>
+        <translation>keinen Zustand</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>the last after</source>
+        <translation>der letzte nach</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Then click in the picture where it begins</source>
+        <translation>Dann im Bild anklicken, wo es beginnt</translation>
     </message>
 </context>
 <context>
@@ -8298,6 +8430,21 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RecallForm</name>
+    <message>
+        <source>Only in this run</source>
+        <translation>Nur in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>When one is recalled</source>
+        <translation>Beim Abrufen</translation>
+    </message>
+    <message>
+        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation>Beim Abspielen bleibt die Szene, wie sie ist, und Anhalten gibt sie zurück. Die Tasten tun das immer.</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RuleCommands</name>
     <message>
         <source>Duplicate</source>
@@ -8724,20 +8871,36 @@ Verworfen ist sie fort.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Only in this run</source>
-        <translation>Nur in diesem Lauf</translation>
-    </message>
-    <message>
-        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
-        <translation>Beim Abspielen bleibt die Szene, wie sie ist, und Anhalten gibt sie zurück. Die Tasten tun das immer.</translation>
-    </message>
-    <message>
         <source>Recall only in this run</source>
         <translation>Nur in diesem Lauf abrufen</translation>
     </message>
     <message>
-        <source>When one is recalled</source>
-        <translation>Beim Abrufen</translation>
+        <source>Outline in the picture who differs from the chosen state</source>
+        <translation>Im Bild umranden, wer vom gewählten Zustand abweicht</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The scene is like that.</source>
+        <translation>Die Szene ist so.</translation>
+    </message>
+    <message>
+        <source>Different: %1</source>
+        <translation>Anders: %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>group “%1”</source>
+        <translation>Gruppe „%1“</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
     </message>
 </context>
 <context>

@@ -909,6 +909,10 @@
         <source>Choose in the settings which templates characters become</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose in the settings which state characters get back</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BrushTexts</name>
@@ -1680,6 +1684,10 @@
         <source>Too near to a wall or an edge: lower “Body radius” (Environment, Where characters can walk), or choose “Anywhere” in the brush settings</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose a state in the brush&apos;s settings first</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1748,6 +1756,10 @@
     </message>
     <message>
         <source>Where characters can walk is still being found: they hear cues from when they begin to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state that “%1” recalls is not there any more: choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2615,6 +2627,18 @@
     </message>
     <message>
         <source>Clips fade into each other, colours and sizes run, while it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a state has of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that it holds</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4192,6 +4216,10 @@
         <source>For %1 of them there is no clip &quot;%2&quot;: they keep theirs.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the state is not there. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -5747,6 +5775,62 @@
         <source>yields to others further up</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>take on a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beginning within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take on “{state}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take on “{state}” within {within} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take on “{state}” over {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a state is recalled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone takes on a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone takes on “{state}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a state; the panel States keeps one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5973,6 +6057,18 @@
     </message>
     <message>
         <source>Wait until it is known where characters can walk, then recall the state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is in the group whose state could be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A state holds at least one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change what a state holds</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7387,10 +7483,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sends “%1” to %2. The arrow changes or deletes it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>+ Cue</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7400,6 +7492,18 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>A button, with a key if you like, that lets an event happen to characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is recalled for %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends “%1” to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow changes or deletes it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7443,6 +7547,34 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>with number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recalls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click in the picture where it begins</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8291,6 +8423,21 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::RecallForm</name>
+    <message>
+        <source>Only in this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When one is recalled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::RuleCommands</name>
     <message>
         <source>Duplicate</source>
@@ -8717,19 +8864,35 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only in this run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recall only in this run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When one is recalled</source>
+        <source>Outline in the picture who differs from the chosen state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene is like that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Different: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

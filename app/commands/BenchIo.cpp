@@ -14,7 +14,9 @@
 #include "app/commands/BenchCast.h"
 #include "app/commands/BenchReport.h"
 #include "app/commands/BenchScene.h"
+#include "app/commands/BenchStates.h"
 #include "model/project/ProjectFile.h"
+#include "model/states/StateKeeping.h"
 
 namespace crowd::app {
 
@@ -97,16 +99,26 @@ model::Result<void> timeFloor(const std::string& bytes, Times& times)
     return {};
 }
 
-model::Result<std::size_t> measure(const BenchIoOptions& options, Times& times)
+/// With a state of everybody in what can be painted.
+model::Scene sceneWithState(int count)
+{
+    model::Scene scene = sceneOf(count);
+    shuffleLooks(scene, 1);
+    scene.states.push_back(
+        keepState(scene, "all", model::usualStateColumns(), scene.population.ids()));
+    scene.states.back().id = 1;
+    return scene;
+}
+
+model::Result<std::size_t> measure(const model::Scene& scene, int rounds, Times& times)
 {
     const QTemporaryDir folder;
     if (!folder.isValid()) {
         return model::Error{"No temporary folder: " + folder.errorString().toStdString()};
     }
     const QString path = folder.filePath(QStringLiteral("bench.crowd"));
-    const model::Scene scene = sceneOf(options.count);
     std::size_t size = 0;
-    for (int round = 0; round < options.rounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         if (const auto file = timeFile(scene, path, times); !file) {
             return file.error();
         }
@@ -127,9 +139,15 @@ model::Result<std::size_t> measure(const BenchIoOptions& options, Times& times)
 int runBenchIo(const BenchIoOptions& options)
 {
     Times times;
-    const model::Result<std::size_t> bytes = measure(options, times);
+    const auto bytes = measure(sceneOf(options.count), options.rounds, times);
     if (!bytes) {
         std::cerr << bytes.error().message << '\n';
+        return 1;
+    }
+    Times stateTimes;
+    const auto stateBytes = measure(sceneWithState(options.count), options.rounds, stateTimes);
+    if (!stateBytes) {
+        std::cerr << stateBytes.error().message << '\n';
         return 1;
     }
     const model::Result<CastTimes> cast = timeCast(options.rounds);
@@ -144,6 +162,11 @@ int runBenchIo(const BenchIoOptions& options)
     report["load_ms"] = rounded(median(times.loadMs));
     report["parse_floor_ms"] = rounded(median(times.parseFloorMs));
     report["dump_floor_ms"] = rounded(median(times.dumpFloorMs));
+    report["state_bytes"] = stateBytes.value();
+    report["state_save_ms"] = rounded(median(stateTimes.saveMs));
+    report["state_load_ms"] = rounded(median(stateTimes.loadMs));
+    report["state_parse_floor_ms"] = rounded(median(stateTimes.parseFloorMs));
+    report["state_dump_floor_ms"] = rounded(median(stateTimes.dumpFloorMs));
     report["cast_templates"] = cast.value().templates;
     report["cast_bytes"] = cast.value().bytes;
     report["cast_load_ms"] = cast.value().loadMs;

@@ -8,6 +8,7 @@
 #include "app/commands/BenchReport.h"
 #include "behavior/session/Session.h"
 #include "model/base/Random.h"
+#include "model/brush/ByteChange.h"
 #include "model/document/SceneEdit.h"
 #include "model/population/Properties.h"
 #include "model/states/StateKeeping.h"
@@ -36,18 +37,21 @@ double millisecondsOf(const Work& work)
         .count();
 }
 
-/// Everybody gets values of his own in what can be painted.
-void shuffle(SceneEdit& edit, std::uint64_t seed)
+std::vector<IndividualId> everybody(const Scene& scene)
 {
-    const std::vector<IndividualId> ids(edit.scene().population.ids().begin(),
-                                        edit.scene().population.ids().end());
+    return {scene.population.ids().begin(), scene.population.ids().end()};
+}
+
+/// Everybody gets values of his own in what can be painted.
+void shuffle(const std::vector<IndividualId>& ids, const WriteColumn& write, std::uint64_t seed)
+{
     const auto put = [&](auto key, const auto& valueOf) {
         std::vector<decltype(valueOf(std::uint64_t{}))> values;
         values.reserve(ids.size());
         for (const IndividualId id : ids) {
             values.push_back(valueOf(hashKeys(seed, static_cast<std::uint64_t>(key.id), id)));
         }
-        edit.setColumn(key.id, ids, std::as_bytes(std::span(values)));
+        write(key.id, ids, std::as_bytes(std::span(values)));
     };
     for (int slot = 0; slot < 8; ++slot) {
         put(columns::tint(slot), [](std::uint64_t bits) {
@@ -59,7 +63,6 @@ void shuffle(SceneEdit& edit, std::uint64_t seed)
     put(columns::height, aboutOne);
     put(columns::girth, aboutOne);
     put(columns::playbackSpeed, aboutOne);
-    put(columns::walkSpeed, aboutOne);
     put(columns::phase, [](std::uint64_t bits) { return unitFloat(bits); });
     put(columns::clip, [](std::uint64_t bits) { return static_cast<std::uint16_t>(bits % 4); });
     put(columns::tags, [](std::uint64_t bits) { return bits; });
@@ -85,7 +88,10 @@ double medianFrame(behavior::Session& session, int steps)
 void measureStates(SceneDocument& document, QJsonObject& report)
 {
     const auto shuffled = [&document](std::uint64_t seed) {
-        document.edit(QStringLiteral("Shuffle"), [seed](SceneEdit& edit) { shuffle(edit, seed); });
+        document.edit(QStringLiteral("Shuffle"), [seed](SceneEdit& edit) {
+            shuffle(
+                everybody(edit.scene()), [&edit](auto... what) { edit.setColumn(what...); }, seed);
+        });
     };
     shuffled(1);
     State state;
@@ -113,6 +119,12 @@ void measureStates(SceneDocument& document, QJsonObject& report)
     ChangeOver change{1, peopleOf(before, state), state.columns, {20.0F, {}}};
     session.adopt(document.scene(), change);
     report[QStringLiteral("fade_frame_ms")] = rounded(medianFrame(session, 1));
+}
+
+void shuffleLooks(Scene& scene, std::uint64_t seed)
+{
+    shuffle(
+        everybody(scene), [&scene](auto... what) { scene.population.setValues(what...); }, seed);
 }
 
 } // namespace crowd::app

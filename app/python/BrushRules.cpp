@@ -87,6 +87,15 @@ Result<void> checkGroup(const Scene& scene, std::int64_t group, const std::strin
     return {};
 }
 
+Result<void> checkState(const Scene& scene, std::int64_t state, const std::string& name)
+{
+    if (state != 0 && std::ranges::find(scene.states, state, &State::id) == scene.states.end()) {
+        return Error{name + " is " + std::to_string(state) +
+                     ", which the scene does not have: take State.id of one of scene.states."};
+    }
+    return {};
+}
+
 Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
 {
     for (const int group : mask.groups) {
@@ -118,6 +127,8 @@ Result<void> checkSettings(const Scene& scene, const BrushType& type, const Brus
             valid = checkPath(scene, std::get<std::int64_t>(value), name);
         } else if (field.meta.role == FieldRole::Group) {
             valid = checkGroup(scene, std::get<std::int64_t>(value), name);
+        } else if (field.meta.role == FieldRole::State) {
+            valid = checkState(scene, std::get<std::int64_t>(value), name);
         }
         if (!valid) {
             return valid;

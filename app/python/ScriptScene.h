@@ -73,13 +73,12 @@ public:
     {
         std::shared_ptr<const model::Scene> scene;
         std::uint64_t revision = 0;
-        /// The last recall that takes its time, and the revision before it; null: none yet.
+        /// The last recall of a state, and the revision before it; null: none yet.
         std::shared_ptr<const model::ChangeOver> change{};
         std::uint64_t changeRevision = 0;
     };
     [[nodiscard]] Snapshot snapshot() const;
-    /// Before a state is recalled over some time: sessions are told by the next snapshot. Where the
-    /// document is.
+    /// Before a state is recalled: sessions are told by the next snapshot. Where the document is.
     void noteChangeOver(model::ChangeOver change);
     /// Grows with every change.
     [[nodiscard]] std::uint64_t revision() const;

@@ -126,9 +126,7 @@ Result<StateRecall> recallState(ScriptScene& script, const std::string& name,
         if (!change) {
             return change.error();
         }
-        if (!order.timing.isAtOnce()) {
-            script.noteChangeOver(change.value());
-        }
+        script.noteChangeOver(change.value());
         const State state = *findState(now, name);
         return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Recall a state")),
                            [&](SceneEdit& open) {

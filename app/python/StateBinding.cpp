@@ -125,6 +125,10 @@ void bindState(py::module_& module)
                             "How some people were in some of their properties, as it was when it "
                             "was asked for.")
         .def_property_readonly("name", [](const StateHandle& each) { return each.state.name; })
+        .def_property_readonly(
+            "id", [](const StateHandle& each) { return each.state.id; },
+            "Its name within the scene, which stays: as rules, cues and the restore brush have "
+            "it.")
         .def_property_readonly("columns", &StateHandle::columnNames,
                                "Names of the columns that it gives back.")
         .def_property_readonly(

@@ -696,6 +696,18 @@ class RestoreSettings:
     def source(self, value: str) -> None:
         ...
     @property
+    def state(self) -> int:
+        """The id of a state; of STATE."""
+    @state.setter
+    def state(self, value: int) -> None:
+        ...
+    @property
+    def whole(self) -> bool:
+        """All that the state holds, else what is ticked; of STATE."""
+    @whole.setter
+    def whole(self, value: bool) -> None:
+        ...
+    @property
     def colours(self) -> bool:
         ...
     @colours.setter
@@ -1525,6 +1537,9 @@ class State:
     def name(self) -> str:
         ...
     @property
+    def id(self) -> int:
+        """Its name within the scene, which stays: as rules, cues and the restore brush have it."""
+    @property
     def columns(self) -> List[str]:
         """Names of the columns that it gives back."""
     @property
@@ -1646,6 +1661,13 @@ class triggers:
         """A clip that a rule let somebody play is over."""
         def __init__(self) -> None:
             ...
+
+    class State(Trigger):
+        """Somebody begins to take on a state, whoever recalled it."""
+        def __init__(self, *, state: int = ...) -> None:
+            ...
+        state: int
+        """its id; 0: any; begins as 0"""
 
     class Every(Trigger):
         """Again and again, for each at other times."""
@@ -2073,6 +2095,19 @@ class actions:
         depth: int
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
+    class State(Action):
+        """Gets back what a kept state has of him, in this run alone."""
+        def __init__(self, *, state: int = ..., seconds: float = ..., within: float = ..., depth: int = ...) -> None:
+            ...
+        state: int
+        """its id; begins as 0"""
+        seconds: float
+        """that it takes; 0: at once; 0 to 86400 s; begins as 0.0"""
+        within: float
+        """each begins at a moment of his own; 0: now; 0 to 86400 s; begins as 0.0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
     class SetNumber(Action):
         """Sets an artist's number of his."""
         def __init__(self, *, number: Union[int, Number] = ..., value: float = ..., depth: int = ...) -> None:
@@ -2218,7 +2253,7 @@ class Number(Entry):
 
 class Cue(Entry):
     """A button that sends an event."""
-    def __init__(self, *, id: int, name: str = ..., event: str = ..., payload: float = ..., key: str = ..., reach: Literal["everybody", "selected", "tagged"] = ..., tag: Union[int, Tag] = ...) -> None:
+    def __init__(self, *, id: int, name: str = ..., event: str = ..., payload: float = ..., key: str = ..., reach: Literal["everybody", "selected", "tagged"] = ..., tag: Union[int, Tag] = ..., state: int = ..., seconds: float = ..., spread: float = ..., order: Literal["distance", "heading", "row", "wedge", "random"] = ..., point: Sequence[float] = ...) -> None:
         ...
     id: int
     """by which others name it, never 0; must be given"""
@@ -2234,6 +2269,16 @@ class Cue(Entry):
     """whom it reaches; begins as 'everybody'"""
     tag: int
     """of those whom "tagged" reaches; 0 to 63; begins as 0"""
+    state: int
+    """that they take on; 0: none; begins as 0"""
+    seconds: float
+    """that each takes to take it on; 0 to 600 s; begins as 0.0"""
+    spread: float
+    """from the first who begins to the last; 0 to 600 s; begins as 0.0"""
+    order: Literal["distance", "heading", "row", "wedge", "random"]
+    """who begins when; begins as 'distance'"""
+    point: List[float]
+    """metres, where "distance" begins"""
 
 
 class Rule(Entry):

@@ -82,7 +82,7 @@ void Steps::keep()
             return;
         }
         State kept = keepState(m_scene, now.name, now.columns, ids);
-        kept.id = before == m_states.end() ? freeStateId(m_states) : now.id;
+        kept.id = before == m_states.end() ? freeStateId(m_states, m_scene) : now.id;
         m_lines.push_back("scene.save_state(" + pythonText(now.name) + ", columns=" +
                           columnNames(now.columns) + ", ids=" + pythonIds(ids, kIndent) + ")\n");
         if (before == m_states.end()) {

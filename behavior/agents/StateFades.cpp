@@ -114,10 +114,9 @@ FadeColumn columnFrom(const Population& before, ColumnId column,
 class Beginning
 {
 public:
-    Beginning(const ChangeOver& change, const Scene& scene, const Population& before,
+    Beginning(const ChangeOver& change, std::span<const float> delays, const Population& before,
               const Population& after, double seconds)
-        : m_change(change), m_before(before), m_after(after), m_seconds(seconds),
-          m_delays(delaysOf(change, scene, before))
+        : m_change(change), m_delays(delays), m_before(before), m_after(after), m_seconds(seconds)
     {
     }
     /// Null: nobody.
@@ -125,10 +124,10 @@ public:
 
 private:
     const ChangeOver& m_change;
+    std::span<const float> m_delays;
     const Population& m_before;
     const Population& m_after;
     double m_seconds;
-    std::vector<float> m_delays;
     std::shared_ptr<const FadeTimes> m_last; ///< mostly the same people differ in several columns
 };
 
@@ -171,14 +170,14 @@ void StateFades::add(FadeColumn column)
     m_shown = std::make_shared<const FadeColumns>(std::move(all));
 }
 
-void StateFades::begin(const ChangeOver& change, const Scene& scene, const Population& before,
-                       const Population& after, double seconds)
+void StateFades::begin(const ChangeOver& change, std::span<const float> delays,
+                       const Population& before, const Population& after, double seconds)
 {
     if (change.timing.isAtOnce()) {
         return;
     }
     const ColumnSet columns = withClip(change.columns);
-    Beginning beginning(change, scene, before, after, seconds);
+    Beginning beginning(change, delays, before, after, seconds);
     columns.forEach([&](ColumnId column) {
         const bool isWithClip = column == ColumnId::Phase || column == ColumnId::PlaybackSpeed;
         if (const auto times = isWithClip ? nullptr : beginning.timesOf(column)) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "model/scene/CrowdFrame.h"
@@ -51,7 +52,8 @@ class StateFades
 public:
     /// From `before` to `after`, as people are seen at this time of the transport, the same ones.
     /// What was seen of earlier changes over is part of `before`; they have been forgotten.
-    void begin(const model::ChangeOver& change, const model::Scene& scene,
+    /// `delays`: of change.ids, see model::delaysOf().
+    void begin(const model::ChangeOver& change, std::span<const float> delays,
                const model::Population& before, const model::Population& after, double seconds);
     /// These people are seen as they are, in these columns: another change over begins.
     void forget(const model::ChangeOver& change);

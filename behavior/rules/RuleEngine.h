@@ -49,6 +49,12 @@ public:
         return m_state.numbers.changed(m_state.agents.ids());
     }
 
+    /// Somebody begins to take on a state: in the next step rules hear of it.
+    void noteRecalled(std::uint32_t agent, std::uint32_t state)
+    {
+        m_recalled.push_back({agent, state});
+    }
+
     /// As long as the session's; 30 before it is said.
     void setStepsPerSecond(std::uint32_t steps) { m_stepsPerSecond = steps; }
     void step(RuleHost& host, std::uint64_t step);
@@ -78,6 +84,7 @@ private:
     void beginStep(std::uint64_t step);
 
     RuleState m_state;
+    std::vector<RecalledState> m_recalled; ///< since the last step
     std::uint32_t m_stepsPerSecond = 30;
 };
 

@@ -73,6 +73,8 @@ public:
     /// `clip` is the one that was drawn. What somebody's template has not stays as it is.
     virtual void setProperty(std::uint32_t agent, const model::actions::SetProperty& action,
                              const std::string& clip) = 0;
+    /// By the end of this step. False: there is no such state.
+    virtual bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action) = 0;
     virtual void noteTags(std::uint32_t agent, std::uint64_t tags) = 0;
 };
 

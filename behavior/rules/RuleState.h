@@ -42,6 +42,13 @@ struct EndedClip
     TriggerContext context;
 };
 
+/// Somebody begins to take on a state.
+struct RecalledState
+{
+    std::uint32_t agent = 0;
+    std::uint32_t state = 0;
+};
+
 /// What rules may still do in this step; the rest comes in the next one. Counted, not timed, so
 /// that it is the same on any machine.
 struct StepBudget
@@ -77,6 +84,7 @@ struct RuleState
     PeopleIndex people;
     std::vector<std::uint32_t> travellers; ///< to whom something happened on the way, ascending
     std::vector<EndedClip> endedClips;
+    std::vector<RecalledState> recalled;
 };
 
 /// The state and whom it is about; refers to both.

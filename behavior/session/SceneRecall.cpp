@@ -2,6 +2,9 @@
 #include "behavior/session/SceneRecall.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "behavior/session/PoseCapture.h"
 #include "behavior/session/SceneAdoption.h"
@@ -36,25 +39,30 @@ void forgetRules(SessionParts& parts, const model::ChangeOver& change)
     parts.shownOverrides = parts.overrides.publish();
 }
 
+/// `changed`: whom rules hear of. Whoever has it of a rule is free for others when its line is
+/// done.
 void changeOver(SessionParts& parts, const model::ChangeOver& change,
-                const model::Population& shown)
+                const model::Population& shown, std::span<const model::IndividualId> changed,
+                bool isOfRule)
 {
     forgetRules(parts, change);
     parts.fades.forget(change);
     const model::CrowdFrame after = captureFrame(parts);
-    parts.fades.begin(change, parts.lastScene, shown, after.population, parts.clock.seconds());
+    const double now = parts.clock.seconds();
+    const std::vector<float> delays = delaysOf(change, parts.lastScene, shown);
+    parts.fades.begin(change, delays, shown, after.population, now);
+    const double heard = now + static_cast<double>(isOfRule ? parts.clock.stepSeconds : 0.0F);
+    for (std::size_t i = 0; i < change.ids.size() && !parts.rules.isEmpty(); ++i) {
+        if (std::ranges::binary_search(changed, change.ids[i])) {
+            parts.dueRecalls.push_back(
+                {heard + static_cast<double>(delays[i]), change.ids[i], change.state});
+        }
+    }
 }
 
-} // namespace
-
-void adoptRecall(SessionParts& parts, const model::Scene& scene, const model::ChangeOver& change)
-{
-    const model::Population shown = captureFrame(parts).population;
-    adoptScene(parts, scene, false);
-    changeOver(parts, change, shown);
-}
-
-model::StateRecall recallInSession(SessionParts& parts, const model::ChangeOver& change)
+/// `isOfRule`: who is like that already does not hear of it again, so that no rule can call itself
+/// for ever.
+model::StateRecall recall(SessionParts& parts, const model::ChangeOver& change, bool isOfRule)
 {
     const auto& states = parts.lastScene.states;
     const auto state = std::ranges::find(states, change.state, &model::State::id);
@@ -68,8 +76,65 @@ model::StateRecall recallInSession(SessionParts& parts, const model::ChangeOver&
     parts.recalled.take(parts.lastScene.population, recalled.population,
                         recalledColumns(*state, change.columns));
     adoptPeople(parts, parts.lastScene, recalled.population, false);
-    changeOver(parts, change, shown);
+    changeOver(parts, change, shown, isOfRule ? done.changed : change.ids, isOfRule);
     return done;
+}
+
+bool isOneRecall(const RuleRecall& a, const RuleRecall& b)
+{
+    return a.action == b.action;
+}
+
+} // namespace
+
+void adoptRecall(SessionParts& parts, const model::Scene& scene, const model::ChangeOver& change)
+{
+    const model::Population shown = captureFrame(parts).population;
+    adoptScene(parts, scene, false);
+    changeOver(parts, change, shown, change.ids, false);
+}
+
+model::StateRecall recallInSession(SessionParts& parts, const model::ChangeOver& change)
+{
+    return recall(parts, change, false);
+}
+
+void recallForRules(SessionParts& parts)
+{
+    std::vector<RuleRecall> all = std::exchange(parts.ruleRecalls, {});
+    while (!all.empty()) {
+        const RuleRecall first = all.front();
+        const auto others =
+            std::stable_partition(all.begin(), all.end(), [&first](const RuleRecall& each) {
+                return isOneRecall(first, each);
+            });
+        model::ChangeOver change{first.action.state, {}, {}, {first.action.seconds, {}}};
+        change.timing.stagger.seconds = first.action.within;
+        change.timing.stagger.order = model::StaggerOrder::Random;
+        for (auto each = all.begin(); each != others; ++each) {
+            change.ids.push_back(each->id);
+        }
+        all.erase(all.begin(), others);
+        std::ranges::sort(change.ids);
+        change.ids.erase(std::unique(change.ids.begin(), change.ids.end()), change.ids.end());
+        for (const model::State& state : parts.lastScene.states) {
+            change.columns = state.id == change.state ? state.columns : change.columns;
+        }
+        (void)recall(parts, change, true);
+    }
+}
+
+void tellRulesOfRecalls(SessionParts& parts)
+{
+    const double now = parts.clock.seconds();
+    std::erase_if(parts.dueRecalls, [&](const DueRecall& due) {
+        const std::size_t row =
+            due.begin <= now ? parts.population.rowOf(due.id) : model::Population::npos;
+        if (row != model::Population::npos) {
+            parts.rules.noteRecalled(static_cast<std::uint32_t>(row), due.state);
+        }
+        return due.begin <= now;
+    });
 }
 
 } // namespace crowd::behavior

@@ -13,4 +13,9 @@ void adoptRecall(SessionParts& parts, const model::Scene& scene, const model::Ch
 [[nodiscard]] model::StateRecall recallInSession(SessionParts& parts,
                                                  const model::ChangeOver& change);
 
+/// At the end of a step: who was told so by a rule takes on a state.
+void recallForRules(SessionParts& parts);
+/// Before rules run: they hear of those who begin to take on a state by now.
+void tellRulesOfRecalls(SessionParts& parts);
+
 } // namespace crowd::behavior

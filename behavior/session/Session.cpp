@@ -184,6 +184,7 @@ void Session::step()
 {
     SessionParts& parts = *m_parts;
     parts.follower.steer(parts.crowd);
+    tellRulesOfRecalls(parts);
     parts.rules.step(*m_ruleHost, parts.clock.steps);
     for (const std::uint32_t agent :
          applyPlaceEffects(parts.places, parts.crowd.bodies(), parts.agents.isGone)) {
@@ -196,6 +197,7 @@ void Session::step()
     ++parts.clock.steps;
     parts.seating.step();
     parts.update.updateAll();
+    recallForRules(parts);
     parts.shownOverrides = parts.overrides.publish();
     parts.shownNumbers = parts.rules.ownNumbers();
     parts.fades.end(parts.clock.seconds());

@@ -28,6 +28,21 @@
 
 namespace crowd::behavior {
 
+/// A rule wants somebody to take on a state.
+struct RuleRecall
+{
+    model::IndividualId id = 0;
+    model::actions::TakeOnState action;
+};
+
+/// Somebody will begin to take on a state, seconds.
+struct DueRecall
+{
+    double begin = 0.0;
+    model::IndividualId id = 0;
+    model::StateId state = 0;
+};
+
 /// What a session consists of: what it has read of the scene, the state of its agents in columns,
 /// and components that each do one thing over them. Components refer to each other: neither copied
 /// nor moved. Row i of the population is agent i.
@@ -77,6 +92,8 @@ struct SessionParts
     GroundContact ground;
     ParkedDetours detours;
     AgentUpdate update;
+    std::vector<RuleRecall> ruleRecalls; ///< of this step
+    std::vector<DueRecall> dueRecalls;   ///< that rules will hear of
     // As of the last step.
     std::shared_ptr<const OverrideColumns> shownOverrides;
     std::shared_ptr<const std::vector<OwnNumber>> shownNumbers;

@@ -237,6 +237,16 @@ void SessionRules::setProperty(std::uint32_t agent, const model::actions::SetPro
     }
 }
 
+bool SessionRules::takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action)
+{
+    const auto& states = m_parts.lastScene.states;
+    if (std::ranges::find(states, action.state, &model::State::id) == states.end()) {
+        return false;
+    }
+    m_parts.ruleRecalls.push_back({id(agent), action});
+    return true;
+}
+
 void SessionRules::noteTags(std::uint32_t agent, std::uint64_t tags)
 {
     m_parts.overrides.set(model::columns::tags, id(agent), tags);

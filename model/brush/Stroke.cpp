@@ -29,7 +29,8 @@ constexpr double kDirectionPixels = 8.0;
 bool dependsOnThePast(const BrushSettings& settings)
 {
     const auto* restore = settings.find<RestoreSettings>();
-    return restore != nullptr && restore->source != RestoreSource::Template;
+    return restore != nullptr && restore->source != RestoreSource::Template &&
+           restore->source != RestoreSource::State;
 }
 
 Sampler samplerFor(const BrushSettings& settings)

@@ -46,7 +46,8 @@ enum class StrokeReason : std::uint8_t {
     NobodyChosen, ///< whom to clone or to face
     NoSuchPart,
     NoSuchMaterial, ///< though they have the slot
-    OnlySeated      ///< who sits is not pushed about
+    OnlySeated,     ///< who sits is not pushed about
+    NoState         ///< to give back: none is chosen, or it is gone
 };
 
 /// What a brush says of ground that nobody can walk on.

@@ -84,9 +84,11 @@ constexpr ReasonText kReasons[] = {
     {StrokeReason::NoSuchPart, QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen part")},
     {StrokeReason::OnlySeated,
      QT_TRANSLATE_NOOP("Brushes", "All of them sit: who sits keeps the seat")},
+    {StrokeReason::NoState,
+     QT_TRANSLATE_NOOP("Brushes", "Choose a state in the brush's settings first")},
 };
 
-constexpr auto kLast = StrokeReason::OnlySeated;
+constexpr auto kLast = StrokeReason::NoState;
 constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
 static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 

@@ -28,6 +28,7 @@ enum class FieldRole : std::uint8_t {
     Material,     ///< a name of a slot's materials; empty: any
     Group,        ///< GroupId; 0: none
     Part,         ///< a part's name; empty: all
+    State,        ///< StateId
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

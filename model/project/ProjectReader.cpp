@@ -10,7 +10,9 @@
 #include "model/base/ShownText.h"
 #include "model/project/ProjectHeader.h"
 #include "model/project/RowParser.h"
-#include "model/project/StatesJson.h"
+#include "model/project/StateTables.h"
+#include "model/project/TreeBuilder.h"
+#include "model/scene/SceneMembers.h"
 
 namespace crowd::model {
 
@@ -22,70 +24,6 @@ constexpr std::size_t kMaxDepth = 64;
 /// Of values outside of the rows; what a file of ours has is a few thousand.
 constexpr std::size_t kMaxHeaderValues = 2'000'000;
 constexpr std::size_t kMaxIndividuals = 4'000'000;
-
-/// Builds a small tree from events: the header, and cells of unknown columns.
-class TreeBuilder
-{
-public:
-    /// The finished value, when the last event completed one.
-    [[nodiscard]] bool isComplete() const { return m_isComplete; }
-    json take()
-    {
-        m_isComplete = false;
-        return std::move(m_root);
-    }
-    /// A member of the unfinished object, null when it has not come yet.
-    [[nodiscard]] const json* peek(const std::string& name) const
-    {
-        return m_root.is_object() && m_root.contains(name) ? &m_root[name] : nullptr;
-    }
-    /// What was built so far.
-    [[nodiscard]] const json& root() const { return m_root; }
-    /// What is open, the innermost.
-    [[nodiscard]] const json& current() const { return *m_open.back(); }
-    [[nodiscard]] std::size_t valueCount() const { return m_values; }
-    /// False when the open object has this member already.
-    [[nodiscard]] bool key(std::string name)
-    {
-        m_key = std::move(name);
-        return !m_open.back()->contains(m_key);
-    }
-    void value(json item)
-    {
-        place(std::move(item));
-        m_isComplete = m_open.empty();
-    }
-    void open(json container) { m_open.push_back(&place(std::move(container))); }
-    void close()
-    {
-        m_open.pop_back();
-        m_isComplete = m_open.empty();
-    }
-
-private:
-    json& place(json item)
-    {
-        ++m_values;
-        if (m_open.empty()) {
-            m_root = std::move(item);
-            return m_root;
-        }
-        json& container = *m_open.back();
-        if (container.is_array()) {
-            container.push_back(std::move(item));
-            return container.back();
-        }
-        json& target = container[m_key];
-        target = std::move(item);
-        return target;
-    }
-
-    json m_root;
-    std::vector<json*> m_open;
-    std::string m_key;
-    std::size_t m_values = 0;
-    bool m_isComplete = false;
-};
 
 constexpr std::size_t kMostReason = 200; ///< the parser quotes what it read
 constexpr const char* kRowNoList = QT_TRANSLATE_NOOP("Messages", "row %1 of %2 must be a list");
@@ -381,7 +319,7 @@ private:
         const json* table = m_header.peek("individuals");
         const json names =
             table == nullptr || !table->is_object() ? json() : table->value("columns", json());
-        if (!areNames(names)) {
+        if (!areColumnNames(names)) {
             return fail(QT_TRANSLATE_NOOP(
                 "Messages",
                 "individuals.columns must be a list of names and stand before the rows"));
@@ -390,52 +328,20 @@ private:
         return columns ? true : fail(columns.error().said);
     }
 
-    /// The people of a state: a table whose ids stand before it.
-    struct StateTable
-    {
-        std::size_t state = 0; ///< which one in the file
-        RowParser rows;
-        std::vector<IndividualId> ids;
-    };
-
     bool beginStateRows()
     {
-        const std::size_t state = m_header.root()[members::States::key].size() - 1;
-        const std::string place = "states[" + std::to_string(state) + ']';
-        if (!m_states.empty() && m_states.back()->state == state) {
-            return fail({QT_TRANSLATE_NOOP("Messages", "%1.rows stands there twice"), place});
+        Result<StateTable*> table = m_states.begin(m_header);
+        if (!table) {
+            return fail(table.error().said);
         }
-        m_states.push_back(
-            std::make_unique<StateTable>(StateTable{state, RowParser(place, {}), {}}));
-        m_rows = &m_states.back()->rows;
+        m_state = table.value();
+        m_rows = &m_state->rows;
         m_where = Where::Rows;
         if (!isOurs()) {
             return false;
         }
-        const json& object = m_header.current();
-        const json ids = object.value("ids", json());
-        if (!ids.is_string() ||
-            !readIds(ids.get<std::string>(), kMaxIndividuals, m_states.back()->ids)) {
-            return fail({QT_TRANSLATE_NOOP("Messages", "%1.ids must be ascending numbers like "
-                                                       "\"1-7,9\" and stand before the rows"),
-                         place});
-        }
-        const json names = object.value("columns", json());
-        if (!areNames(names)) {
-            return fail(
-                {QT_TRANSLATE_NOOP("Messages",
-                                   "%1.columns must be a list of names and stand before the rows"),
-                 place});
-        }
-        std::vector<std::string> columns{"id"};
-        columns.insert(columns.end(), names.begin(), names.end());
-        const Result<void> known = m_rows->setColumns(columns);
+        const Result<void> known = m_state->readHead(m_header.current(), kMaxIndividuals);
         return known ? true : fail(known.error().said);
-    }
-    static bool areNames(const json& names)
-    {
-        return names.is_array() &&
-               std::ranges::all_of(names, [](const json& name) { return name.is_string(); });
     }
     /// Of the objects that have tables.
     [[nodiscard]] std::size_t tableDepth() const
@@ -450,7 +356,7 @@ private:
         if (!isOfState()) {
             return true;
         }
-        const std::vector<IndividualId>& ids = m_states.back()->ids;
+        const std::vector<IndividualId>& ids = m_state->ids;
         if (m_rows->rowCount() >= ids.size()) {
             return failCount();
         }
@@ -459,21 +365,20 @@ private:
     }
     bool haveAllRows()
     {
-        return !isOfState() || m_rows->rowCount() == m_states.back()->ids.size() || failCount();
+        return !isOfState() || m_rows->rowCount() == m_state->ids.size() || failCount();
     }
     bool failCount()
     {
         return fail({QT_TRANSLATE_NOOP("Messages", "%1 must have as many rows as ids: %2"),
-                     m_rows->place(), m_states.back()->ids.size()});
+                     m_rows->place(), m_state->ids.size()});
     }
-    [[nodiscard]] Result<void> fillStates(Scene& scene);
-
     std::string_view m_text;
     TreeBuilder m_header;
     TreeBuilder m_tree;
     RowParser m_people{"individuals", {ColumnId::Template, ColumnId::Position}};
-    std::vector<std::unique_ptr<StateTable>> m_states; ///< as far as they were read
-    RowParser* m_rows = &m_people;                     ///< whose rows come
+    StateTables m_states;
+    StateTable* m_state = nullptr; ///< whose rows come, or came last
+    RowParser* m_rows = &m_people; ///< that come
     Where m_where = Where::Header;
     std::size_t m_depth = 0;
     std::size_t m_cell = 0;
@@ -491,20 +396,6 @@ Error ProjectHandler::problem() const
     return m_isForeign ? Error{m_problem} : damaged(m_problem);
 }
 
-Result<void> ProjectHandler::fillStates(Scene& scene)
-{
-    for (const std::unique_ptr<StateTable>& each : m_states) {
-        Result<RowParser::Table> table = each->rows.take();
-        if (!table) {
-            return table.error();
-        }
-        State& state = scene.states[each->state];
-        state.people = std::make_shared<const StoredRows>(table.value().rows);
-        state.unknownColumns = std::move(table.value().unknownColumns);
-    }
-    return {};
-}
-
 Result<Scene> ProjectHandler::finish()
 {
     const json top = m_header.take();
@@ -519,7 +410,7 @@ Result<Scene> ProjectHandler::finish()
         return damaged(QT_TRANSLATE_NOOP(
             "Messages", "\"individuals\" with \"columns\" and \"rows\" is missing"));
     }
-    if (const Result<void> states = fillStates(scene.value()); !states) {
+    if (const Result<void> states = m_states.fill(scene.value()); !states) {
         return damaged(states.error().said);
     }
     if (const Result<void> rows = m_people.finish(scene.value()); !rows) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/project/JsonWriting.h"
+#include "model/rules/EnvironmentFields.h"
 #include "model/rules/Rule.h"
 #include "model/rules/RuleSequence.h"
 
@@ -201,13 +202,14 @@ void checkRules(const Scene& scene, Message& problem)
 
 json toJson(const Cue& cue)
 {
-    return withUnknown(cue.unknownMembers, {{"id", cue.id},
-                                            {"name", cue.name},
-                                            {"event", cue.event},
-                                            {"payload", number(cue.payload)},
-                                            {"key", cue.key},
-                                            {"reach", nameOf(kCueReaches, cue.reach)},
-                                            {"tag", cue.tag}});
+    json written{{"id", cue.id},       {"name", cue.name},
+                 {"event", cue.event}, {"payload", number(cue.payload)},
+                 {"key", cue.key},     {"reach", nameOf(kCueReaches, cue.reach)},
+                 {"tag", cue.tag}};
+    if (cue.state != 0) {
+        addFields(written, cueRecallFields(), &cue);
+    }
+    return withUnknown(cue.unknownMembers, written);
 }
 
 json toJson(const TagName& tag)
@@ -241,6 +243,7 @@ void readCue(JsonFields fields, Cue& cue)
     }
     readName(fields, "reach", kCueReaches, cue.reach);
     readTag(fields, "tag", cue.tag);
+    readFields(fields, cueRecallFields(), &cue);
     cue.unknownMembers = fields.unknown();
 }
 

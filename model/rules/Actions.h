@@ -26,6 +26,7 @@
 #include "model/rules/actions/SitDown.h"
 #include "model/rules/actions/StandUp.h"
 #include "model/rules/actions/Stop.h"
+#include "model/rules/actions/TakeOnState.h"
 #include "model/rules/actions/TurnTo.h"
 #include "model/rules/actions/Wait.h"
 #include "model/rules/actions/WaitForEvent.h"
@@ -39,7 +40,7 @@ using ActionData =
                  actions::Follow, actions::Flee, actions::Stop, actions::GoOn, actions::SetSpeed,
                  actions::Wait, actions::WaitForEvent, actions::Repeat, actions::OneOf,
                  actions::Again, actions::SendEvent, actions::AddTag, actions::RemoveTag,
-                 actions::SetProperty, actions::SetNumber, actions::AddToNumber, actions::Appear,
-                 actions::LeaveScene>;
+                 actions::SetProperty, actions::TakeOnState, actions::SetNumber,
+                 actions::AddToNumber, actions::Appear, actions::LeaveScene>;
 
 } // namespace crowd::model

@@ -137,8 +137,29 @@ std::span<const FieldInfo> cueFields()
                               .high = kMaxNumber}),
         field(&Cue::key, {.key = "key", .doc = "that sends it, \"F3\" to \"F10\"; empty: none"}),
         field(&Cue::reach, {.key = "reach", .doc = "whom it reaches", .choices = kReaches}),
-        field(&Cue::tag, rulefields::tag({.doc = "of those whom \"tagged\" reaches"})));
+        field(&Cue::tag, rulefields::tag({.doc = "of those whom \"tagged\" reaches"})),
+        field(&Cue::state, rulefields::state({.doc = "that they take on; 0: none"})),
+        field(&Cue::seconds, {.key = "seconds",
+                              .doc = "that each takes to take it on",
+                              .unit = " s",
+                              .high = kLongestRecall}),
+        field(&Cue::spread, {.key = "spread",
+                             .doc = "from the first who begins to the last",
+                             .unit = " s",
+                             .high = kLongestRecall}),
+        field(&Cue::order, {.key = "order", .doc = "who begins when", .choices = Stagger::kOrders}),
+        field(&Cue::point, {.key = "point",
+                            .doc = "metres, where \"distance\" begins",
+                            .low = -1e6,
+                            .high = 1e6,
+                            .role = FieldRole::Point}));
     return kFields;
+}
+
+std::span<const FieldInfo> cueRecallFields()
+{
+    constexpr std::size_t kRecalls = 5;
+    return cueFields().last(kRecalls);
 }
 
 std::span<const FieldInfo> ruleFields()

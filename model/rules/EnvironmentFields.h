@@ -16,6 +16,7 @@ namespace crowd::model {
 [[nodiscard]] std::span<const FieldInfo> tagFields();       ///< of a TagName
 [[nodiscard]] std::span<const FieldInfo> numberFields();    ///< of a NumberName
 [[nodiscard]] std::span<const FieldInfo> cueFields();       ///< of a Cue
+[[nodiscard]] std::span<const FieldInfo> cueRecallFields(); ///< those about a state
 [[nodiscard]] std::span<const FieldInfo> ruleFields();      ///< of a Rule
 [[nodiscard]] std::span<const FieldInfo> conditionFields(); ///< of a Condition
 [[nodiscard]] std::span<const FieldInfo> actionFields();    ///< of an Action

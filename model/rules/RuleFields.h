@@ -72,6 +72,11 @@ namespace crowd::model::rulefields {
     return reference(meta, "number", FieldRole::ArtistNumber);
 }
 
+[[nodiscard]] constexpr FieldMeta state(FieldMeta meta)
+{
+    return reference(meta, "state", FieldRole::State);
+}
+
 [[nodiscard]] constexpr FieldMeta tag(FieldMeta meta)
 {
     meta.role = FieldRole::Tag;

@@ -24,6 +24,8 @@ std::optional<RuleGap> gapOf(const FieldInfo& field, const void* object)
             return isOpen ? std::optional(RuleGap::Path) : std::nullopt;
         case FieldRole::ArtistNumber:
             return isOpen ? std::optional(RuleGap::Number) : std::nullopt;
+        case FieldRole::State:
+            return isOpen ? std::optional(RuleGap::State) : std::nullopt;
         case FieldRole::Template:
             return isOpen ? std::optional(RuleGap::Template) : std::nullopt;
         default:
@@ -303,6 +305,8 @@ std::string gapText(RuleGap gap)
         return "choose a number";
     case RuleGap::Template:
         return "choose a template";
+    case RuleGap::State:
+        return "choose a state";
     case RuleGap::Deed:
         return "add something to do";
     }

@@ -20,6 +20,7 @@ enum class RuleGap : std::uint8_t {
     Path,
     Number,
     Template,
+    State,
     Deed ///< there is nothing to do
 };
 

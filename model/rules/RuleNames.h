@@ -10,6 +10,7 @@
 
 #include "model/population/Columns.h"
 #include "model/rules/RuleValues.h"
+#include "model/states/RecallTiming.h"
 
 /// What rules speak of by name, and what speaks to them.
 namespace crowd::model {
@@ -50,16 +51,23 @@ inline constexpr std::array<std::string_view, 8> kCueKeys{"F3", "F4", "F5", "F6"
 /// Whom a cue speaks to.
 enum class CueReach : std::uint8_t { Everybody, Selected, Tagged };
 
-/// A button, and a key where one is given, that send an event to a running session.
+/// A button, and a key where one is given, that send an event to a running session, or let people
+/// take on a state in it, or both.
 struct Cue
 {
     CueId id = 0;
     std::string name;
-    std::string event;
+    std::string event; ///< empty: none
     float payload = 0.0F;
     std::string key; ///< "F3" to "F10"; empty: none
     CueReach reach = CueReach::Everybody;
-    std::uint8_t tag = 0;         ///< Tagged
+    std::uint8_t tag = 0; ///< Tagged
+    // Of the state that they take on.
+    std::uint32_t state = 0; ///< StateId; 0: none
+    float seconds = 0.0F;    ///< that each takes
+    float spread = 0.0F;     ///< seconds from the first who begins to the last
+    StaggerOrder order = StaggerOrder::Distance;
+    glm::vec3 point{0.0F};        ///< of Distance, metres
     std::string unknownMembers{}; ///< see Scene::unknownMembers
     friend bool operator==(const Cue&, const Cue&) = default;
 };

@@ -13,6 +13,7 @@
 #include "model/rules/triggers/PathEnded.h"
 #include "model/rules/triggers/SpeedLimit.h"
 #include "model/rules/triggers/Start.h"
+#include "model/rules/triggers/StateRecalled.h"
 #include "model/rules/triggers/TagNear.h"
 #include "model/rules/triggers/Waited.h"
 
@@ -21,7 +22,8 @@ namespace crowd::model {
 /// All kinds of triggers, in the order of menus. One more stands here and in a header of its own.
 using TriggerData =
     std::variant<triggers::Start, triggers::Event, triggers::Arrived, triggers::Entered,
-                 triggers::Left, triggers::PathEnded, triggers::ClipEnded, triggers::Every,
-                 triggers::TagNear, triggers::SpeedLimit, triggers::Waited, triggers::AheadFree>;
+                 triggers::Left, triggers::PathEnded, triggers::ClipEnded, triggers::StateRecalled,
+                 triggers::Every, triggers::TagNear, triggers::SpeedLimit, triggers::Waited,
+                 triggers::AheadFree>;
 
 } // namespace crowd::model

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "model/brush/ByteChange.h"
 #include "model/population/Properties.h"
@@ -115,16 +116,56 @@ std::vector<IndividualId> peopleOf(const Scene& scene, const State& state,
     return people;
 }
 
+State withColumns(const State& state, ColumnSet columns, const Scene& now)
+{
+    columns = withBothOfPlace(columns);
+    State changed = state;
+    bool hasMore = false;
+    columns.forEach([&](ColumnId column) { hasMore |= !state.columns.contains(column); });
+    if (hasMore) {
+        Scene recalled = now; // what it holds of clips and slots goes by their names of today
+        (void)recallState(recalled, state, state.columns);
+        ColumnSet both = state.columns;
+        columns.forEach([&both](ColumnId column) { both.insert(column); });
+        const State whole = keepState(recalled, state.name, both, peopleOf(now, state));
+        changed.templates = whole.templates;
+        changed.people = whole.people;
+        for (UnknownColumn& column : changed.unknownColumns) {
+            std::erase_if(column.values, [&whole](const auto& value) {
+                return !std::ranges::binary_search(whole.people->ids, value.first);
+            });
+        }
+    }
+    changed.columns = columns;
+    StoredRows rows = *changed.people;
+    std::erase_if(rows.columns, [&columns](const StoredRows::Column& each) {
+        return each.column != ColumnId::Template && !columns.contains(each.column);
+    });
+    changed.people = std::make_shared<const StoredRows>(std::move(rows));
+    return changed;
+}
+
 const State* findState(const Scene& scene, const std::string& name)
 {
     const auto found = std::ranges::find(scene.states, name, &State::name);
     return found == scene.states.end() ? nullptr : &*found;
 }
 
-StateId freeStateId(const std::vector<State>& states)
+StateId freeStateId(const std::vector<State>& states, const Scene& scene)
 {
+    std::set<StateId> taken;
+    for (const State& state : states) {
+        taken.insert(state.id);
+    }
+    for (const Rule& rule : scene.rules) {
+        const auto named = idsNamedIn(rule, FieldRole::State);
+        taken.insert(named.begin(), named.end());
+    }
+    for (const Cue& cue : scene.cues) {
+        taken.insert(cue.state);
+    }
     StateId id = 1;
-    while (std::ranges::find(states, id, &State::id) != states.end()) {
+    while (taken.contains(id)) {
         ++id;
     }
     return id;
@@ -138,7 +179,7 @@ void putState(SceneEdit& edit, State state)
         state.id = same->id;
         *same = std::move(state);
     } else {
-        state.id = freeStateId(all);
+        state.id = freeStateId(all, edit.scene());
         all.push_back(std::move(state));
     }
     edit.setStates(std::move(all));

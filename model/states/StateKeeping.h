@@ -28,10 +28,15 @@ namespace crowd::model {
 /// The names of a template as it is now, as far as these columns go by them.
 [[nodiscard]] StateTemplate rememberedTemplate(const TemplateEntry& entry, ColumnSet columns);
 
+/// The same state with other columns: what it did not hold yet is as in `now`, of those who are
+/// there; the rest stays as it was.
+[[nodiscard]] State withColumns(const State& state, ColumnSet columns, const Scene& now);
+
 /// By its name; null: there is none.
 [[nodiscard]] const State* findState(const Scene& scene, const std::string& name);
-/// The smallest that none of them has.
-[[nodiscard]] StateId freeStateId(const std::vector<State>& states);
+/// The smallest that none of them has, and that no rule and no cue of the scene names: a new state
+/// must not be taken for one that is gone.
+[[nodiscard]] StateId freeStateId(const std::vector<State>& states, const Scene& scene);
 /// Takes the place of the one of that name, whose id it gets; else it comes last. In an edit.
 void putState(SceneEdit& edit, State state);
 
@@ -56,6 +61,9 @@ struct StateRecall
 [[nodiscard]] StateRecall recallState(SceneEdit& edit, const State& state, ColumnSet columns,
                                       const std::vector<IndividualId>* ids = nullptr,
                                       const RecallTiming& timing = {});
+/// The same at once, and without anybody being told that it was a state.
+[[nodiscard]] StateRecall giveBack(SceneEdit& edit, const State& state, ColumnSet columns,
+                                   const std::vector<IndividualId>* ids);
 /// The same to a scene that is nobody's document.
 [[nodiscard]] StateRecall recallState(Scene& scene, const State& state, ColumnSet columns,
                                       const std::vector<IndividualId>* ids = nullptr);

@@ -465,10 +465,14 @@ ColumnSet recalledColumns(const State& state, ColumnSet columns)
 StateRecall recallState(SceneEdit& edit, const State& state, ColumnSet columns,
                         const std::vector<IndividualId>* ids, const RecallTiming& timing)
 {
-    if (!timing.isAtOnce()) {
-        edit.announce({state.id, peopleOf(edit.scene(), state, ids),
-                       recalledColumns(state, columns), timing});
-    }
+    edit.announce(
+        {state.id, peopleOf(edit.scene(), state, ids), recalledColumns(state, columns), timing});
+    return giveBack(edit, state, columns, ids);
+}
+
+StateRecall giveBack(SceneEdit& edit, const State& state, ColumnSet columns,
+                     const std::vector<IndividualId>* ids)
+{
     const auto write = [&edit](ColumnId column, std::span<const IndividualId> whom,
                                std::span<const std::byte> values) {
         edit.setColumn(column, whom, values);

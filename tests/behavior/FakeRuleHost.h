@@ -97,6 +97,11 @@ public:
     {
         note(agent, "set");
     }
+    bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& /*action*/) override
+    {
+        note(agent, "state");
+        return true;
+    }
     void noteTags(std::uint32_t agent, std::uint64_t /*tags*/) override { note(agent, "tags"); }
 
     std::vector<glm::vec3> positions;

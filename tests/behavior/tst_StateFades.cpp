@@ -5,69 +5,13 @@
 
 #include "behavior/session/PoseKeeping.h"
 #include "model/document/SceneEdit.h"
-#include "model/states/StateKeeping.h"
-#include "tests/behavior/RuleScenes.h"
+#include "tests/behavior/StateScenes.h"
 #include "tests/program/Test.h"
 
 using namespace crowd;
 using namespace crowd::testing;
-using namespace crowd::model;
 
 namespace {
-
-constexpr std::uint16_t kIdle = 0;
-constexpr std::uint16_t kClap = 3;
-constexpr std::uint16_t kSit = 4;
-constexpr Tint kRed{200, 0, 0, 255};
-constexpr Tint kBlue{0, 0, 100, 255};
-constexpr int kStepsPerSecond = 30;
-
-template<class T>
-void putAll(Scene& scene, ColumnKey<T> key, T value)
-{
-    const std::vector<IndividualId> ids(scene.population.ids().begin(),
-                                        scene.population.ids().end());
-    scene.population.setValues(key, std::span<const IndividualId>(ids),
-                               std::span<const T>(std::vector<T>(ids.size(), value)));
-}
-
-/// A blue crowd that idles, and a state of it: red, tall and seated.
-Scene sceneWithState(std::size_t people = 5)
-{
-    Scene scene = rowOf(people);
-    putAll(scene, columns::tint(0), kBlue);
-    Scene other = scene;
-    putAll(other, columns::tint(0), kRed);
-    putAll(other, columns::height, 2.0F);
-    putAll(other, columns::clip, kSit);
-    State state = keepState(other, "red", usualStateColumns(), other.population.ids());
-    state.id = 1;
-    scene.states.push_back(std::move(state));
-    return scene;
-}
-
-ChangeOver changeOver(const Scene& scene, float seconds, Stagger stagger = {})
-{
-    const State& state = scene.states.front();
-    return {state.id, peopleOf(scene, state), state.columns, {seconds, stagger}};
-}
-
-Scene recalled(const Scene& scene)
-{
-    Scene now = scene;
-    (void)recallState(now, scene.states.front(), scene.states.front().columns);
-    return now;
-}
-
-Tint tintOf(const Session& session, std::size_t row)
-{
-    return session.frame()->population.column(columns::tint(0))[row];
-}
-
-float heightOf(const Session& session, std::size_t row)
-{
-    return session.frame()->population.column(columns::height)[row];
-}
 
 /// The share of their clip that people in transition show, by row; below 0: none.
 std::vector<float> sharesOf(const Session& session)

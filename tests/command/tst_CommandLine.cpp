@@ -121,9 +121,11 @@ void CommandLineTest::jsonIsAloneOnStandardOutput_data()
     QTest::newRow("scripts") << QStringLiteral("bench python --count 100 --rounds 1")
                              << QStringLiteral("count rounds columns_ratio stroke_ratio");
     QTest::newRow("files") << QStringLiteral("bench io --count 100")
-                           << QStringLiteral("count bytes save_ms load_ms parse_floor_ms "
-                                             "cast_templates cast_bytes cast_load_ms "
-                                             "cast_floor_ms");
+                           << QStringLiteral(
+                                  "count bytes save_ms load_ms parse_floor_ms "
+                                  "state_bytes state_save_ms state_load_ms "
+                                  "state_parse_floor_ms cast_templates cast_bytes cast_load_ms "
+                                  "cast_floor_ms");
 }
 
 void CommandLineTest::jsonIsAloneOnStandardOutput()

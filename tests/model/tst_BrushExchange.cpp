@@ -5,6 +5,7 @@
 
 #include <QtTest/QTest>
 
+#include "model/states/StateKeeping.h"
 #include "tests/model/LivelyBrush.h"
 #include "tests/program/Test.h"
 
@@ -48,6 +49,7 @@ private Q_SLOTS:
     void shuffleKeepsWhatIsNotChosen();
     void restoreIsAsTheTemplateHasIt();
     void restoreIsAsItWasEarlier();
+    void statesAreGivenBack();
     void nothingChosenIsSaid();
 };
 
@@ -164,7 +166,8 @@ void tst_BrushExchange::restoreIsAsTheTemplateHasIt()
     edit->setColumn(columns::clip, ids, std::span<const std::uint16_t>(cheering));
     edit->commit(QStringLiteral("Cheer"));
     BrushSettings settings = brush(BrushKind::Restore, kAll);
-    settings.as<RestoreSettings>() = {RestoreSource::Template, true, true, true, true, true};
+    settings.as<RestoreSettings>() = {
+        RestoreSource::Template, 0, true, true, true, true, true, true};
     QVERIFY(paintAll(scene, settings).isCommitted);
     const Population& people = scene.people();
     for (std::size_t row = 0; row < people.size(); ++row) {
@@ -200,7 +203,7 @@ void tst_BrushExchange::restoreIsAsItWasEarlier()
     };
     const auto restored = [&](RestoreSource source) {
         BrushSettings settings = brush(BrushKind::Restore, kAll);
-        settings.as<RestoreSettings>() = {source, true, false, false, false, false};
+        settings.as<RestoreSettings>() = {source, 0, true, true, false, false, false, false};
         (void)paintAll(scene, settings);
         return tints();
     };
@@ -236,12 +239,56 @@ void tst_BrushExchange::restoreIsAsItWasEarlier()
     QObject::disconnect(connection);
 }
 
+void tst_BrushExchange::statesAreGivenBack()
+{
+    LivelyScene scene;
+    const Ids ids = scene.addCrowd();
+    const auto put = [&](float height, Tint tint) {
+        scene.document.edit(QStringLiteral("Put"), [&](SceneEdit& edit) {
+            edit.setColumn(columns::height, ids, std::span<const float>(&height, 1));
+            edit.setColumn(columns::tint(0), ids, std::span<const Tint>(&tint, 1));
+        });
+    };
+    put(1.25F, {1, 2, 3, 255});
+    scene.document.edit(QStringLiteral("Keep"), [&](SceneEdit& edit) {
+        putState(edit, keepState(edit.scene(), "small", usualStateColumns(),
+                                 std::span(ids).first(ids.size() - 1)));
+    });
+    put(2.0F, {9, 9, 9, 255});
+    const Population before = scene.people();
+    BrushSettings restore = brush(BrushKind::Restore, kAll);
+    restore.as<RestoreSettings>().source = RestoreSource::State;
+    QCOMPARE(paintAll(scene, restore).reason, StrokeReason::NoState);
+    restore.as<RestoreSettings>().state = 1;
+    bool isExact = false;
+    const auto connection =
+        QObject::connect(&scene.document, &SceneDocument::stepCommitted,
+                         [&isExact](const StepCommitted& step) { isExact = step.stroke->isExact; });
+    QVERIFY(paintAll(scene, restore).isCommitted);
+    QObject::disconnect(connection);
+    QVERIFY2(isExact, "the state is in the scene: a script can say it again");
+    QCOMPARE(scene.people().column(columns::height)[0], 1.25F);
+    QCOMPARE(scene.people().column(columns::tint(0))[0], (Tint{1, 2, 3, 255}));
+    QCOMPARE(scene.people().column(columns::height).back(), 2.0F); // is not in it
+    QVERIFY(paintAll(scene, restore).reason == StrokeReason::Unchanged);
+    scene.document.undoStack().undo();
+    QCOMPARE(scene.people(), before);
+    // What is ticked alone.
+    restore.as<RestoreSettings>().isWhole = false;
+    restore.as<RestoreSettings>().materials = false;
+    restore.as<RestoreSettings>().parts = false;
+    QVERIFY(paintAll(scene, restore).isCommitted);
+    QCOMPARE(scene.people().column(columns::height)[0], 2.0F);
+    QCOMPARE(scene.people().column(columns::tint(0))[0], (Tint{1, 2, 3, 255}));
+}
+
 void tst_BrushExchange::nothingChosenIsSaid()
 {
     LivelyScene scene;
     scene.addCrowd();
     BrushSettings restore = brush(BrushKind::Restore, kAll);
-    restore.as<RestoreSettings>() = {RestoreSource::Template, false, false, false, false, false};
+    restore.as<RestoreSettings>() = {
+        RestoreSource::Template, 0, true, false, false, false, false, false};
     QCOMPARE(paintAll(scene, restore).reason, StrokeReason::NothingChosen);
     BrushSettings shuffle = brush(BrushKind::Shuffle, kAll);
     shuffle.as<ShuffleSettings>() = {false, false, false, false, false};

@@ -67,14 +67,26 @@ void furnish(SceneDocument& document)
     dye.slot = "hair";
     dye.color = {1, 20, 255};
     dye.strength = 77;
-    other.actions = {
-        moveUp, actions::AddToNumber{2}, actions::Appear{kNotChosen}, follow,
-        dye,    actions::Repeat{0},      {actions::OneOf{2.5F}, 1},   {actions::PlayClip(), 2}};
+    other.actions = {moveUp,
+                     actions::AddToNumber{2},
+                     actions::Appear{kNotChosen},
+                     follow,
+                     dye,
+                     actions::TakeOnState{7, 2.5F, 1.0F},
+                     actions::Repeat{0},
+                     {actions::OneOf{2.5F}, 1},
+                     {actions::PlayClip(), 2}};
     edit->setRules({rule, other});
     edit->setNumbers(
         {{2, "patience", -1.0F, 4.5F, {{1, 2.5F}, {900, -7.0F}}}, {7, "hunger", 0.0F, 0.0F}});
     edit->setStepsPerSecond(120);
-    edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}});
+    Cue calm{4, "Calm", {}, 0.0F, "F8"};
+    calm.state = 7;
+    calm.seconds = 1.5F;
+    calm.spread = 4.0F;
+    calm.order = StaggerOrder::Wedge;
+    calm.point = {1.0F, 0.0F, -3.0F};
+    edit->setCues({{3, "Go", "go", 2.5F, "F7", CueReach::Tagged, 9}, calm});
     edit->setSurface({0.5F, 2.0F, 0.3F, 35.0F});
     Place full = *edit->scene().findPlace(b);
     full.capacity = 12;
@@ -341,6 +353,13 @@ void TestEnvironment::refusesWhatIsWrong_data()
     row("steps of any length", R"("stepsPerSecond": 45,)", "stepsPerSecond must be 30, 60 or 120");
     row("the number of nobody", R"("numbers": [{"id": 0}],)", "numbers: the id 0 is not allowed");
     row("a cue without id", R"("cues": [{}],)", "cues[0].id is missing");
+    row("a cue that recalls for longer than can be",
+        R"("cues": [{"id": 1, "state": 2, "seconds": 1e9}],)",
+        "cues[0].seconds must lie between 0 and 600");
+    row("a cue that recalls in an order that there is not",
+        R"("cues": [{"id": 1, "state": 2, "order": "up"}],)", "cues[0].order must be");
+    row("a cue that recalls no state", R"("cues": [{"id": 1, "state": -2}],)",
+        "cues[0].state must be");
     row("a cue with the key of a panel", R"("cues": [{"id": 1, "key": "F12"}],)",
         "cues[0].key must be one of F3 to F10");
     row("a cue with the key of a brush", R"("cues": [{"id": 1, "key": "x"}],)",

@@ -83,6 +83,7 @@ void TestRuleFlaws::whatIsNotChosenIsSaid_data()
     doing("an event to send", actions::SendEvent(), RuleGap::SentEvent);
     doing("an event to wait for", actions::WaitForEvent(), RuleGap::AwaitedEvent);
     doing("a number to set", actions::SetNumber(), RuleGap::Number);
+    doing("a state to take on", actions::TakeOnState(), RuleGap::State);
     actions::TurnTo turn;
     turn.aim = ActionAim::Place;
     row("a place to turn to", ruleOf(1, "go", {stop, turn}), RuleGap::Place);

@@ -185,6 +185,48 @@ class States(unittest.TestCase):
                 target.recall_state("a", 1.0, "wave")
         self.assertEqual(scene.history[-1], "Keep a state")
 
+    def test_the_restore_brush_gives_them_back(self):
+        scene, ids = crowd()
+        scene.change(ids, height=1.25)
+        scene.save_state("small")
+        scene.change(ids, height=2.0, phase=0.9)
+        brush = crowdbrush.Brush(crowdbrush.BrushKind.RESTORE)
+        brush.selection = crowdbrush.Selection.RECTANGLE
+        brush.through = True
+        brush.restore.source = "STATE"
+        scene.set_camera("Front", crowdbrush.Camera((10, 6, 22), (10, 0.9, 0)))
+
+        def stroke():
+            return scene.stroke(brush, [(0, 0), (639, 479)], size=(640, 480), seed=7)
+        outcome = stroke()
+        self.assertEqual((outcome.affected, outcome.message), (0, "Choose a state in the brush's settings first"))
+        brush.restore.state = scene.states["small"].id
+        self.assertGreater(stroke().affected, 10)
+        self.assertIn(np.float32(1.25), scene.column("height"))
+        brush.restore.state = 77
+        with self.assertRaisesRegex(Error, "restore.state is 77"):
+            stroke()
+
+    def test_rules_and_cues_name_them(self):
+        scene, ids = crowd(6)
+        scene.save_state("small")
+        state = scene.states["small"].id
+        scene.change(ids, height=2.0)
+        scene.cues = [crowdbrush.Cue(id=1, name="Calm", state=state, seconds=2.0, spread=3.0, order="row")]
+        self.assertEqual((scene.cues[0].state, scene.cues[0].order), (state, "row"))
+        scene.rules = [crowdbrush.Rule(id=1, name="calm", when=crowdbrush.triggers.Event(event="calm"),
+                                       do=[crowdbrush.actions.State(state=state)]),
+                       crowdbrush.Rule(id=2, name="heard", when=crowdbrush.triggers.State(state=state),
+                                       do=[crowdbrush.actions.Tag(tag=4)])]
+        session = crowdbrush.Session(scene)
+        session.send("calm", ids[:2])
+        session.step(6)
+        np.testing.assert_array_equal(session.column("height"), [1, 1, 2, 2, 2, 2])
+        np.testing.assert_array_equal(session.column("tags"), [16, 16, 0, 0, 0, 0])
+        del scene.states["small"]
+        scene.save_state("other")
+        self.assertNotEqual(scene.states["other"].id, state)  # rules still mean the one that is gone
+
 
 if __name__ == "__main__":
     unittest.main()

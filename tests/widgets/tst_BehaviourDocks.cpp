@@ -5,6 +5,7 @@
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
 #include <QtGui/QShortcut>
+#include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QListWidget>
@@ -16,8 +17,10 @@
 
 #include "model/document/PathEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/states/StateKeeping.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/docks/CueForm.h"
 #include "widgets/docks/EnvironmentDock.h"
 #include "widgets/docks/NumberField.h"
 #include "widgets/docks/NumberList.h"
@@ -76,6 +79,7 @@ private Q_SLOTS:
     void whatIsNotChosenYetIsNotGone();
     void everyKindHasASentenceAndFields();
     void cuesAreButtonsAndKeys();
+    void cuesRecallStates();
     void aCueSaysThatTheGroundIsStillSought();
     void tagsAndNumbersGetNames();
     void tagsAreWrittenByName();
@@ -302,6 +306,77 @@ void TestBehaviourDocks::cuesAreButtonsAndKeys()
     desk.document.undoStack().undo();
     QVERIFY(desk.document.scene().cues.empty());
     QTRY_VERIFY(desk.window.findChildren<QShortcut*>().isEmpty());
+}
+
+void TestBehaviourDocks::cuesRecallStates()
+{
+    Desk<RulesDock> desk;
+    QVERIFY(desk.isReady());
+    testing::addPeople(desk.document, 3);
+    const auto setHeight = [&desk](float height) {
+        desk.document.edit(QStringLiteral("Height"), [&](model::SceneEdit& edit) {
+            edit.setColumn(model::columns::height, edit.scene().population.ids(),
+                           std::span<const float>(&height, 1));
+        });
+    };
+    setHeight(1.5F);
+    desk.document.edit(QStringLiteral("Keep"), [](model::SceneEdit& edit) {
+        putState(edit, keepState(edit.scene(), "tall", model::usualStateColumns(),
+                                 edit.scene().population.ids()));
+    });
+    setHeight(1.0F);
+    QTest::mouseClick(desk.dock->findChild<QToolButton*>(QStringLiteral("addCue")), Qt::LeftButton);
+    const auto field = [&desk](const char* name) {
+        return desk.dock->findChild<CueForm*>(QStringLiteral("cueForm"))
+            ->findChild<QWidget*>(QLatin1String(name));
+    };
+    const auto& cues = desk.document.scene().cues;
+    QVERIFY2(field("cueSeconds") == nullptr, "it recalls nothing yet");
+    auto* states = qobject_cast<QComboBox*>(field("cueState"));
+    QCOMPARE(states->count(), 2);
+    states->setCurrentIndex(1);
+    Q_EMIT states->activated(1);
+    QCOMPARE(cues[0].state, model::StateId{1});
+    QTRY_VERIFY(field("cueSpread") != nullptr);
+    crowd::testing::type(
+        *qobject_cast<QAbstractSpinBox*>(field("cueSpread"))->findChild<QLineEdit*>(),
+        QStringLiteral("2"));
+    QTRY_COMPARE(cues[0].spread, 2.0F);
+    QTRY_VERIFY(field("cuePoint") != nullptr);
+    QTest::mouseClick(qobject_cast<QToolButton*>(field("cuePoint")), Qt::LeftButton);
+    desk.state.offerPoint({0.0F, 0.0F, 7.0F});
+    QCOMPARE(cues[0].point, glm::vec3(0.0F, 0.0F, 7.0F));
+    // Without an event it is called after the state.
+    auto* event = qobject_cast<QLineEdit*>(field("cueEvent"));
+    event->setFocus();
+    event->selectAll();
+    QTest::keyClick(event, Qt::Key_Delete);
+    QTest::keyClick(event, Qt::Key_Return);
+    QTRY_VERIFY(cues[0].event.empty());
+    QTRY_VERIFY(desk.dock->findChild<QToolButton*>(QStringLiteral("cue1"))
+                    ->text()
+                    .contains(QStringLiteral("tall")));
+    QString said;
+    connect(&desk.state, &EditorState::statusMessage, &desk.window,
+            [&said](const QString& text) { said = text; });
+    desk.state.transport().setPlaying(false);
+    sendCue(desk.state, cues[0]);
+    QVERIFY2(said.contains(QStringLiteral("Press Play")), qPrintable(said));
+    desk.state.transport().setPlaying(true);
+    sendCue(desk.state, cues[0]);
+    QVERIFY2(said.contains(QStringLiteral("tall")), qPrintable(said));
+    const auto areTall = [&desk] {
+        desk.state.advance(0.02);
+        QTest::qWait(1);
+        const auto shown = desk.state.frame()->population.column(model::columns::height);
+        return std::ranges::all_of(shown, [](float each) { return each == 1.5F; });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(areTall(), 20'000);
+    QCOMPARE(desk.document.scene().population.column(model::columns::height)[0], 1.0F);
+    // The state is gone.
+    desk.document.edit(QStringLiteral("Gone"), [](model::SceneEdit& edit) { edit.setStates({}); });
+    sendCue(desk.state, cues[0]);
+    QVERIFY2(said.contains(QStringLiteral("not there any more")), qPrintable(said));
 }
 
 void TestBehaviourDocks::aCueSaysThatTheGroundIsStillSought()

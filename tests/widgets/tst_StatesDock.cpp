@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
@@ -15,7 +16,9 @@
 #include "model/document/SceneEdit.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/commands/StateCommands.h"
 #include "widgets/docks/FieldForm.h"
+#include "widgets/docks/StatePictures.h"
 #include "widgets/docks/StatesDock.h"
 
 using namespace crowd;
@@ -116,6 +119,10 @@ private Q_SLOTS:
     void keptAnewRemovedAndUndone();
     void namesThatAreTakenAreRefused();
     void nobodyHasNoState();
+    void ofAGroup();
+    void whatIsHeldCanBeChanged();
+    void whatDiffersIsCountedAndOutlined();
+    void eachHasAPicture();
     void takesItsTimeWhileItPlays();
     void whileNothingPlaysItIsAtOnce();
     void onlyInThisRun();
@@ -235,6 +242,120 @@ void TestStatesDock::nobodyHasNoState()
     desk.press("keepState");
     QVERIFY2(desk.said.contains(QStringLiteral("Nobody is there yet")), qPrintable(desk.said));
     QVERIFY(desk.document.scene().states.empty());
+}
+
+void TestStatesDock::ofAGroup()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = crowd::testing::addPeople(desk.document, 4);
+    const std::vector<model::IndividualId> two{ids[1], ids[3]};
+    const std::uint32_t group = 5;
+    desk.document.edit(QStringLiteral("Group"), [&](model::SceneEdit& edit) {
+        edit.setGroups({{group, "choir"}});
+        edit.setColumn(model::columns::group, two, std::span<const std::uint32_t>(&group, 1));
+    });
+    auto* reach = desk.dock->findChild<QComboBox*>(QStringLiteral("stateReach"));
+    QCOMPARE(reach->count(), 3);
+    QVERIFY(reach->itemText(2).contains(QStringLiteral("choir")));
+    reach->setCurrentIndex(2);
+    desk.keepAs("choir calm");
+    QCOMPARE(desk.document.scene().states[0].people->ids, two);
+    desk.document.undoStack().undo();
+    desk.document.undoStack().undo(); // the name, the state
+    desk.document.undoStack().undo(); // the group
+    QCOMPARE(reach->count(), 2);
+    QCOMPARE(reach->currentIndex(), 0);
+}
+
+void TestStatesDock::whatIsHeldCanBeChanged()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.25F);
+    desk.setPhase(0.25F);
+    desk.keepAs("calm");
+    const model::StateId id = desk.document.scene().states[0].id;
+    const auto state = [&desk]() -> const model::State& { return desk.document.scene().states[0]; };
+    setHeld(desk.state, id, model::PropertyAspect::Size, false);
+    QVERIFY(!state().columns.contains(model::ColumnId::Height));
+    QVERIFY(state().columns.contains(model::ColumnId::Phase));
+    desk.setHeight(2.0F);
+    desk.setPhase(0.75F);
+    desk.press("recallState");
+    QCOMPARE(desk.shownHeight(0), 2.0F);
+    QCOMPARE(desk.phase(0), 0.25F);
+    desk.setPhase(0.5F);
+    setHeld(desk.state, id, model::PropertyAspect::Size, true); // as they are now
+    desk.setHeight(3.0F);
+    desk.press("recallState");
+    QCOMPARE(desk.shownHeight(0), 2.0F);
+    QCOMPARE(desk.phase(0), 0.25F); // what it held is as it was
+    for (const model::PropertyAspectInfo& aspect : model::propertyAspects()) {
+        setHeld(desk.state, id, aspect.aspect, false);
+    }
+    QVERIFY(!state().columns.isEmpty());
+    QVERIFY2(desk.said.contains(QStringLiteral("at least one")), qPrintable(desk.said));
+}
+
+void TestStatesDock::whatDiffersIsCountedAndOutlined()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    const auto ids = crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("calm");
+    auto* text = desk.dock->findChild<QLabel*>(QStringLiteral("stateDifference"));
+    QTRY_COMPARE(text->text(), QStringLiteral("The scene is like that."));
+    const std::vector<model::IndividualId> two{ids[0], ids[2]};
+    const float tall = 1.5F;
+    const float late = 0.5F;
+    desk.document.edit(QStringLiteral("Two"), [&](model::SceneEdit& edit) {
+        edit.setColumn(model::columns::height, two, std::span<const float>(&tall, 1));
+        edit.setColumn(model::columns::phase, std::span(two).first(1),
+                       std::span<const float>(&late, 1));
+    });
+    QTRY_VERIFY(text->text().startsWith(QStringLiteral("Different:")));
+    QVERIFY2(text->text().contains(QStringLiteral("Animation 1")), qPrintable(text->text()));
+    QVERIFY2(text->text().contains(QStringLiteral("Size 2")), qPrintable(text->text()));
+    QVERIFY(desk.state.washed().empty());
+    desk.press("washDifferent");
+    QCOMPARE(desk.state.washed(), two);
+    desk.press("recallState");
+    QTRY_VERIFY(desk.state.washed().empty());
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(desk.state.washed(), two);
+    desk.dock->hide(); // nobody would know where it comes from
+    QTRY_VERIFY(desk.state.washed().empty());
+}
+
+void TestStatesDock::eachHasAPicture()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("calm");
+    StatePictures pictures(desk.state, &desk.window);
+    QSignalSpy drawn(&pictures, &StatePictures::drawn);
+    const auto key = [&] { return pictures.of(desk.document.scene().states[0]).cacheKey(); };
+    const qint64 plain = key();
+    QTRY_VERIFY_WITH_TIMEOUT(!drawn.isEmpty(), 30000);
+    const qint64 first = key();
+    QVERIFY(first != plain);
+    QCOMPARE(key(), first);
+    const QImage picture =
+        pictures.of(desk.document.scene().states[0]).pixmap(StatePictures::kSize).toImage();
+    std::set<QRgb> colours;
+    for (int x = 0; x < picture.width(); ++x) {
+        colours.insert(picture.pixel(x, picture.height() / 2));
+    }
+    QVERIFY2(colours.size() > 3, "it shows something");
+    desk.press("keepStateAnew");
+    drawn.clear();
+    QVERIFY(key() != first); // it is another state now
+    QTRY_VERIFY_WITH_TIMEOUT(!drawn.isEmpty(), 30000);
 }
 
 void TestStatesDock::takesItsTimeWhileItPlays()

@@ -30,8 +30,12 @@ const State* stateOf(const EditorState& state, model::StateId id)
     return found == all.end() ? nullptr : &*found;
 }
 
-std::vector<model::IndividualId> peopleFor(const EditorState& state, StateReach reach)
+std::vector<model::IndividualId> peopleFor(const EditorState& state, StateReach reach,
+                                           model::GroupId group)
 {
+    if (reach == StateReach::Group) {
+        return peopleWith(state.scene().population, model::columns::group, group);
+    }
     const auto ids =
         reach == StateReach::Selected ? state.selection().ids() : state.scene().population.ids();
     return {ids.begin(), ids.end()};
@@ -104,11 +108,13 @@ QString freeStateName(const model::Scene& scene)
 }
 
 bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet columns,
-                 StateReach reach)
+                 StateReach reach, model::GroupId group)
 {
-    const auto people = peopleFor(state, reach);
+    const auto people = peopleFor(state, reach, group);
     if (people.empty() || columns.isEmpty()) {
         state.showStatus(columns.isEmpty() ? StatesText::tr("Tick what the state is to hold first.")
+                         : reach == StateReach::Group
+                             ? StatesText::tr("Nobody is in the group whose state could be kept.")
                          : reach == StateReach::Selected
                              ? StatesText::tr("Nobody is selected whose state could be kept.")
                              : StatesText::tr("Nobody is there yet whose state could be kept."));
@@ -167,6 +173,34 @@ void recallStateOf(EditorState& state, model::StateId id, RecallInto into)
     if (outcome != model::EditOutcome::Refused) {
         say(state, quoted(kept.name), recall);
     }
+}
+
+void setHeld(EditorState& state, model::StateId id, model::PropertyAspect aspect, bool isHeld)
+{
+    const State* before = stateOf(state, id);
+    if (before == nullptr) {
+        return;
+    }
+    model::ColumnSet columns;
+    const model::ColumnSet meant = model::columnsOf(aspect);
+    before->columns.forEach([&](model::ColumnId column) {
+        if (isHeld || !meant.contains(column)) {
+            columns.insert(column);
+        }
+    });
+    meant.forEach([&](model::ColumnId column) {
+        if (isHeld) {
+            columns.insert(column);
+        }
+    });
+    if (columns.isEmpty()) {
+        state.showStatus(StatesText::tr("A state holds at least one of them."));
+        return;
+    }
+    State now = withColumns(*before, columns, state.session().shownScene());
+    editList(state, StatesText::tr("Change what a state holds"), [&](std::vector<State>& all) {
+        *std::ranges::find(all, id, &State::id) = std::move(now);
+    });
 }
 
 void removeState(EditorState& state, model::StateId id)

@@ -6,6 +6,7 @@
 #include <QtCore/QString>
 
 #include "model/population/ColumnSet.h"
+#include "model/population/Properties.h"
 #include "model/scene/State.h"
 #include "widgets/state/EditorState.h"
 
@@ -13,13 +14,17 @@
 /// else is edited. They say in the status bar what came of it.
 namespace crowd::widgets {
 
-enum class StateReach : std::uint8_t { Everybody, Selected };
+/// Of whom a state is kept.
+enum class StateReach : std::uint8_t { Everybody, Selected, Group };
 
 /// "State 3": a name that none has.
 [[nodiscard]] QString freeStateName(const model::Scene& scene);
 /// As they are seen now, also while it plays. Whether there was somebody to keep it of.
+/// `group`: of that reach.
 bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet columns,
-                 StateReach reach);
+                 StateReach reach, model::GroupId group = 0);
+/// What it holds from now on: what it did not hold yet is as people are seen now.
+void setHeld(EditorState& state, model::StateId id, model::PropertyAspect aspect, bool isHeld);
 /// How they are seen now, of the same people as far as they are there, with the same properties.
 void keepStateAnew(EditorState& state, model::StateId id);
 /// Where a state goes.

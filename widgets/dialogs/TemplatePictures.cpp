@@ -55,21 +55,39 @@ public:
 
     QImage picture(model::KeyframeStore& keyframes, const render::ThumbnailRequest& request)
     {
+        return drawn({request.size, request.size}, [&](render::Renderer& renderer) {
+            return render::renderThumbnail(renderer, keyframes, request);
+        });
+    }
+    QImage picture(const render::RenderInput& input, bool& isComplete)
+    {
+        using Pixels = model::Result<std::vector<std::uint8_t>>;
+        return drawn(input.pixelSize, [&](render::Renderer& renderer) -> Pixels {
+            if (auto done = renderer.draw(input); !done) {
+                return done.error();
+            }
+            isComplete = !renderer.statistics().areKeyframesMissing;
+            return renderer.readPixels();
+        });
+    }
+
+private:
+    /// What `draw` makes of the renderer, in the context.
+    template<class Draw>
+    QImage drawn(const glm::ivec2& size, const Draw& draw)
+    {
         if (!m_context || !m_context->makeCurrent() || !prepare()) {
             return {};
         }
         m_idle.start();
-        const auto pixels = render::renderThumbnail(m_renderer, keyframes, request);
+        const auto pixels = draw(m_renderer);
         m_context->doneCurrent();
         if (!pixels) {
             return {};
         }
-        return QImage(pixels.value().data(), request.size, request.size, request.size * 4,
-                      QImage::Format_RGBA8888)
+        return QImage(pixels.value().data(), size.x, size.y, size.x * 4, QImage::Format_RGBA8888)
             .copy();
     }
-
-private:
     [[nodiscard]] bool prepare()
     {
         if (m_renderer.isInitialized()) {
@@ -97,19 +115,30 @@ private:
     QTimer m_idle;
 };
 
+Studio& studio()
+{
+    leaveWidgetsContext();
+    QObject* application = QCoreApplication::instance();
+    auto* found = application->findChild<Studio*>(QStringLiteral("thumbnailStudio"),
+                                                  Qt::FindDirectChildrenOnly);
+    if (found == nullptr) {
+        found = new Studio(application);
+        found->setObjectName(QStringLiteral("thumbnailStudio"));
+    }
+    return *found;
+}
+
 } // namespace
 
 QImage templatePicture(model::KeyframeStore& keyframes, const render::ThumbnailRequest& request)
 {
-    leaveWidgetsContext();
-    QObject* application = QCoreApplication::instance();
-    auto* studio = application->findChild<Studio*>(QStringLiteral("thumbnailStudio"),
-                                                   Qt::FindDirectChildrenOnly);
-    if (studio == nullptr) {
-        studio = new Studio(application);
-        studio->setObjectName(QStringLiteral("thumbnailStudio"));
-    }
-    return studio->picture(keyframes, request);
+    return studio().picture(keyframes, request);
+}
+
+QImage scenePicture(const render::RenderInput& input, bool& isComplete)
+{
+    isComplete = false;
+    return studio().picture(input, isComplete);
 }
 
 } // namespace crowd::widgets

@@ -28,8 +28,18 @@ QString cueTip(const model::Scene& scene, const model::Cue& cue)
     const QString who = cue.reach == model::CueReach::Tagged
                             ? CueBar::tr("those tagged %1").arg(tagText(scene, cue.tag))
                             : cueReachNames()[static_cast<int>(cue.reach)];
-    return CueBar::tr("Sends “%1” to %2. The arrow changes or deletes it.")
-        .arg(QString::fromStdString(cue.event), who);
+    const auto kept = std::ranges::find(scene.states, cue.state, &model::State::id);
+    const QString recalls =
+        kept == scene.states.end()
+            ? QString()
+            : CueBar::tr("“%1” is recalled for %2.").arg(QString::fromStdString(kept->name), who);
+    const QString sends =
+        cue.event.empty()
+            ? QString()
+            : CueBar::tr("Sends “%1” to %2.").arg(QString::fromStdString(cue.event), who);
+    return QStringList{sends, recalls, CueBar::tr("The arrow changes or deletes it.")}
+        .join(QLatin1Char(' '))
+        .trimmed();
 }
 
 } // namespace
@@ -42,12 +52,13 @@ CueBar::CueBar(EditorState& state, QWidget* parent)
     layout->setSpacing(3);
     layout->addLayout(m_grid);
     m_grid->setSpacing(3);
-    connect(&state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                if (isOneOf<model::RulesChanged, model::SceneReplaced>(change)) {
-                    rebuild();
-                }
-            });
+    connect(
+        &state.document(), &model::SceneDocument::changed, this,
+        [this](const model::SceneChange& change) {
+            if (isOneOf<model::RulesChanged, model::StatesChanged, model::SceneReplaced>(change)) {
+                rebuild();
+            }
+        });
     rebuild();
 }
 
@@ -82,7 +93,7 @@ void CueBar::rebuild()
 QWidget* CueBar::buttonOf(const model::Cue& cue)
 {
     auto* button = new QToolButton(this);
-    const QString name = QString::fromStdString(cue.name.empty() ? cue.event : cue.name);
+    const QString name = cueTitle(m_state.scene(), cue);
     button->setText(cue.key.empty() ? name
                                     : tr("%1 · %2").arg(QString::fromStdString(cue.key), name));
     button->setToolTip(cueTip(m_state.scene(), cue));
@@ -123,7 +134,7 @@ void CueBar::showForm()
         return;
     }
     auto* form = new CueForm(
-        m_state.scene(), *found, [this](const auto& apply) { change(apply); }, this);
+        m_state, *found, [this](const auto& apply) { change(apply); }, this);
     connect(form, &CueForm::closed, this, [this] { editCue(0); });
     layout()->addWidget(form);
     m_form = form;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QtCore/QPointer>
 #include <QtWidgets/QCompleter>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
@@ -15,6 +16,7 @@
 #include "widgets/docks/RuleFields.h"
 #include "widgets/docks/RuleNames.h"
 #include "widgets/docks/WrapRow.h"
+#include "widgets/state/BrushTexts.h"
 #include "widgets/state/Cues.h"
 
 namespace crowd::widgets {
@@ -30,9 +32,9 @@ QWidget* lastIn(QHBoxLayout* row)
 
 } // namespace
 
-CueForm::CueForm(const model::Scene& scene, const Cue& cue,
-                 std::function<void(const Change&)> apply, QWidget* parent)
-    : QWidget(parent), m_scene(scene), m_cue(cue), m_apply(std::move(apply))
+CueForm::CueForm(EditorState& state, const Cue& cue, std::function<void(const Change&)> apply,
+                 QWidget* parent)
+    : QWidget(parent), m_state(state), m_scene(state.scene()), m_cue(cue), m_apply(std::move(apply))
 {
     setObjectName(QStringLiteral("cueForm"));
     auto* layout = new QVBoxLayout(this);
@@ -50,6 +52,7 @@ CueForm::CueForm(const model::Scene& scene, const Cue& cue,
     row->addWidget(done);
     connect(done, &QToolButton::clicked, this, &CueForm::closed);
     addEvent(layout);
+    addState(layout);
     addReach(layout);
     addKeys(labelledRow(layout, tr("key")));
 }
@@ -70,7 +73,7 @@ void CueForm::addEvent(QVBoxLayout* layout)
     QHBoxLayout* row = labelledRow(layout, tr("sends"));
     addTextField(row, QString::fromStdString(m_cue.event), tr("event"),
                  [this](const QString& text) {
-                     if (!text.isEmpty()) { // a cue without event says nothing
+                     if (!text.isEmpty() || m_cue.state != 0) { // else it would say nothing
                          m_apply([&](Cue& each) { each.event = text.toStdString(); });
                      }
                  });
@@ -87,6 +90,59 @@ void CueForm::addEvent(QVBoxLayout* layout)
     });
     lastIn(row)->setObjectName(QStringLiteral("cuePayload"));
     lastIn(row)->setToolTip(tr("The event’s number, a walking speed for example"));
+}
+
+/// What they take on, and how.
+void CueForm::addState(QVBoxLayout* layout)
+{
+    QHBoxLayout* row = labelledRow(layout, tr("recalls"));
+    addReferenceField(row, m_scene, model::FieldRole::State, m_cue.state, tr("no state"),
+                      [this](std::uint32_t id) { m_apply([&](Cue& each) { each.state = id; }); });
+    lastIn(row)->setObjectName(QStringLiteral("cueState"));
+    if (m_cue.state == 0) {
+        return;
+    }
+    const auto addSeconds = [&](const QString& label, const char* name, float Cue::*member) {
+        row->addWidget(new QLabel(label, this));
+        addNumberField(row, static_cast<double>(m_cue.*member), 0.0, model::kLongestRecall,
+                       tr(" s"), [this, member](double seconds) {
+                           m_apply([&](Cue& each) { each.*member = static_cast<float>(seconds); });
+                       });
+        lastIn(row)->setObjectName(QLatin1String(name));
+    };
+    addSeconds(tr("over"), "cueSeconds", &Cue::seconds);
+    addSeconds(tr("the last after"), "cueSpread", &Cue::spread);
+    if (m_cue.spread > 0.0F) {
+        addOrder(layout);
+    }
+}
+
+void CueForm::addOrder(QVBoxLayout* layout)
+{
+    QHBoxLayout* row = labelledRow(layout, {});
+    QStringList names;
+    for (const model::FieldChoice& order : model::Stagger::kOrders) {
+        names << fieldText(order.label);
+    }
+    addChoiceField(row, names, static_cast<int>(m_cue.order), [this](int order) {
+        m_apply([&](Cue& each) { each.order = static_cast<model::StaggerOrder>(order); });
+    });
+    lastIn(row)->setObjectName(QStringLiteral("cueOrder"));
+    if (m_cue.order != model::StaggerOrder::Distance) {
+        return;
+    }
+    auto* choose = new QToolButton(this);
+    choose->setObjectName(QStringLiteral("cuePoint"));
+    choose->setText(tr("Choose"));
+    choose->setToolTip(tr("Then click in the picture where it begins"));
+    connect(choose, &QToolButton::clicked, this, [this] {
+        m_state.choosePoint([form = QPointer(this)](const glm::vec3& point) {
+            if (form) {
+                form->m_apply([&](Cue& each) { each.point = point; });
+            }
+        });
+    });
+    row->addWidget(choose);
 }
 
 void CueForm::addReach(QVBoxLayout* layout)

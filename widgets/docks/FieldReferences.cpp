@@ -208,13 +208,15 @@ void addPath(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
-void addGroupChoice(FieldForm& form, const Bound& bound)
+/// One of the entries of the scene, or none.
+template<class Entry>
+void addEntryChoice(FieldForm& form, const Bound& bound, const std::vector<Entry>& entries)
 {
     QStringList names{fieldText(bound.field->meta.zero)};
     std::vector<std::int64_t> ids{0};
-    for (const model::Group& group : sceneOf(form).groups) {
-        names << QString::fromStdString(group.name);
-        ids.push_back(group.id);
+    for (const Entry& entry : entries) {
+        names << QString::fromStdString(entry.name);
+        ids.push_back(entry.id);
     }
     form.addChoice(
         labelText(bound), names,
@@ -395,7 +397,10 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
     }
     switch (field.meta.role) {
     case model::FieldRole::Group:
-        addGroupChoice(form, bound);
+        addEntryChoice(form, bound, sceneOf(form).groups);
+        return true;
+    case model::FieldRole::State:
+        addEntryChoice(form, bound, sceneOf(form).states);
         return true;
     case model::FieldRole::Slot:
         addSlot(form, bound);

@@ -159,6 +159,9 @@ void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::Field
     case model::FieldRole::Path:
         addEntryField(row, scene.paths, id, any, changed);
         break;
+    case model::FieldRole::State:
+        addEntryField(row, scene.states, id, any, changed);
+        break;
     case model::FieldRole::Template:
         addEntryField(row, scene.templates, id, any, changed);
         break;

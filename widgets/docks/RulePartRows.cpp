@@ -141,6 +141,7 @@ void PartRows::addInteger(QHBoxLayout* row, const FieldInfo& field, std::int64_t
     case FieldRole::Path:
     case FieldRole::Template:
     case FieldRole::ArtistNumber:
+    case FieldRole::State:
         addReferenceField(row, scene, meta.role, static_cast<std::uint32_t>(value),
                           ruleText(meta.zero), set);
         return;

@@ -77,6 +77,9 @@ QString missingText(const Scene& scene, const FieldMeta& meta, const FieldValue&
         return RuleProblemsText::tr(
             "The number is not there: make one below, under “Tags and numbers”.");
     }
+    if (meta.role == FieldRole::State && !isThere(scene.states, *id)) {
+        return RuleProblemsText::tr("The state is not there any more: choose another one.");
+    }
     if (meta.role == FieldRole::Template && !isThere(scene.templates, *id)) {
         return RuleProblemsText::tr(
             "A condition asks for something that is not there: choose again.");
@@ -94,9 +97,9 @@ template<class Data>
 QString missingText(const Scene& scene, const RulePart<Data>& part)
 {
     for (const FieldInfo& field : part.kind().fields) {
-        const QString text = isShown(field, part.object())
-                                 ? missingText(scene, field.meta, field.get(part.object()))
-                                 : QString();
+        QString text = isShown(field, part.object())
+                           ? missingText(scene, field.meta, field.get(part.object()))
+                           : QString();
         if (!text.isEmpty()) {
             return text;
         }
@@ -134,6 +137,9 @@ QString gapText(RuleGap gap)
     case RuleGap::Number:
         return RuleProblemsText::tr("It does nothing yet: choose a number; make one below, under "
                                     "“Tags and numbers”.");
+    case RuleGap::State:
+        return RuleProblemsText::tr("It does nothing yet: choose a state; the panel States keeps "
+                                    "one.");
     case RuleGap::Template:
         return RuleProblemsText::tr("It does nothing yet: choose a template.");
     case RuleGap::Deed:
@@ -192,7 +198,7 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
     if (const std::optional<RuleGap> gap = gapOf(rule)) {
         return gapText(*gap);
     }
-    if (const QString missing = missingText(scene, rule.trigger); !missing.isEmpty()) {
+    if (QString missing = missingText(scene, rule.trigger); !missing.isEmpty()) {
         return missing;
     }
     for (const Condition& condition : rule.conditions) {
@@ -203,7 +209,7 @@ QString ruleProblem(const Scene& scene, const Rule& rule)
     }
     for (std::size_t line = 0; line < rule.actions.size(); ++line) {
         const QString block = blockProblem(rule.actions, line);
-        const QString problem = block.isEmpty() ? actionProblem(scene, rule.actions[line]) : block;
+        QString problem = block.isEmpty() ? actionProblem(scene, rule.actions[line]) : block;
         if (!problem.isEmpty()) {
             return problem;
         }

@@ -57,6 +57,8 @@ QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t valu
         return entryText(scene.groups, value, none);
     case FieldRole::ArtistNumber:
         return entryText(scene.numbers, value, RuleTextsContext::tr("a number"));
+    case FieldRole::State:
+        return entryText(scene.states, value, none);
     case FieldRole::Template:
         return entryText(scene.templates, value, RuleTextsContext::tr("(gone)"));
     case FieldRole::Tag:

@@ -178,8 +178,8 @@ void RulesDock::connectState()
                 if (isOneOf<model::SceneReplaced>(change)) {
                     forgetLog(); // it is of another scene
                 }
-                if (isOneOf<model::RulesChanged, model::PathsChanged, model::TemplatesChanged,
-                            model::SceneReplaced>(change)) {
+                if (isOneOf<model::RulesChanged, model::PathsChanged, model::StatesChanged,
+                            model::TemplatesChanged, model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
             });

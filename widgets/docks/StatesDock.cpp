@@ -14,9 +14,11 @@
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
+#include "model/states/StateDifference.h"
 #include "model/states/StateKeeping.h"
 #include "widgets/commands/StateCommands.h"
-#include "widgets/docks/FieldForm.h"
+#include "widgets/docks/RecallForm.h"
+#include "widgets/docks/StatePictures.h"
 #include "widgets/docks/WrapRow.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
@@ -28,44 +30,25 @@ namespace {
 
 constexpr int kStateIcon = 20; ///< logical pixels
 constexpr int kKeyedStates = 9;
-constexpr int kMostRows = 9;   ///< seen at once
+constexpr int kMostRows = 5;   ///< seen at once
 constexpr int kRoomBelow = 6;  ///< logical pixels
 constexpr int kShortReach = 8; ///< letters
 constexpr int kStatesRebuildMs = 30;
+constexpr int kCompareMs = 200;
 
 QString settingOf(const model::PropertyAspectInfo& aspect)
 {
     return QStringLiteral("states/holds-%1").arg(QLatin1String(aspect.key));
 }
 
-constexpr auto kSecondsSetting = "states/recall-seconds";
-constexpr auto kStaggerSetting = "states/recall-stagger";
-constexpr auto kOrderSetting = "states/recall-order";
-constexpr auto kForRunSetting = "states/recall-for-run";
-
-/// As it was the last time; the point is of another scene.
-void restoreRecall(RecallSettings& recall)
-{
-    const QSettings settings;
-    const auto seconds = [&settings](const char* key) {
-        const double value = settings.value(key, 0.0).toDouble();
-        return value >= 0.0 && value <= model::kLongestRecall ? static_cast<float>(value) : 0.0F;
-    };
-    recall.timing.seconds = seconds(kSecondsSetting);
-    recall.timing.stagger.seconds = seconds(kStaggerSetting);
-    const int order = settings.value(kOrderSetting, 0).toInt();
-    if (order >= 0 && order < std::ssize(model::Stagger::kOrders)) {
-        recall.timing.stagger.order = static_cast<model::StaggerOrder>(order);
-    }
-    recall.isForRunAlone = settings.value(kForRunSetting, false).toBool();
-}
-
 } // namespace
 
 StatesDock::StatesDock(EditorState& state, QWidget* parent)
     : DockBase(tr("States"), "states", parent), m_state(state), m_list(new QListWidget(this)),
-      m_note(new QLabel(this)), m_reach(new QComboBox(this))
+      m_note(new QLabel(this)), m_difference(new QLabel(this)), m_reach(new QComboBox(this)),
+      m_pictures(new StatePictures(state, this))
 {
+    m_list->setIconSize(StatePictures::kSize);
     m_list->setObjectName(QStringLiteral("states"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -80,7 +63,8 @@ StatesDock::StatesDock(EditorState& state, QWidget* parent)
     layout->addWidget(buttons());
     layout->addWidget(m_note);
     layout->addWidget(m_list);
-    layout->addWidget(recalling());
+    layout->addWidget(difference());
+    layout->addWidget(new RecallForm(state, content));
     layout->addWidget(holding());
     layout->addStretch(1);
     setScrolledContent(content);
@@ -121,57 +105,50 @@ QWidget* StatesDock::buttons()
     return row;
 }
 
-/// How states are given back.
-QWidget* StatesDock::recalling()
+/// In what the crowd differs from the chosen state, and who.
+QWidget* StatesDock::difference()
 {
     auto* box = new QWidget(this);
-    auto* rows = new QVBoxLayout(box);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(2);
-    RecallSettings recall = m_state.recall();
-    restoreRecall(recall);
-    m_state.setRecall(recall);
-    const FormTarget target{[this] { return &m_state.recall().timing; },
-                            [this](const std::function<void(void*)>& change) {
-                                RecallSettings now = m_state.recall();
-                                change(&now.timing);
-                                keepRecall(now);
-                            },
-                            [this] { return model::FieldContext{&m_state.scene()}; }};
-    m_timing = new FieldForm(target, QStringLiteral("recall"), &m_state, box);
-    m_timing->setObjectName(QStringLiteral("recallTiming"));
-    m_timing->layout()->setContentsMargins(0, 0, 0, 0);
-    m_timing->addFields(model::fieldsOf<model::RecallTiming>());
-    m_timing->finish();
-    m_timing->refresh();
-    rows->addWidget(new QLabel(tr("When one is recalled"), box));
-    rows->addWidget(m_timing);
-    m_isForRun = new QCheckBox(tr("Only in this run"), box);
-    m_isForRun->setObjectName(QStringLiteral("recallInRun"));
-    m_isForRun->setToolTip(tr("While it plays the scene stays as it is, and Stop gives it back. "
-                              "The keys always do so."));
-    m_isForRun->setChecked(recall.isForRunAlone);
-    connect(&m_state, &EditorState::recallChanged, this, [this] {
-        m_timing->refresh();
-        m_isForRun->setChecked(m_state.recall().isForRunAlone);
-    });
-    connect(m_isForRun, &QCheckBox::toggled, this, [this](bool isOn) {
-        RecallSettings now = m_state.recall();
-        now.isForRunAlone = isOn;
-        keepRecall(now);
-    });
-    rows->addWidget(m_isForRun);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_difference->setObjectName(QStringLiteral("stateDifference"));
+    m_difference->setWordWrap(true);
+    row->addWidget(m_difference, 1);
+    m_wash = new QToolButton(box);
+    m_wash->setObjectName(QStringLiteral("washDifferent"));
+    m_wash->setIcon(iconNamed("locate"));
+    m_wash->setIconSize({kStateIcon, kStateIcon});
+    m_wash->setCheckable(true);
+    m_wash->setAutoRaise(true);
+    m_wash->setToolTip(tr("Outline in the picture who differs from the chosen state"));
+    connect(m_wash, &QToolButton::toggled, this, &StatesDock::refreshDifference);
+    row->addWidget(m_wash);
+    m_compare.setSingleShot(true);
+    m_compare.setInterval(kCompareMs);
+    connect(&m_compare, &QTimer::timeout, this, &StatesDock::refreshDifference);
     return box;
 }
 
-void StatesDock::keepRecall(const RecallSettings& recall)
+/// Only while the panel is seen.
+void StatesDock::refreshDifference()
 {
-    QSettings settings;
-    settings.setValue(kSecondsSetting, static_cast<double>(recall.timing.seconds));
-    settings.setValue(kStaggerSetting, static_cast<double>(recall.timing.stagger.seconds));
-    settings.setValue(kOrderSetting, static_cast<int>(recall.timing.stagger.order));
-    settings.setValue(kForRunSetting, recall.isForRunAlone);
-    m_state.setRecall(recall);
+    const auto& states = m_state.scene().states;
+    const auto found = std::ranges::find(states, chosen(), &model::State::id);
+    const bool isSeen = found != states.end() && isVisible();
+    model::StateDifference difference;
+    if (isSeen) {
+        difference = differenceFrom(*found, m_state.scene());
+    }
+    QStringList parts;
+    for (const auto& each : difference.aspects) {
+        const char* label = model::propertyAspects()[static_cast<std::size_t>(each.aspect)].label;
+        parts << tr("%1 %2").arg(fieldText(label)).arg(each.people);
+    }
+    m_difference->setText(parts.isEmpty() ? tr("The scene is like that.")
+                                          : tr("Different: %1").arg(parts.join(tr(", "))));
+    m_difference->parentWidget()->setVisible(found != states.end());
+    m_state.setWashed(isSeen && m_wash->isChecked() ? difference.ids
+                                                    : std::vector<model::IndividualId>());
 }
 
 /// What a new state holds, and of whom it is.
@@ -183,7 +160,7 @@ QWidget* StatesDock::holding()
     rows->setSpacing(2);
     rows->addWidget(new QLabel(tr("A new state is of"), box));
     m_reach->setObjectName(QStringLiteral("stateReach"));
-    m_reach->addItems({tr("the whole crowd"), tr("who is selected")});
+    fillReach();
     m_reach->setAccessibleName(tr("Of whom a new state is"));
     m_reach->setMinimumContentsLength(kShortReach);
     m_reach->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -203,6 +180,21 @@ QWidget* StatesDock::holding()
     return box;
 }
 
+/// The whole crowd, who is selected, and each group.
+void StatesDock::fillReach()
+{
+    const QVariant before = m_reach->currentData();
+    const int index = m_reach->currentIndex();
+    m_reach->clear();
+    m_reach->addItem(tr("the whole crowd"), 0U);
+    m_reach->addItem(tr("who is selected"), 0U);
+    for (const model::Group& group : m_state.scene().groups) {
+        m_reach->addItem(tr("group “%1”").arg(QString::fromStdString(group.name)), group.id);
+    }
+    const int same = index <= 1 ? std::max(index, 0) : m_reach->findData(before);
+    m_reach->setCurrentIndex(std::max(same, 0));
+}
+
 void StatesDock::connectParts()
 {
     m_rebuild.setSingleShot(true);
@@ -210,14 +202,24 @@ void StatesDock::connectParts()
     connect(&m_rebuild, &QTimer::timeout, this, &StatesDock::fill);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
+                if (isOneOf<model::SceneReplaced>(change)) {
+                    m_pictures->forget();
+                    m_wash->setChecked(false);
+                }
                 if (isOneOf<model::StatesChanged, model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
+                if (isOneOf<model::GroupsChanged, model::SceneReplaced>(change)) {
+                    fillReach();
+                }
+                m_compare.start();
             });
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
             qOverload<>(&QTimer::start));
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { recallChosen(); });
     connect(m_list, &QListWidget::currentRowChanged, this, [this] { refreshNotes(); });
+    connect(m_pictures, &StatePictures::drawn, this, [this] { m_rebuild.start(); });
+    connect(this, &QDockWidget::visibilityChanged, &m_compare, qOverload<>(&QTimer::start));
     connect(m_list, &QListWidget::customContextMenuRequested, this, &StatesDock::showMenu);
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (!m_isFilling) {
@@ -239,7 +241,7 @@ void StatesDock::fill()
     int number = 0;
     for (const model::State& each : m_state.scene().states) {
         auto* item =
-            new QListWidgetItem(iconNamed("state"), QString::fromStdString(each.name), m_list);
+            new QListWidgetItem(m_pictures->of(each), QString::fromStdString(each.name), m_list);
         item->setData(kIdRole, each.id);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         const QString people =
@@ -269,6 +271,7 @@ void StatesDock::refreshNotes()
     m_note->setVisible(m_list->count() == 0);
     m_list->setVisible(m_list->count() > 0);
     m_chosenButtons->setEnabled(chosen() != 0);
+    m_compare.start();
 }
 
 model::StateId StatesDock::chosen() const
@@ -292,8 +295,11 @@ model::ColumnSet StatesDock::ticked() const
 void StatesDock::keep()
 {
     const QString name = freeStateName(m_state.scene());
-    const auto reach = m_reach->currentIndex() == 1 ? StateReach::Selected : StateReach::Everybody;
-    if (keepStateAs(m_state, name, ticked(), reach)) {
+    const int index = m_reach->currentIndex();
+    const auto reach = index > 1    ? StateReach::Group
+                       : index == 1 ? StateReach::Selected
+                                    : StateReach::Everybody;
+    if (keepStateAs(m_state, name, ticked(), reach, m_reach->currentData().toUInt())) {
         fill();
         edit(m_state.scene().states.back().id);
     }
@@ -313,7 +319,26 @@ void StatesDock::edit(model::StateId id)
 
 void StatesDock::recallChosen()
 {
-    recallStateOf(m_state, chosen(), m_isForRun->isChecked() ? RecallInto::Run : RecallInto::Scene);
+    recallStateOf(m_state, chosen(),
+                  m_state.recall().isForRunAlone ? RecallInto::Run : RecallInto::Scene);
+}
+
+/// What it holds, to be ticked: what is added is as people are now.
+void StatesDock::addHolds(QMenu& menu, model::StateId id)
+{
+    const auto& states = m_state.scene().states;
+    const auto found = std::ranges::find(states, id, &model::State::id);
+    for (const model::PropertyAspectInfo& aspect : model::propertyAspects()) {
+        bool isHeld = false;
+        model::columnsOf(aspect.aspect).forEach([&](model::ColumnId column) {
+            isHeld |= found->columns.contains(column);
+        });
+        QAction* action = menu.addAction(fieldText(aspect.label));
+        action->setCheckable(true);
+        action->setChecked(isHeld);
+        connect(action, &QAction::triggered, this,
+                [this, id, &aspect](bool isOn) { setHeld(m_state, id, aspect.aspect, isOn); });
+    }
 }
 
 void StatesDock::showMenu(const QPoint& position)
@@ -333,6 +358,7 @@ void StatesDock::showMenu(const QPoint& position)
     menu.addAction(iconNamed("state-add"), tr("Keep anew"), this,
                    [this, id] { keepStateAnew(m_state, id); });
     menu.addAction(tr("Select its characters"), this, [this, id] { selectPeopleOf(m_state, id); });
+    addHolds(*menu.addMenu(tr("Holds")), id);
     menu.addSeparator();
     menu.addAction(tr("Rename"), this, [this, id] { edit(id); });
     menu.addAction(tr("Up"), this, [this, id] { moveState(m_state, id, -1); })->setEnabled(row > 0);

@@ -13,10 +13,12 @@ class QComboBox;
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
+class QMenu;
+class QToolButton;
 
 namespace crowd::widgets {
 
-class FieldForm;
+class StatePictures;
 
 /// The kept states of the scene, in the order of their keys: a double click recalls one. Below, how
 /// it comes, and of whom the next one is and what it holds. Each change is one undo step. Main
@@ -31,8 +33,10 @@ public:
 private:
     [[nodiscard]] QWidget* buttons();
     [[nodiscard]] QWidget* holding();
-    [[nodiscard]] QWidget* recalling();
-    void keepRecall(const RecallSettings& recall);
+    [[nodiscard]] QWidget* difference();
+    void refreshDifference();
+    void fillReach();
+    void addHolds(QMenu& menu, model::StateId id);
     void connectParts();
     void fill();
     void showMenu(const QPoint& position);
@@ -45,14 +49,16 @@ private:
 
     EditorState& m_state;
     QTimer m_rebuild;
+    QTimer m_compare; ///< the scene with the chosen state
     // Children of this widget.
     QListWidget* m_list;
     QLabel* m_note;
+    QLabel* m_difference;
     QComboBox* m_reach;
+    StatePictures* m_pictures;
     std::vector<QCheckBox*> m_aspects; ///< as propertyAspects()
     QWidget* m_chosenButtons = nullptr;
-    FieldForm* m_timing = nullptr;
-    QCheckBox* m_isForRun = nullptr;
+    QToolButton* m_wash = nullptr;
     bool m_isFilling = false;
 };
 

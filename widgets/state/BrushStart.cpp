@@ -155,6 +155,11 @@ QString missingOf(const EditorState& state, BrushKind kind)
         return BrushStartText::tr(
             "No script has brought a brush along yet: run one in the Python console");
     }
+    const auto* restore = brush.find<model::RestoreSettings>();
+    if (restore != nullptr && restore->source == model::RestoreSource::State &&
+        std::ranges::find(scene.states, restore->state, &model::State::id) == scene.states.end()) {
+        return BrushStartText::tr("Choose in the settings which state characters get back");
+    }
     const auto* templates = brush.find<model::TemplateSettings>();
     if (templates != nullptr && templates->templates.empty()) {
         return BrushStartText::tr("Choose in the settings which templates characters become");

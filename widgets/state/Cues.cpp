@@ -2,11 +2,15 @@
 #include "widgets/state/Cues.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QWidget>
 
+#include "model/states/StateKeeping.h"
 #include "widgets/state/SceneChanges.h"
 
 namespace crowd::widgets {
@@ -18,36 +22,93 @@ struct CueText
     Q_DECLARE_TR_FUNCTIONS(Cues)
 };
 
+const model::State* stateOf(const model::Scene& scene, const model::Cue& cue)
+{
+    const auto found = std::ranges::find(scene.states, cue.state, &model::State::id);
+    return found == scene.states.end() ? nullptr : &*found;
+}
+
+/// Those whom a cue reaches now; nothing: nobody is selected.
+std::optional<std::vector<model::IndividualId>> reachedBy(EditorState& state, const model::Cue& cue)
+{
+    const model::Population& people = state.scene().population;
+    if (cue.reach == model::CueReach::Everybody) {
+        return std::vector<model::IndividualId>(people.ids().begin(), people.ids().end());
+    }
+    if (cue.reach == model::CueReach::Selected) {
+        const auto& ids = state.selection().ids();
+        return ids.empty()
+                   ? std::nullopt
+                   : std::optional(std::vector<model::IndividualId>(ids.begin(), ids.end()));
+    }
+    const model::CrowdFramePtr shown = state.frame();
+    const auto tags = shown->population.column(model::columns::tags);
+    std::vector<model::IndividualId> tagged;
+    for (std::size_t row = 0; row < tags.size(); ++row) {
+        if ((tags[row] >> cue.tag & 1U) != 0) {
+            tagged.push_back(shown->population.ids()[row]);
+        }
+    }
+    return tagged;
+}
+
+model::RecallTiming timingOf(const EditorState& state, const model::Cue& cue)
+{
+    const glm::vec3 forward = state.camera().forward();
+    return {cue.seconds, {cue.spread, cue.order, cue.point, std::atan2(forward.x, forward.z)}};
+}
+
+bool canBegin(EditorState& state, const model::Cue& cue)
+{
+    const bool isPlaying = state.transport().isPlaying();
+    if (!state.session().isRunning() && isPlaying && state.session().surfaceProgress() >= 0.0) {
+        state.showStatus(CueText::tr("Where characters can walk is still being found: they hear "
+                                     "cues from when they begin to move."));
+        return false;
+    }
+    const bool beginsItself = isPlaying && stateOf(state.scene(), cue) != nullptr;
+    if (!state.session().isRunning() && !beginsItself) {
+        state.showStatus(CueText::tr("Press Play first: cues speak to characters while it plays."));
+        return false;
+    }
+    return true;
+}
+
 } // namespace
+
+QString cueTitle(const model::Scene& scene, const model::Cue& cue)
+{
+    const model::State* kept = stateOf(scene, cue);
+    return QString::fromStdString(!cue.name.empty()    ? cue.name
+                                  : !cue.event.empty() ? cue.event
+                                  : kept != nullptr    ? kept->name
+                                                       : std::string());
+}
 
 void sendCue(EditorState& state, const model::Cue& cue)
 {
-    if (!state.session().isRunning() && state.transport().isPlaying() &&
-        state.session().surfaceProgress() >= 0.0) {
-        state.showStatus(CueText::tr("Where characters can walk is still being found: they hear "
-                                     "cues from when they begin to move."));
+    if (!canBegin(state, cue)) {
         return;
     }
-    if (!state.session().isRunning()) {
-        state.showStatus(CueText::tr("Press Play first: cues speak to characters while it plays."));
+    const QString name = cueTitle(state.scene(), cue);
+    const auto people = reachedBy(state, cue);
+    if (!people) {
+        state.showStatus(CueText::tr("Nobody is selected who could hear “%1”.").arg(name));
         return;
     }
-    const model::EventSettings event{cue.event, cue.payload};
-    const QString name = QString::fromStdString(cue.event);
-    switch (cue.reach) {
-    case model::CueReach::Everybody:
-        state.session().send(event, state.scene().population.ids());
-        break;
-    case model::CueReach::Selected:
-        if (state.selection().isEmpty()) {
-            state.showStatus(CueText::tr("Nobody is selected who could hear “%1”.").arg(name));
-            return;
-        }
-        state.session().send(event, state.selection().ids());
-        break;
-    case model::CueReach::Tagged:
-        state.session().sendTagged(event, cue.tag);
-        break;
+    if (const model::State* kept = stateOf(state.scene(), cue)) {
+        (void)state.session().recall({kept->id, peopleOf(state.scene(), *kept, &*people),
+                                      kept->columns, timingOf(state, cue)});
+    } else if (cue.state != 0) {
+        state.showStatus(CueText::tr("The state that “%1” recalls is not there any more: choose "
+                                     "another one.")
+                             .arg(name));
+        return;
+    }
+    if (!cue.event.empty() && cue.reach == model::CueReach::Tagged) {
+        state.session().sendTagged({cue.event, cue.payload}, cue.tag);
+    } else if (!cue.event.empty()) {
+        state.session().send({cue.event, cue.payload}, *people);
     }
     state.showStatus(CueText::tr("Cue: “%1”").arg(name));
 }

@@ -10,7 +10,10 @@ class QWidget;
 
 namespace crowd::widgets {
 
-/// Lets a cue speak to the running session; says in the status line what became of it.
+/// What a cue without a name is called after: its event, or the state that people take on.
+[[nodiscard]] QString cueTitle(const model::Scene& scene, const model::Cue& cue);
+/// Lets a cue speak to the running session, and people take on its state there; says in the status
+/// line what became of it.
 void sendCue(EditorState& state, const model::Cue& cue);
 
 /// The cues' keys in a window: they work wherever no text is being typed. Owned by the window.

@@ -31,23 +31,29 @@ void refreshEvent(EditorState& state)
     }
 }
 
-/// Brushes that name a group that is gone name none.
-void forgetGoneGroups(EditorState& state)
+/// Brushes do not name groups and states that are not there any more.
+void forgetGone(EditorState& state)
 {
-    const auto isGone = [&state](std::int64_t id) {
+    const auto isGoneGroup = [&state](std::int64_t id) {
         return id != 0 && state.scene().findGroup(static_cast<model::GroupId>(id)) == nullptr;
+    };
+    const auto isGone = [&](const model::FieldMeta& meta, std::int64_t id) {
+        const auto& states = state.scene().states;
+        return meta.role == model::FieldRole::Group ? isGoneGroup(id)
+               : meta.role == model::FieldRole::State
+                   ? std::ranges::find(states, id, &model::State::id) == states.end()
+                   : false;
     };
     for (std::size_t kind = 0; kind < model::kBrushCount; ++kind) {
         BrushSettings brush = state.brush(static_cast<BrushKind>(kind));
         const model::BrushType& type = model::brushType(brush.kind());
         for (const model::FieldInfo& field : type.fields) {
-            const bool isGroup =
-                field.meta.role == model::FieldRole::Group && field.is<std::int64_t>();
-            if (isGroup && isGone(std::get<std::int64_t>(field.get(type.settings(brush))))) {
+            if (field.is<std::int64_t>() &&
+                isGone(field.meta, std::get<std::int64_t>(field.get(type.settings(brush))))) {
                 field.set(type.editable(brush), std::int64_t{0});
             }
         }
-        std::erase_if(brush.mask.groups, isGone);
+        std::erase_if(brush.mask.groups, isGoneGroup);
         state.setBrush(brush);
     }
 }
@@ -154,6 +160,14 @@ void EditorState::offerPoint(const glm::vec3& metres)
     setPicking(Picking::None);
     if (taken) {
         taken(metres);
+    }
+}
+
+void EditorState::setWashed(std::vector<model::IndividualId> ids)
+{
+    if (m_washed != ids) {
+        m_washed = std::move(ids);
+        Q_EMIT washedChanged();
     }
 }
 
@@ -315,7 +329,8 @@ void EditorState::followScene(const model::SceneChange& change)
         [this](const model::StagesChanged&) { refreshSeatGrid(false); },
         [this](const model::PathsChanged&) { refreshWalk(false); },
         [this](const model::RulesChanged&) { refreshEvent(*this); },
-        [this](const model::GroupsChanged&) { forgetGoneGroups(*this); },
+        [this](const model::GroupsChanged&) { forgetGone(*this); },
+        [this](const model::StatesChanged&) { forgetGone(*this); },
         [this](const model::SceneReplaced&) { beginScene(); });
 }
 
@@ -323,7 +338,7 @@ void EditorState::followScene(const model::SceneChange& change)
 void EditorState::beginScene()
 {
     forgetMasks(*this);
-    forgetGoneGroups(*this);
+    forgetGone(*this);
     refreshWalk(true);
     refreshEvent(*this);
     refreshMix(true);

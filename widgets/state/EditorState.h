@@ -167,6 +167,11 @@ public:
     [[nodiscard]] const RecallSettings& recall() const { return m_recall; }
     void setRecall(const RecallSettings& recall);
 
+    /// Ascending: they are washed over in the picture instead of those who are selected; empty:
+    /// nobody is.
+    [[nodiscard]] const std::vector<model::IndividualId>& washed() const { return m_washed; }
+    void setWashed(std::vector<model::IndividualId> ids);
+
     [[nodiscard]] const LongWork& longWork() const { return m_longWork; }
     void setLongWork(const LongWork& work);
 
@@ -191,6 +196,7 @@ Q_SIGNALS:
     void viewCameraChanged(const crowd::widgets::ViewCamera& view);
     void viewOptionsChanged(const crowd::widgets::ViewOptions& options);
     void recallChanged(const crowd::widgets::RecallSettings& recall);
+    void washedChanged();
     void longWorkChanged(const crowd::widgets::LongWork& work);
     void hintChanged(const QString& hint);
     void statusMessage(const QString& text);
@@ -223,6 +229,7 @@ private:
     Picking m_picking = Picking::None;
     PointTaken m_pointTaken; ///< of Picking::Place
     RecallSettings m_recall;
+    std::vector<model::IndividualId> m_washed;
     bool m_hasSeats = false;
     std::optional<model::PathId> m_wantedPath; ///< of the walk brush, also while it is undone
     ViewCamera m_view;

@@ -160,10 +160,12 @@ bool SessionControl::startForRecall()
 
 void SessionControl::changeOver(const model::ChangeOver& change)
 {
-    if (m_transport.isPlaying() && startForRecall()) {
+    const bool isSeen = m_transport.isPlaying() && !change.timing.isAtOnce();
+    if (isRunning() || (isSeen && startForRecall())) {
         handPending();
         m_changing =
             std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
+        m_changing->change.timing = isSeen ? change.timing : model::RecallTiming();
     }
 }
 
@@ -219,7 +221,8 @@ const model::Population* SessionControl::peopleBefore(double seconds) const
     if (!isOnItsWay) {
         m_changing.reset();
     }
-    return m_changing ? &m_changing->before : nullptr;
+    const bool isSeen = m_changing && !m_changing->change.timing.isAtOnce();
+    return isSeen ? &m_changing->before : nullptr;
 }
 
 /// Nobody changes over any more in a session that began for that alone.

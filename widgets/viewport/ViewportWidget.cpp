@@ -27,6 +27,7 @@ constexpr qint64 kPublishMs = 250;
 // again when they rest, or when even smooth ones would be quick.
 constexpr double kSlowMs = 45.0;
 constexpr double kQuickMs = 10.0;
+constexpr glm::vec3 kWashColor{0.10F, 0.75F, 1.0F};
 constexpr int kViewStillMs = 100; // without a change, the view counts as still
 constexpr int kHandStillMs = 150; // the same for the brush
 
@@ -95,6 +96,7 @@ void ViewportWidget::connectScene()
         refreshText();
     });
     connect(&m_state.selection(), &Selection::changed, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::washedChanged, this, &ViewportWidget::redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -210,6 +212,10 @@ render::RenderInput ViewportWidget::renderInput()
     input.levels.hysteresis = isMoving() ? input.levels.hysteresis : 0.0F;
     input.showShadows = options.showShadows;
     input.selected = m_state.selection().ids();
+    if (!m_state.washed().empty()) {
+        input.selected = m_state.washed();
+        input.selectionColor = kWashColor;
+    }
     input.hovered = m_tools.picture().hovered;
     input.ghosts = m_tools.picture().ghosts;
     m_marks.make(m_state, *input.frame);

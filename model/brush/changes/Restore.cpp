@@ -2,6 +2,7 @@
 #include "model/brush/ByteChange.h"
 #include "model/brush/ClipChoice.h"
 #include "model/brush/ColumnWriting.h"
+#include "model/states/StateKeeping.h"
 
 namespace crowd::model {
 
@@ -113,6 +114,35 @@ ChangeResult restoreEarlier(const ChangeRequest& request)
     return result;
 }
 
+ColumnSet columnsOf(const RestoreSettings& settings, const State& state)
+{
+    if (settings.isWhole) {
+        return state.columns;
+    }
+    ColumnSet columns;
+    for (const ColumnId column : restoredColumns(settings)) {
+        columns.insert(column);
+    }
+    if (columns.contains(ColumnId::Clip)) {
+        columns.insert(ColumnId::Phase);
+    }
+    return columns;
+}
+
+ChangeResult restoreState(const ChangeRequest& request)
+{
+    const auto& settings = request.settings.as<RestoreSettings>();
+    const auto& states = request.edit.scene().states;
+    const auto found = std::ranges::find(states, settings.state, &State::id);
+    if (found == states.end()) {
+        return {{}, StrokeReason::NoState};
+    }
+    const State& state = *found;
+    const std::vector<IndividualId> ids(request.ids.begin(), request.ids.end());
+    StateRecall recall = giveBack(request.edit, state, columnsOf(settings, state), &ids);
+    return {std::move(recall.changed), StrokeReason::Unchanged};
+}
+
 } // namespace
 
 void RestoreSettings::prepare(BrushSettings& brush)
@@ -123,6 +153,9 @@ void RestoreSettings::prepare(BrushSettings& brush)
 ChangeResult RestoreSettings::change(const ChangeRequest& request)
 {
     const auto& settings = request.settings.as<RestoreSettings>();
+    if (settings.source == RestoreSource::State) {
+        return restoreState(request);
+    }
     ChangeResult result = settings.source == RestoreSource::Template ? restoreTemplate(request)
                                                                      : restoreEarlier(request);
     result.reason =
