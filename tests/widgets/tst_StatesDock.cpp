@@ -124,6 +124,7 @@ private Q_SLOTS:
     void whatDiffersIsCountedAndOutlined();
     void eachHasAPicture();
     void takesItsTimeWhileItPlays();
+    void whatIsPaintedNextIsSeenAtOnce();
     void whileNothingPlaysItIsAtOnce();
     void onlyInThisRun();
     void howItComesIsRemembered();
@@ -383,6 +384,21 @@ void TestStatesDock::takesItsTimeWhileItPlays()
     QCOMPARE(desk.shownHeight(3), 1.0F);
     desk.document.undoStack().undo();
     QCOMPARE(desk.shownHeight(3), 2.0F);
+}
+
+void TestStatesDock::whatIsPaintedNextIsSeenAtOnce()
+{
+    StatesDesk desk;
+    QVERIFY(desk.isReady());
+    (void)crowd::testing::addPeople(desk.document, 4);
+    desk.setHeight(1.0F);
+    desk.keepAs("small");
+    desk.state.transport().setPlaying(true);
+    desk.state.setRecall({{60.0F, {}}});
+    desk.press("recallState"); // they are like that already
+    desk.play(0.02);
+    desk.setHeight(2.0F);
+    QTRY_VERIFY((desk.play(0.02), desk.shownHeight(3) == 2.0F));
 }
 
 void TestStatesDock::whileNothingPlaysItIsAtOnce()

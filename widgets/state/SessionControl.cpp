@@ -166,6 +166,7 @@ void SessionControl::changeOver(const model::ChangeOver& change)
         m_changing =
             std::make_unique<ChangingPeople>(ChangingPeople{change, m_document.scene().population});
         m_changing->change.timing = isSeen ? change.timing : model::RecallTiming();
+        m_hand.start(); // also where nobody changes: what comes later is no part of it
     }
 }
 
