@@ -84,7 +84,9 @@ QIcon StatePictures::draw(const model::State& kept, bool& isComplete) const
     input.look = m_state.viewOptions().look;
     QPixmap picture = QPixmap::fromImage(scenePicture(input, isComplete));
     picture.setDevicePixelRatio(ratio);
-    return QIcon(picture);
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected); // not tinted
+    return icon;
 }
 
 } // namespace crowd::widgets
