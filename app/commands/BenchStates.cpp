@@ -22,14 +22,14 @@ using namespace model;
 constexpr int kRecalls = 7;
 constexpr int kFadeFrames = 15;
 
-double medianOf(std::vector<double> samples)
+double medianOfStates(std::vector<double> samples)
 {
     std::ranges::sort(samples);
     return samples[samples.size() / 2];
 }
 
 template<class Work>
-double millisecondsOf(const Work& work)
+double stateMilliseconds(const Work& work)
 {
     const auto start = std::chrono::steady_clock::now();
     work();
@@ -37,13 +37,14 @@ double millisecondsOf(const Work& work)
         .count();
 }
 
-std::vector<IndividualId> everybody(const Scene& scene)
+std::vector<IndividualId> allPeopleOf(const Scene& scene)
 {
     return {scene.population.ids().begin(), scene.population.ids().end()};
 }
 
 /// Everybody gets values of his own in what can be painted.
-void shuffle(const std::vector<IndividualId>& ids, const WriteColumn& write, std::uint64_t seed)
+void shuffleColumns(const std::vector<IndividualId>& ids, const WriteColumn& write,
+                    std::uint64_t seed)
 {
     const auto put = [&](auto key, const auto& valueOf) {
         std::vector<decltype(valueOf(std::uint64_t{}))> values;
@@ -71,16 +72,16 @@ void shuffle(const std::vector<IndividualId>& ids, const WriteColumn& write, std
 }
 
 /// Frames of a session that is half way there.
-double medianFrame(behavior::Session& session, int steps)
+double medianSessionFrame(behavior::Session& session, int steps)
 {
     std::vector<double> samples;
     for (int i = 0; i < kFadeFrames; ++i) {
         for (int step = 0; step < steps; ++step) {
             session.step();
         }
-        samples.push_back(millisecondsOf([&session] { (void)session.frame(); }));
+        samples.push_back(stateMilliseconds([&session] { (void)session.frame(); }));
     }
-    return medianOf(samples);
+    return medianOfStates(samples);
 }
 
 } // namespace
@@ -89,13 +90,14 @@ void measureStates(SceneDocument& document, QJsonObject& report)
 {
     const auto shuffled = [&document](std::uint64_t seed) {
         document.edit(QStringLiteral("Shuffle"), [seed](SceneEdit& edit) {
-            shuffle(
-                everybody(edit.scene()), [&edit](auto... what) { edit.setColumn(what...); }, seed);
+            shuffleColumns(
+                allPeopleOf(edit.scene()), [&edit](auto... what) { edit.setColumn(what...); },
+                seed);
         });
     };
     shuffled(1);
     State state;
-    report[QStringLiteral("state_keep_ms")] = rounded(millisecondsOf([&] {
+    report[QStringLiteral("state_keep_ms")] = rounded(stateMilliseconds([&] {
         state = keepState(document.scene(), "all", usualStateColumns(),
                           document.scene().population.ids());
     }));
@@ -104,27 +106,27 @@ void measureStates(SceneDocument& document, QJsonObject& report)
     std::vector<double> recalls;
     std::vector<double> undos;
     for (int i = 0; i < kRecalls; ++i) {
-        recalls.push_back(millisecondsOf([&] {
+        recalls.push_back(stateMilliseconds([&] {
             document.edit(QStringLiteral("Recall"), [&state](SceneEdit& edit) {
                 (void)recallState(edit, state, state.columns);
             });
         }));
-        undos.push_back(millisecondsOf([&document] { document.undoStack().undo(); }));
+        undos.push_back(stateMilliseconds([&document] { document.undoStack().undo(); }));
     }
-    report[QStringLiteral("state_recall_ms")] = rounded(medianOf(recalls));
-    report[QStringLiteral("state_undo_ms")] = rounded(medianOf(undos));
+    report[QStringLiteral("state_recall_ms")] = rounded(medianOfStates(recalls));
+    report[QStringLiteral("state_undo_ms")] = rounded(medianOfStates(undos));
     behavior::Session session(before);
-    report[QStringLiteral("session_frame_ms")] = rounded(medianFrame(session, 1));
+    report[QStringLiteral("session_frame_ms")] = rounded(medianSessionFrame(session, 1));
     document.undoStack().redo();
     ChangeOver change{1, peopleOf(before, state), state.columns, {20.0F, {}}};
     session.adopt(document.scene(), change);
-    report[QStringLiteral("fade_frame_ms")] = rounded(medianFrame(session, 1));
+    report[QStringLiteral("fade_frame_ms")] = rounded(medianSessionFrame(session, 1));
 }
 
 void shuffleLooks(Scene& scene, std::uint64_t seed)
 {
-    shuffle(
-        everybody(scene), [&scene](auto... what) { scene.population.setValues(what...); }, seed);
+    shuffleColumns(
+        allPeopleOf(scene), [&scene](auto... what) { scene.population.setValues(what...); }, seed);
 }
 
 } // namespace crowd::app
