@@ -10,13 +10,7 @@ namespace crowd::model {
 
 StateDifference differenceFrom(const State& state, const Scene& scene)
 {
-    Scene recalled;
-    recalled.templates = scene.templates;
-    recalled.stages = scene.stages;
-    recalled.groups = scene.groups;
-    recalled.places = scene.places;
-    recalled.paths = scene.paths;
-    recalled.population = scene.population;
+    Scene recalled = scene;
     StateDifference difference;
     difference.ids = recallState(recalled, state, state.columns, nullptr).changed;
     for (const PropertyAspectInfo& aspect : propertyAspects()) {

@@ -77,6 +77,14 @@ struct StatesDesk : crowd::testing::Desk<StatesDock>
     {
         return state.frame()->population.column(model::columns::height)[row];
     }
+    /// Four people who were small when a state was kept, and are tall.
+    void keepSmallThenGrow()
+    {
+        (void)crowd::testing::addPeople(document, 4);
+        setHeight(1.0F);
+        keepAs("small");
+        setHeight(2.0F);
+    }
     /// So much real time passes.
     void play(double seconds)
     {
@@ -363,10 +371,7 @@ void TestStatesDock::takesItsTimeWhileItPlays()
 {
     StatesDesk desk;
     QVERIFY(desk.isReady());
-    (void)crowd::testing::addPeople(desk.document, 4);
-    desk.setHeight(1.0F);
-    desk.keepAs("small");
-    desk.setHeight(2.0F);
+    desk.keepSmallThenGrow();
     desk.state.transport().setPlaying(true);
     desk.state.setRecall({{2.0F, {}}});
     desk.press("recallState");
@@ -405,10 +410,7 @@ void TestStatesDock::whileNothingPlaysItIsAtOnce()
 {
     StatesDesk desk;
     QVERIFY(desk.isReady());
-    (void)crowd::testing::addPeople(desk.document, 4);
-    desk.setHeight(1.0F);
-    desk.keepAs("small");
-    desk.setHeight(2.0F);
+    desk.keepSmallThenGrow();
     desk.state.transport().setPlaying(false);
     RecallSettings recall{{2.0F, {}}};
     recall.isForRunAlone = true;
@@ -424,10 +426,7 @@ void TestStatesDock::onlyInThisRun()
 {
     StatesDesk desk;
     QVERIFY(desk.isReady());
-    (void)crowd::testing::addPeople(desk.document, 4);
-    desk.setHeight(1.0F);
-    desk.keepAs("small");
-    desk.setHeight(2.0F);
+    desk.keepSmallThenGrow();
     const int steps = desk.document.undoStack().index();
     desk.state.transport().setPlaying(true);
     desk.dock->findChild<QCheckBox*>(QStringLiteral("recallInRun"))->setChecked(true);
