@@ -105,7 +105,7 @@ struct FieldInfo
 {
     FieldMeta meta;
     /// Index of the value's alternative in FieldValue; std::variant_npos for a struct with fields
-    /// of its own.
+    /// of its own and for a list of such.
     std::size_t type = std::variant_npos;
     std::function<FieldValue(const void*)> get;
     /// The value has the field's alternative; integers that do not fit and choices that there are
@@ -118,7 +118,18 @@ struct FieldInfo
     std::type_index structType = typeid(void);
     std::function<void*(void*)> childOf;
 
-    [[nodiscard]] bool isGroup() const { return type == std::variant_npos; }
+    // A list of structs with fields of their own, which are `children`.
+    std::function<std::size_t(const void*)> count;
+    std::function<void(void*, std::size_t)> resize;
+    std::function<void(void*, std::size_t)> erase;
+    std::function<void*(void*, std::size_t)> itemOf;
+    /// What an item keeps of members that this version does not know, JSON text.
+    std::function<std::string*(void*)> unknownOf;
+    const void* newItem = nullptr; ///< as an item begins
+    std::size_t itemBytes = 0;     ///< of an item's struct
+
+    [[nodiscard]] bool isList() const { return static_cast<bool>(count); }
+    [[nodiscard]] bool isGroup() const { return type == std::variant_npos && !isList(); }
     template<class T>
     [[nodiscard]] bool is() const;
 };
@@ -165,6 +176,44 @@ struct AlternativeIndex<T, std::variant<Alternatives...>>
     static_assert(value < sizeof...(Alternatives), "FieldValue holds no value of this type");
 };
 
+template<class T>
+struct ItemOf
+{
+    using type = void;
+};
+template<class Item>
+struct ItemOf<std::vector<Item>>
+{
+    using type = Item;
+};
+/// A list of structs that describe themselves.
+template<class T>
+concept ListOfDescribed = Described<typename ItemOf<T>::type>;
+
+/// `listOf` finds the list in what it is a member of.
+template<class List, class ListOf>
+void eraseList(FieldInfo& info, const ListOf& listOf)
+{
+    using Item = typename List::value_type;
+    info.children = fieldsOf<Item>();
+    info.structType = typeid(Item);
+    info.count = [listOf](const void* object) {
+        return listOf(const_cast<void*>(object)).size(); // only read
+    };
+    info.resize = [listOf](void* object, std::size_t count) { listOf(object).resize(count); };
+    info.erase = [listOf](void* object, std::size_t index) {
+        List& list = listOf(object);
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+    };
+    info.itemOf = [listOf](void* object, std::size_t index) -> void* {
+        return &listOf(object)[index];
+    };
+    static const Item kNew;
+    info.newItem = &kNew;
+    info.itemBytes = sizeof(Item);
+    info.unknownOf = [](void* item) { return &static_cast<Item*>(item)->unknownMembers; };
+}
+
 /// Owner: the struct whose fields they are; S: that, or one of its bases.
 template<class Owner, class S, class T>
 [[nodiscard]] FieldInfo erased(const Field<S, T>& field)
@@ -188,6 +237,9 @@ template<class Owner, class S, class T>
         info.childOf = [member, editable](void* object) -> void* {
             return &(editable(object)->*member);
         };
+    } else if constexpr (ListOfDescribed<T>) {
+        eraseList<T>(info,
+                     [member, editable](void* object) -> T& { return editable(object)->*member; });
     } else {
         using Value = FieldValueOf<T>;
         info.type = AlternativeIndex<Value, FieldValue>::value;

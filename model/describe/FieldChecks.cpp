@@ -126,17 +126,36 @@ Result<void> checkField(const FieldInfo& field, const FieldValue& value, const s
         value);
 }
 
+namespace {
+
+Result<void> checkItems(const FieldInfo& list, void* object, const std::string& name)
+{
+    for (std::size_t i = 0; i < list.count(object); ++i) {
+        const std::string place = name + '[' + std::to_string(i) + "].";
+        if (auto valid = checkFields(list.children, list.itemOf(object, i), place); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+Result<void> checkAny(const FieldInfo& field, const void* object, const std::string& name)
+{
+    void* read = const_cast<void*>(object); // only that
+    if (field.isList()) {
+        return checkItems(field, read, name);
+    }
+    return field.isGroup() ? checkFields(field.children, field.childOf(read), name + '.')
+                           : checkField(field, field.get(object), name);
+}
+
+} // namespace
+
 Result<void> checkFields(std::span<const FieldInfo> fields, const void* object,
                          const std::string& prefix)
 {
     for (const FieldInfo& field : fields) {
-        const std::string name = prefix + field.meta.key;
-        // What is inside is only read.
-        auto valid =
-            field.isGroup()
-                ? checkFields(field.children, field.childOf(const_cast<void*>(object)), name + '.')
-                : checkField(field, field.get(object), name);
-        if (!valid) {
+        if (auto valid = checkAny(field, object, prefix + field.meta.key); !valid) {
             return valid;
         }
     }

@@ -365,6 +365,46 @@ void readInto(JsonFields& source, const FieldInfo& field, void* data)
     }
 }
 
+json itemJson(const FieldInfo& list, void* item)
+{
+    json begins = json::object();
+    json object = json::object();
+    addFields(begins, list.children, list.newItem);
+    addFields(object, list.children, item);
+    for (const auto& [key, value] : begins.items()) {
+        if (object[key] == value) {
+            object.erase(key);
+        }
+    }
+    return withUnknown(*list.unknownOf(item), object);
+}
+
+json itemsJson(const FieldInfo& list, void* data)
+{
+    json items = json::array();
+    for (std::size_t i = 0; i < list.count(data); ++i) {
+        items.push_back(itemJson(list, list.itemOf(data, i)));
+    }
+    return items;
+}
+
+/// As many as there are; of one that is wrong nothing is read any more.
+void readItems(JsonFields& source, const FieldInfo& list, void* data)
+{
+    const json* items = entriesOf(source, list.meta);
+    if (items == nullptr) {
+        return;
+    }
+    list.resize(data, 0);
+    list.resize(data, items->size());
+    for (std::size_t i = 0; i < items->size() && source.isSound(); ++i) {
+        JsonFields members = source.item((*items)[i], list.meta.key, i);
+        void* item = list.itemOf(data, i);
+        readFields(members, list.children, item);
+        *list.unknownOf(item) = members.unknown();
+    }
+}
+
 } // namespace
 
 void addFields(json& object, std::span<const FieldInfo> fields, const void* data)
@@ -373,7 +413,9 @@ void addFields(json& object, std::span<const FieldInfo> fields, const void* data
         if (!field.meta.isStored) {
             continue;
         }
-        if (field.isGroup()) {
+        if (field.isList()) {
+            object[field.meta.key] = itemsJson(field, const_cast<void*>(data)); // only read
+        } else if (field.isGroup()) {
             json inside = json::object();
             addFields(inside, field.children, field.childOf(const_cast<void*>(data)));
             object[field.meta.key] = std::move(inside);
@@ -390,7 +432,9 @@ void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* dat
         if (!field.meta.isStored) {
             continue;
         }
-        if (!field.isGroup()) {
+        if (field.isList()) {
+            readItems(source, field, data);
+        } else if (!field.isGroup()) {
             readField(source, field, data, wrong);
         } else if (const json* inside = source.find(field.meta.key)) {
             Message ignored;

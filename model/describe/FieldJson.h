@@ -21,7 +21,8 @@ enum class WrongValue : std::uint8_t {
     Keep      ///< the member keeps what it has, as settings that only remember
 };
 
-/// Adds the stored fields to an object; structs inside are objects of their own.
+/// Adds the stored fields to an object; structs inside are objects of their own, and so are the
+/// items of lists, without what is as an item begins.
 void addFields(nlohmann::json& object, std::span<const FieldInfo> fields, const void* data);
 /// What is not there stays as it is. Complaints name the place and what is allowed.
 void readFields(JsonFields& source, std::span<const FieldInfo> fields, void* data,

@@ -189,14 +189,34 @@ std::size_t bytesOutside(const FieldValue& value)
 
 } // namespace
 
+namespace {
+
+bool areItemsSame(const FieldInfo& list, void* a, void* b)
+{
+    const std::size_t count = list.count(a);
+    bool isSame = count == list.count(b);
+    for (std::size_t i = 0; i < count && isSame; ++i) {
+        void* left = list.itemOf(a, i);
+        void* right = list.itemOf(b, i);
+        isSame = areFieldsSame(list.children, left, right) &&
+                 *list.unknownOf(left) == *list.unknownOf(right);
+    }
+    return isSame;
+}
+
+} // namespace
+
 bool areFieldsSame(std::span<const FieldInfo> fields, const void* a, const void* b)
 {
     return std::ranges::all_of(fields, [a, b](const FieldInfo& field) {
-        if (!field.isGroup()) {
-            return isSame(field.get(a), field.get(b));
+        void* left = const_cast<void*>(a); // only read
+        void* right = const_cast<void*>(b);
+        if (field.isList()) {
+            return areItemsSame(field, left, right);
         }
-        return areFieldsSame(field.children, field.childOf(const_cast<void*>(a)),
-                             field.childOf(const_cast<void*>(b)));
+        return field.isGroup()
+                   ? areFieldsSame(field.children, field.childOf(left), field.childOf(right))
+                   : isSame(field.get(a), field.get(b));
     });
 }
 
@@ -207,13 +227,31 @@ bool isSame(const Rule& a, const Rule& b)
            areSame(a.actions, b.actions);
 }
 
+namespace {
+
+std::size_t bytesOfItems(const FieldInfo& list, void* object)
+{
+    std::size_t total = list.count(object) * list.itemBytes;
+    for (std::size_t i = 0; i < list.count(object); ++i) {
+        void* item = list.itemOf(object, i);
+        total += bytesOfFields(list.children, item) + list.unknownOf(item)->size();
+    }
+    return total;
+}
+
+} // namespace
+
 std::size_t bytesOfFields(std::span<const FieldInfo> fields, const void* object)
 {
     std::size_t total = 0;
     for (const FieldInfo& field : fields) {
-        total += field.isGroup()
-                     ? bytesOfFields(field.children, field.childOf(const_cast<void*>(object)))
-                     : bytesOutside(field.get(object));
+        void* read = const_cast<void*>(object); // only that
+        if (field.isList()) {
+            total += bytesOfItems(field, read);
+        } else {
+            total += field.isGroup() ? bytesOfFields(field.children, field.childOf(read))
+                                     : bytesOutside(field.get(object));
+        }
     }
     return total;
 }

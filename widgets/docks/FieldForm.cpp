@@ -11,6 +11,7 @@
 
 #include "widgets/docks/FieldControls.h"
 #include "widgets/state/BrushTexts.h"
+#include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
 
@@ -78,7 +79,9 @@ void FieldForm::addField(const model::FieldInfo& field, const FieldPath& path,
             return (!isShown || isShown()) && inner.field->isShown(object(inner), context());
         };
     }
-    if (field.isGroup()) {
+    if (field.isList()) {
+        addList(bound);
+    } else if (field.isGroup()) {
         addGroup(bound);
     } else if (*field.meta.label != '\0') {
         addControl(*this, bound);
@@ -92,6 +95,71 @@ void FieldForm::addGroup(const Bound& bound)
     addFields(
         bound.field->children,
         [inside, path](void* root) { return inside(path ? path(root) : root); }, bound.isShown);
+}
+
+/// The items one below the other, and a button for one more.
+void FieldForm::addList(const Bound& bound)
+{
+    if (*bound.field->meta.label == '\0') {
+        return;
+    }
+    const std::size_t items = bound.field->count(object(bound));
+    m_lists.push_back({bound, items});
+    for (std::size_t i = 0; i < items; ++i) {
+        addItem(bound, i);
+    }
+    auto* button = new QToolButton(this);
+    button->setObjectName(QStringLiteral("add-%1").arg(QLatin1String(bound.field->meta.key)));
+    button->setText(fieldText(bound.field->meta.label));
+    button->setIcon(iconNamed("add"));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    connect(button, &QToolButton::clicked, this, [this, bound] {
+        change(bound,
+               [&](void* object) { bound.field->resize(object, bound.field->count(object) + 1); });
+    });
+    bind(
+        button, [] {}, bound.isShown);
+}
+
+void FieldForm::addItem(const Bound& list, std::size_t index)
+{
+    const model::FieldInfo& field = *list.field;
+    const FieldPath path = [list, index](void* root) {
+        return list.field->itemOf(list.path ? list.path(root) : root, index);
+    };
+    for (std::size_t i = 0; i < field.children.size(); ++i) {
+        if (i == 0) {
+            beginRow();
+        }
+        addField(field.children[i], path, list.isShown);
+        if (i == 0) {
+            addRemoval(list, index, list.isShown);
+            endRow();
+        }
+    }
+}
+
+void FieldForm::addRemoval(const Bound& list, std::size_t index, const Condition& isShown)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(
+        QStringLiteral("remove-%1-%2").arg(QLatin1String(list.field->meta.key)).arg(index));
+    button->setIcon(iconNamed("remove"));
+    button->setToolTip(tr("Take it out of the list"));
+    button->setAutoRaise(true);
+    connect(button, &QToolButton::clicked, this, [this, list, index] {
+        change(list, [&](void* object) { list.field->erase(object, index); });
+    });
+    bind(
+        button, [] {}, isShown);
+}
+
+bool FieldForm::isOutdated() const
+{
+    return std::ranges::any_of(m_lists, [this](const List& list) {
+        return list.bound.field->count(object(list.bound)) != list.items;
+    });
 }
 
 void FieldForm::bind(QWidget* row, std::function<void()> refresh, Condition isShown)
@@ -142,6 +210,9 @@ void FieldForm::addChoice(const QString& label, const QStringList& names, std::f
 
 void FieldForm::refresh()
 {
+    if (isOutdated()) {
+        return;
+    }
     m_isRefreshing = true;
     for (const Row& row : m_rows) {
         row.refresh();

@@ -53,6 +53,9 @@ public:
     /// What is added from here on folds under the title. `key` names it in the preferences.
     void beginSection(const QString& title, const QString& key);
     void addNote(const QString& text, const Condition& isShown = {});
+    /// Whether a list has another length than when its controls were made: the form must be made
+    /// anew. refresh() does nothing then.
+    [[nodiscard]] bool isOutdated() const;
     void finish();
     void refresh();
 
@@ -106,6 +109,9 @@ private:
     };
 
     void addGroup(const Bound& bound);
+    void addList(const Bound& bound);
+    void addItem(const Bound& list, std::size_t index);
+    void addRemoval(const Bound& list, std::size_t index, const Condition& isShown);
     void fold(int section, bool isOpen);
     void refreshVisibility();
 
@@ -117,6 +123,12 @@ private:
     std::vector<QWidget*> m_groups; ///< rows of several controls
     std::vector<Section> m_sections;
     std::vector<Row> m_rows;
+    struct List
+    {
+        Bound bound;
+        std::size_t items;
+    };
+    std::vector<List> m_lists; ///< those inside an item come after the list that it is of
     bool m_isRefreshing = false;
 };
 
