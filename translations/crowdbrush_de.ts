@@ -879,6 +879,22 @@
         <source>Give everybody back what he had in the state of this number: while it plays in this run alone, else in the scene</source>
         <translation>Allen zurückgeben, was sie im Zustand dieser Nummer hatten: beim Abspielen nur in diesem Lauf, sonst in der Szene</translation>
     </message>
+    <message>
+        <source>&amp;Emotion</source>
+        <translation>&amp;Stimmung</translation>
+    </message>
+    <message>
+        <source>Paint how the characters under the brush feel, or another feature</source>
+        <translation>Malt, wie den Figuren unter dem Pinsel zumute ist, oder ein anderes Merkmal</translation>
+    </message>
+    <message>
+        <source>&amp;Outfit</source>
+        <translation>&amp;Kleidung</translation>
+    </message>
+    <message>
+        <source>Dress the characters under the brush</source>
+        <translation>Kleidet die Figuren unter dem Pinsel ein</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1348,6 +1364,28 @@
         <source>Drag: give back what they had</source>
         <translation>Ziehen: zurückgeben, was sie hatten</translation>
     </message>
+    <message>
+        <source>Drag: paint what characters are like · Ctrl+click: take it</source>
+        <translation>Ziehen: malen, wie Figuren sind · Strg+Klick: übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are like that</source>
+        <translation>
+            <numerusform>%n Figur ist nun so</numerusform>
+            <numerusform>%n Figuren sind nun so</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: dress characters · Ctrl+click: take the outfit</source>
+        <translation>Ziehen: Figuren einkleiden · Strg+Klick: Kleidung übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters dressed</source>
+        <translation>
+            <numerusform>%n Figur eingekleidet</numerusform>
+            <numerusform>%n Figuren eingekleidet</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1688,6 +1726,28 @@
         <source>Choose a state in the brush&apos;s settings first</source>
         <translation>Zuerst in den Einstellungen des Pinsels einen Zustand wählen</translation>
     </message>
+    <message numerus="yes">
+        <source>Paint a feature of %n character(s)</source>
+        <translation>
+            <numerusform>Merkmal von %n Figur malen</numerusform>
+            <numerusform>Merkmal von %n Figuren malen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Dress %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur einkleiden</numerusform>
+            <numerusform>%n Figuren einkleiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are dressed like that</source>
+        <translation>Alle sind schon so gekleidet</translation>
+    </message>
+    <message>
+        <source>The scene has no such feature: choose another kind or value</source>
+        <translation>Die Szene hat kein solches Merkmal: ein anderes Merkmal oder einen anderen Wert wählen</translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1761,6 +1821,167 @@
     <message>
         <source>The state that “%1” recalls is not there any more: choose another one.</source>
         <translation>Den Zustand, den „%1“ abruft, gibt es nicht mehr: Wählen Sie einen anderen.</translation>
+    </message>
+</context>
+<context>
+    <name>FeatureCommands</name>
+    <message>
+        <source>It needs a name.</source>
+        <translation>Es braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is one of that name already.</source>
+        <translation>Den Namen gibt es schon.</translation>
+    </message>
+    <message>
+        <source>There are as many values as there can be.</source>
+        <translation>Mehr Werte kann es nicht geben.</translation>
+    </message>
+    <message>
+        <source>Remove a feature</source>
+        <translation>Merkmal entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a feature</source>
+        <translation>Merkmal umbenennen</translation>
+    </message>
+    <message>
+        <source>Value %1</source>
+        <translation>Wert %1</translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation>Wert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate a value</source>
+        <translation>Wert duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a value</source>
+        <translation>Wert umbenennen</translation>
+    </message>
+    <message>
+        <source>Arrange values</source>
+        <translation>Werte ordnen</translation>
+    </message>
+    <message>
+        <source>Change a feature</source>
+        <translation>Merkmal ändern</translation>
+    </message>
+    <message>
+        <source>Nobody is selected.</source>
+        <translation>Niemand ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>Give a feature</source>
+        <translation>Merkmal geben</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1”: %n characters changed</source>
+        <translation>
+            <numerusform>„%1“: %n Figur geändert</numerusform>
+            <numerusform>„%1“: %n Figuren geändert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody bears it.</source>
+        <translation>Niemand trägt es.</translation>
+    </message>
+    <message>
+        <source>Take features from a file</source>
+        <translation>Merkmale aus einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>Feature %1</source>
+        <translation>Merkmal %1</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 features: remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Merkmale: erst eines entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a feature</source>
+        <translation>Merkmal hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>Features</name>
+    <message>
+        <source>emotion</source>
+        <translation>Stimmung</translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation>neutral</translation>
+    </message>
+    <message>
+        <source>sad</source>
+        <translation>traurig</translation>
+    </message>
+    <message>
+        <source>bored</source>
+        <translation>gelangweilt</translation>
+    </message>
+    <message>
+        <source>attentive</source>
+        <translation>aufmerksam</translation>
+    </message>
+    <message>
+        <source>happy</source>
+        <translation>fröhlich</translation>
+    </message>
+    <message>
+        <source>excited</source>
+        <translation>begeistert</translation>
+    </message>
+    <message>
+        <source>angry</source>
+        <translation>wütend</translation>
+    </message>
+    <message>
+        <source>everyday</source>
+        <translation>Alltag</translation>
+    </message>
+    <message>
+        <source>evening</source>
+        <translation>Abend</translation>
+    </message>
+    <message>
+        <source>work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>sport</source>
+        <translation>Sport</translation>
+    </message>
+    <message>
+        <source>rain</source>
+        <translation>Regen</translation>
+    </message>
+    <message>
+        <source>team red</source>
+        <translation>Team Rot</translation>
+    </message>
+    <message>
+        <source>team blue</source>
+        <translation>Team Blau</translation>
+    </message>
+    <message>
+        <source>antique rich</source>
+        <translation>Antike, reich</translation>
+    </message>
+    <message>
+        <source>antique poor</source>
+        <translation>Antike, arm</translation>
+    </message>
+    <message>
+        <source>outfit</source>
+        <translation>Kleidung</translation>
     </message>
 </context>
 <context>
@@ -2640,6 +2861,134 @@
     <message>
         <source>All that it holds</source>
         <translation>Alles, was er enthält</translation>
+    </message>
+    <message>
+        <source>From the first to the last value along the line.</source>
+        <translation>Vom ersten zum letzten Wert entlang der Linie.</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Abnehmen</translation>
+    </message>
+    <message>
+        <source>They bear none of it any more; what it has done to them stays</source>
+        <translation>Sie tragen nichts mehr davon; was es aus ihnen gemacht hat, bleibt</translation>
+    </message>
+    <message>
+        <source>Values (none: all of them)</source>
+        <translation>Werte (keiner: alle)</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Merkmale</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>How often, against the others</source>
+        <translation>Wie oft, gegen die anderen</translation>
+    </message>
+    <message>
+        <source>any clip</source>
+        <translation>jeder Clip</translation>
+    </message>
+    <message>
+        <source>Whatever it is for; who sits plays those to sit with, gaits are walked with</source>
+        <translation>Wofür er auch ist; wer sitzt, spielt die zum Sitzen, mit Gangarten wird gegangen</translation>
+    </message>
+    <message>
+        <source>at rest, standing</source>
+        <translation>ruhig stehend</translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation>gehend</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>laufend</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>fliegend</translation>
+    </message>
+    <message>
+        <source>at rest, sitting</source>
+        <translation>ruhig sitzend</translation>
+    </message>
+    <message>
+        <source>Words of the clip&apos;s name: “cheer” is also “sit_cheer”</source>
+        <translation>Wörter aus dem Namen des Clips: „cheer“ ist auch „sit_cheer“</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Für</translation>
+    </message>
+    <message>
+        <source>Words of the slot&apos;s name; empty: all that is worn and not named beside</source>
+        <translation>Wörter aus dem Namen des Slots; leer: was getragen wird und sonst nicht genannt ist</translation>
+    </message>
+    <message>
+        <source>The colour itself</source>
+        <translation>Die Farbe selbst</translation>
+    </message>
+    <message>
+        <source>Else it multiplies the material&apos;s</source>
+        <translation>Sonst vervielfacht sie die des Materials</translation>
+    </message>
+    <message>
+        <source>Add Material</source>
+        <translation>Material hinzufügen</translation>
+    </message>
+    <message>
+        <source>Words of the part&apos;s name; empty: all</source>
+        <translation>Wörter aus dem Namen des Teils; leer: alle</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Shown in</source>
+        <translation>Gezeigt in</translation>
+    </message>
+    <message>
+        <source>Add Clip</source>
+        <translation>Clip hinzufügen</translation>
+    </message>
+    <message>
+        <source>A start of one&apos;s own</source>
+        <translation>Eigener Anfang</translation>
+    </message>
+    <message>
+        <source>How fast clips play</source>
+        <translation>Tempo der Clips</translation>
+    </message>
+    <message>
+        <source>How fast they walk</source>
+        <translation>Tempo beim Gehen</translation>
+    </message>
+    <message>
+        <source>How tall they are</source>
+        <translation>Wie groß sie sind</translation>
+    </message>
+    <message>
+        <source>How stout they are</source>
+        <translation>Wie breit sie sind</translation>
+    </message>
+    <message>
+        <source>Add Slot</source>
+        <translation>Slot hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Part</source>
+        <translation>Teil hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -4219,6 +4568,30 @@
     <message>
         <source>Rule &quot;%1&quot;: the state is not there. Choose another one.</source>
         <translation>Regel „%1“: Den Zustand gibt es nicht. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the value of a feature is not there. Choose another one.</source>
+        <translation>Regel „%1“: Der Wert eines Merkmals ist nicht da. Einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no features. Choose a file that was saved from the panel Features.</source>
+        <translation>%1 enthält keine Merkmale. Eine Datei wählen, die aus dem Bedienfeld „Merkmale“ gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>There are as many values of features as there can be.</source>
+        <translation>Mehr Werte von Merkmalen kann es nicht geben.</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 features. Remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Merkmale. Erst eines entfernen.</translation>
+    </message>
+    <message>
+        <source>%1: a kind or a value has no name</source>
+        <translation>%1: Ein Merkmal oder ein Wert hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; is given twice</source>
+        <translation>%1: Der Name „%2“ ist zweimal vergeben</translation>
     </message>
 </context>
 <context>
@@ -5831,6 +6204,46 @@
         <source>It does nothing yet: choose a state; the panel States keeps one.</source>
         <translation>Sie tut noch nichts: Wählen Sie einen Zustand; das Bedienfeld „Zustände“ merkt einen.</translation>
     </message>
+    <message>
+        <source>take on a feature</source>
+        <translation>ein Merkmal annehmen</translation>
+    </message>
+    <message>
+        <source>become “{feature}”</source>
+        <translation>wird „{feature}“</translation>
+    </message>
+    <message>
+        <source>of a feature</source>
+        <translation>mit einem Merkmal</translation>
+    </message>
+    <message>
+        <source>“{feature}”</source>
+        <translation>„{feature}“</translation>
+    </message>
+    <message>
+        <source>not “{feature}”</source>
+        <translation>nicht „{feature}“</translation>
+    </message>
+    <message>
+        <source>a feature changes</source>
+        <translation>ein Merkmal ändert sich</translation>
+    </message>
+    <message>
+        <source>When a feature of someone changes</source>
+        <translation>Wenn sich ein Merkmal von jemandem ändert</translation>
+    </message>
+    <message>
+        <source>When someone becomes “{feature}”</source>
+        <translation>Wenn jemand „{feature}“ wird</translation>
+    </message>
+    <message>
+        <source>The feature is not there any more: choose another one.</source>
+        <translation>Das Merkmal ist nicht mehr da: ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a feature.</source>
+        <translation>Sie tut noch nichts: ein Merkmal wählen.</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5921,6 +6334,10 @@
     <message>
         <source>Change states</source>
         <translation>Zustände ändern</translation>
+    </message>
+    <message>
+        <source>Set a feature</source>
+        <translation>Merkmal setzen</translation>
     </message>
 </context>
 <context>
@@ -6196,6 +6613,14 @@
     <message>
         <source>Time Brush</source>
         <translation>Zeitpinsel</translation>
+    </message>
+    <message>
+        <source>Emotion Brush</source>
+        <translation>Stimmungspinsel</translation>
+    </message>
+    <message>
+        <source>Outfit Brush</source>
+        <translation>Kleidungspinsel</translation>
     </message>
 </context>
 <context>
@@ -7362,8 +7787,8 @@ Verworfen ist sie fort.</translation>
 <context>
     <name>crowd::widgets::ClipMix</name>
     <message>
-        <source>How often the clip comes among those ticked</source>
-        <translation>Wie oft der Clip unter den angekreuzten vorkommt</translation>
+        <source>How often it comes among those ticked</source>
+        <translation>Wie oft es unter den angekreuzten vorkommt</translation>
     </message>
 </context>
 <context>
@@ -7811,6 +8236,151 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::FeaturePreview</name>
+    <message>
+        <source>Nobody of the scene&apos;s templates can show it.</source>
+        <translation>Keine Vorlage der Szene kann es zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FeaturesDock</name>
+    <message>
+        <source>Features</source>
+        <translation>Merkmale</translation>
+    </message>
+    <message>
+        <source>Whoever bears the value becomes what you set here, with it. Else only those are who come to bear it from now on.</source>
+        <translation>Wer den Wert trägt, wird mit ihm so, wie es hier eingestellt wird. Sonst nur, wer ihn von jetzt an bekommt.</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>New features, and files of features</source>
+        <translation>Neue Merkmale und Dateien mit Merkmalen</translation>
+    </message>
+    <message>
+        <source>Add a value to the feature</source>
+        <translation>Dem Merkmal einen Wert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate the chosen value</source>
+        <translation>Den gewählten Wert duplizieren</translation>
+    </message>
+    <message>
+        <source>Give the chosen value to who is selected</source>
+        <translation>Den gewählten Wert den Ausgewählten geben</translation>
+    </message>
+    <message>
+        <source>Select who bears the chosen value</source>
+        <translation>Auswählen, wer den gewählten Wert trägt</translation>
+    </message>
+    <message>
+        <source>Remove the chosen value</source>
+        <translation>Den gewählten Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Double click or F2: rename</source>
+        <translation>Doppelklick oder F2: umbenennen</translation>
+    </message>
+    <message>
+        <source>A feature is what people are like: an emotion, an outfit, a team. The button above adds one.</source>
+        <translation>Ein Merkmal ist, wie Leute sind: eine Stimmung, eine Kleidung, ein Team. Der Knopf oben fügt eines hinzu.</translation>
+    </message>
+    <message>
+        <source>The feature has no values yet: + adds one.</source>
+        <translation>Das Merkmal hat noch keine Werte: + fügt einen hinzu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bear it and change with it</source>
+        <translation>
+            <numerusform>%n trägt es und ändert sich mit</numerusform>
+            <numerusform>%n tragen es und ändern sich mit</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody bears it yet</source>
+        <translation>Noch niemand trägt es</translation>
+    </message>
+    <message>
+        <source>New Feature</source>
+        <translation>Neues Merkmal</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Save as a File…</source>
+        <translation>Als Datei speichern…</translation>
+    </message>
+    <message>
+        <source>Take from a File…</source>
+        <translation>Aus einer Datei übernehmen…</translation>
+    </message>
+    <message>
+        <source>Rename the Feature</source>
+        <translation>Merkmal umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Save the Feature</source>
+        <translation>Merkmal speichern</translation>
+    </message>
+    <message>
+        <source>Features (*%1)</source>
+        <translation>Merkmale (*%1)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved: %2</source>
+        <translation>%1 kann nicht gespeichert werden: %2</translation>
+    </message>
+    <message>
+        <source>Take Features</source>
+        <translation>Merkmale übernehmen</translation>
+    </message>
+    <message>
+        <source>Features taken from %1</source>
+        <translation>Merkmale aus %1 übernommen</translation>
+    </message>
+    <message>
+        <source>Give to who is selected</source>
+        <translation>Den Ausgewählten geben</translation>
+    </message>
+    <message>
+        <source>Select who bears it</source>
+        <translation>Auswählen, wer es trägt</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::FieldForm</name>
     <message>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
@@ -7871,6 +8441,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Then click the point</source>
         <translation>Dann den Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Take it out of the list</source>
+        <translation>Aus der Liste nehmen</translation>
     </message>
 </context>
 <context>

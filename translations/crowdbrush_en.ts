@@ -879,6 +879,22 @@
         <source>Give everybody back what he had in the state of this number: while it plays in this run alone, else in the scene</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Emotion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint how the characters under the brush feel, or another feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Outfit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dress the characters under the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1348,6 +1364,28 @@
         <source>Drag: give back what they had</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag: paint what characters are like · Ctrl+click: take it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are like that</source>
+        <translation>
+            <numerusform>%n character is like that</numerusform>
+            <numerusform>%n characters are like that</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag: dress characters · Ctrl+click: take the outfit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters dressed</source>
+        <translation>
+            <numerusform>%n character dressed</numerusform>
+            <numerusform>%n characters dressed</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1688,6 +1726,28 @@
         <source>Choose a state in the brush&apos;s settings first</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Paint a feature of %n character(s)</source>
+        <translation>
+            <numerusform>Paint a feature of %n character</numerusform>
+            <numerusform>Paint a feature of %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Dress %n character(s)</source>
+        <translation>
+            <numerusform>Dress %n character</numerusform>
+            <numerusform>Dress %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are dressed like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no such feature: choose another kind or value</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ClipRole</name>
@@ -1760,6 +1820,167 @@
     </message>
     <message>
         <source>The state that “%1” recalls is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FeatureCommands</name>
+    <message>
+        <source>It needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one of that name already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are as many values as there can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrange values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1”: %n characters changed</source>
+        <translation>
+            <numerusform>“%1”: %n character changed</numerusform>
+            <numerusform>“%1”: %n characters changed</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody bears it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take features from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feature %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 features: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Features</name>
+    <message>
+        <source>emotion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attentive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>happy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>excited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everyday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>team red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>team blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antique rich</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antique poor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outfit</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2639,6 +2860,134 @@
     </message>
     <message>
         <source>All that it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the first to the last value along the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They bear none of it any more; what it has done to them stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values (none: all of them)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often, against the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever it is for; who sits plays those to sit with, gaits are walked with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at rest, standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at rest, sitting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of the clip&apos;s name: “cheer” is also “sit_cheer”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of the slot&apos;s name; empty: all that is worn and not named beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else it multiplies the material&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of the part&apos;s name; empty: all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A start of one&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast clips play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast they walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How tall they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How stout they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Part</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4218,6 +4567,30 @@
     </message>
     <message>
         <source>Rule &quot;%1&quot;: the state is not there. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule &quot;%1&quot;: the value of a feature is not there. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no features. Choose a file that was saved from the panel Features.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are as many values of features as there can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 features. Remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a kind or a value has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; is given twice</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5831,6 +6204,46 @@
         <source>It does nothing yet: choose a state; the panel States keeps one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>take on a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>become “{feature}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{feature}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not “{feature}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a feature changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When a feature of someone changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When someone becomes “{feature}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feature is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does nothing yet: choose a feature.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -5920,6 +6333,10 @@
     </message>
     <message>
         <source>Change states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a feature</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6195,6 +6612,14 @@
     </message>
     <message>
         <source>Time Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emotion Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outfit Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7355,7 +7780,7 @@ Thrown away, it is gone.</source>
 <context>
     <name>crowd::widgets::ClipMix</name>
     <message>
-        <source>How often the clip comes among those ticked</source>
+        <source>How often it comes among those ticked</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7804,6 +8229,151 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::FeaturePreview</name>
+    <message>
+        <source>Nobody of the scene&apos;s templates can show it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::FeaturesDock</name>
+    <message>
+        <source>Features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever bears the value becomes what you set here, with it. Else only those are who come to bear it from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New features, and files of features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a value to the feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate the chosen value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen value to who is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select who bears the chosen value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click or F2: rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A feature is what people are like: an emotion, an outfit, a team. The button above adds one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feature has no values yet: + adds one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bear it and change with it</source>
+        <translation>
+            <numerusform>%n bears it and changes with it</numerusform>
+            <numerusform>%n bear it and change with it</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody bears it yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as a File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take from a File…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the Feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the Feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features (*%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take Features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features taken from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give to who is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select who bears it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::FieldForm</name>
     <message>
         <source>Scripts bring brushes along: a Python class with apply(selection), made known with crowdbrush.register_brush(MyBrush), has its place in the palette and its settings here.</source>
@@ -7863,6 +8433,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Then click the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it out of the list</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

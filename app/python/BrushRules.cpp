@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/python/BrushRules.h"
 
+#include "app/python/ScriptFeatures.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -103,7 +105,30 @@ Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
             return valid;
         }
     }
+    for (const int id : mask.features) {
+        if (findFeature(scene.features, static_cast<FeatureId>(id)) == nullptr) {
+            return Error{"brush.mask.features: the scene has no feature with the id " +
+                         std::to_string(id) + "; scene.features has their values."};
+        }
+    }
     return checkTemplates(scene, mask.templates, "brush.mask.templates");
+}
+
+/// Kind and values of a brush of features.
+Result<void> checkFeatures(const Scene& scene, const BrushType& type, const BrushSettings& brush)
+{
+    const auto* outfit = brush.find<OutfitSettings>();
+    const FeatureSettings& settings = outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
+    const FeatureKind* kind = findKind(scene.features, settings.kind);
+    if (kind == nullptr) {
+        return Error{prefixOf(type) + "kind: " + noKindText(scene.features, settings.kind)};
+    }
+    for (const ClipWeight& each : settings.values) {
+        if (kind->find(each.clip) == nullptr) {
+            return Error{prefixOf(type) + "values: " + noValueText(*kind, each.clip)};
+        }
+    }
+    return {};
 }
 
 /// What the scene must have for the fields that refer to something.
@@ -119,6 +144,10 @@ Result<void> checkSettings(const Scene& scene, const BrushType& type, const Brus
         Result<void> valid;
         if (const auto* mix = std::get_if<std::vector<TemplateWeight>>(&value)) {
             valid = checkMix(scene, *mix, name);
+        } else if (field.meta.role == FieldRole::FeatureKind) {
+            valid = checkFeatures(scene, type, brush);
+        } else if (field.meta.role == FieldRole::Feature) {
+            continue; // with the kind
         } else if (const auto* clips = std::get_if<std::vector<ClipWeight>>(&value)) {
             valid = checkClips(scene, *clips, name);
         } else if (field.meta.role == FieldRole::Template) {

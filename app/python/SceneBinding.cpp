@@ -268,6 +268,7 @@ void bindScene(py::module_& module)
     bindEnvironment(scene);
     bindStrokes(module, scene);
     bindStates(module, scene);
+    bindFeatures(scene);
     module.def(
         "open",
         [](const FilePath& path) {

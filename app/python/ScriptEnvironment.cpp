@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/features/FeatureWriting.h"
 #include "model/project/EnvironmentText.h"
 
 namespace crowd::app {
@@ -14,6 +15,9 @@ namespace {
 void putEnvironment(SceneEdit& edit, const Scene& wanted)
 {
     edit.setPlacesAndPaths(wanted.places, wanted.paths);
+    if (wanted.features != edit.scene().features) {
+        changeFeatures(edit, wanted.features, false);
+    }
     forEachMember([&]<class M>(const M&) {
         if constexpr (M::isEnvironment && M::kind == MemberKind::Value) {
             if (M::of(wanted) != M::of(edit.scene())) {

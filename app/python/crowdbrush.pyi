@@ -138,11 +138,13 @@ class BrushKind:
     MATERIAL: ClassVar[BrushKind]
     PARTS: ClassVar[BrushKind]
     TEMPLATE: ClassVar[BrushKind]
+    OUTFIT: ClassVar[BrushKind]
     ORIENTATION: ClassVar[BrushKind]
     ANIMATION: ClassVar[BrushKind]
     TIME: ClassVar[BrushKind]
     STYLE: ClassVar[BrushKind]
     WALK: ClassVar[BrushKind]
+    FEATURE: ClassVar[BrushKind]
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
     GROUP: ClassVar[BrushKind]
@@ -293,6 +295,12 @@ class MaskSettings:
         """Bits 0–63, any of which is worn; empty: all. Assign a whole list."""
     @tags.setter
     def tags(self, value: List[int]) -> None:
+        ...
+    @property
+    def features(self) -> List[int]:
+        """Ids of values of features, any of which is borne; empty: all. Assign a whole list."""
+    @features.setter
+    def features(self, value: List[int]) -> None:
         ...
     @property
     def inverted(self) -> bool:
@@ -909,6 +917,28 @@ class PartsSettings:
         ...
 
 
+class FeatureSettings:
+    """Which value of a kind of feature people bear."""
+    @property
+    def kind(self) -> str:
+        """Name of a kind of feature: "emotion", "outfit"."""
+    @kind.setter
+    def kind(self, value: str) -> None:
+        ...
+    @property
+    def takes_off(self) -> bool:
+        """They bear no value of the kind any more; what it has done to them stays."""
+    @takes_off.setter
+    def takes_off(self, value: bool) -> None:
+        ...
+    @property
+    def values(self) -> Dict[Any, Any]:
+        """Name → weight; empty: all of the kind."""
+    @values.setter
+    def values(self, value: Dict[Any, Any]) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -1104,10 +1134,28 @@ class Brush:
     def parts(self, value: PartsSettings) -> None:
         ...
     @property
+    def feature(self) -> FeatureSettings:
+        ...
+    @feature.setter
+    def feature(self, value: FeatureSettings) -> None:
+        ...
+    @property
     def tag(self) -> int:
         """Of the tag brushes: the bit, 0–63."""
     @tag.setter
     def tag(self, value: int) -> None:
+        ...
+    @property
+    def takes_off(self) -> bool:
+        """They bear no value of the kind any more; what it has done to them stays."""
+    @takes_off.setter
+    def takes_off(self, value: bool) -> None:
+        ...
+    @property
+    def values(self) -> Dict[Any, Any]:
+        """Name → weight; empty: all of the kind."""
+    @values.setter
+    def values(self, value: Dict[Any, Any]) -> None:
         ...
     @staticmethod
     def load(path: FilePath) -> Brush:
@@ -1332,6 +1380,18 @@ class Scene:
         and parts go by name; who is gone is skipped. seconds, stagger: the scene changes at
         once, but in its sessions, and where the editor plays, each takes so long, one after
         the other. Raises Error where there is no such state, and for dead ids."""
+    def set_feature(self, ids: Any, kind: str, value: Any) -> int:
+        """Lets these people bear a value of a feature, with all that it does to them: one undo
+        step. value: its name; a dict of names and weights, or a list of names, one of which
+        is drawn for each; None: they bear none any more, what it did to them stays. What a
+        value names by clips, slots and parts that somebody has not is left as it is. How many
+        changed. Raises Error for unknown names and dead ids."""
+    def feature(self, kind: str) -> Any:
+        """Names of the values of a feature that people bear, in the order of ids; "" for none.
+        Raises Error where there is no such feature."""
+    @property
+    def features(self) -> Features:
+        """Features by their names, and their values by theirs."""
     @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of
@@ -1669,6 +1729,13 @@ class triggers:
         state: int
         """its id; 0: any; begins as 0"""
 
+    class Feature(Trigger):
+        """Somebody bears another value of a feature than before, whoever gave it."""
+        def __init__(self, *, feature: Union[int, FeatureValue] = ...) -> None:
+            ...
+        feature: int
+        """the id of the one that he bears now; 0: any; begins as 0"""
+
     class Every(Trigger):
         """Again and again, for each at other times."""
         def __init__(self, *, seconds: float = ..., jitter: float = ...) -> None:
@@ -1720,6 +1787,15 @@ class conditions:
             ...
         tag: int
         """the tag; 0 to 63; begins as 0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
+    class Feature(Condition):
+        """Bears a value of a feature."""
+        def __init__(self, *, feature: Union[int, FeatureValue] = ..., not_: bool = ...) -> None:
+            ...
+        feature: int
+        """its id; begins as 0"""
         not_: bool
         """whether it must not hold; begins as False"""
 
@@ -2095,6 +2171,16 @@ class actions:
         depth: int
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
+    class Feature(Action):
+        """Bears a value of a feature from now on, with all that it does, in this run alone. Its
+    clips play at once."""
+        def __init__(self, *, feature: Union[int, FeatureValue] = ..., depth: int = ...) -> None:
+            ...
+        feature: int
+        """its id; begins as 0"""
+        depth: int
+        """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
+
     class State(Action):
         """Gets back what a kept state has of him, in this run alone."""
         def __init__(self, *, state: int = ..., seconds: float = ..., within: float = ..., depth: int = ...) -> None:
@@ -2281,6 +2367,116 @@ class Cue(Entry):
     """metres, where "distance" begins"""
 
 
+class FeatureClip(Entry):
+    """A clip that a value of a feature lets its bearers play."""
+    def __init__(self, *, clip: str = ..., role: Literal["any", "idle", "walk", "run", "fly", "sit"] = ..., weight: float = ...) -> None:
+        ...
+    clip: str
+    """the words of its name: "cheer" is also "sit_cheer"; empty: any of the role"""
+    role: Literal["any", "idle", "walk", "run", "fly", "sit"]
+    """what it is for; any: whatever it is; begins as 'any'"""
+    weight: float
+    """how often, against the others; 0 to 1e6; begins as 1.0"""
+
+
+class FeatureMaterial(Entry):
+    """One of the materials of a slot."""
+    def __init__(self, *, name: str = ..., weight: float = ...) -> None:
+        ...
+    name: str
+    """of the slot's materials"""
+    weight: float
+    """how often, against the others; 0 to 1e6; begins as 1.0"""
+
+
+class FeatureSlot(Entry):
+    """How a value of a feature lets a slot look."""
+    def __init__(self, *, slot: str = ..., colors: colors = ..., strength: float = ..., replaces: bool = ..., materials: Sequence[Union[FeatureMaterial, Dict[str, Any]]] = ...) -> None:
+        ...
+    slot: str
+    """the words of its name; empty: what is worn and no other names"""
+    colors: colors
+    """of which one is drawn for each; none: as it is"""
+    strength: float
+    """of the tint; 0 to 1; begins as 1.0"""
+    replaces: bool
+    """the colour itself; else it multiplies the material's; begins as True"""
+    materials: List[FeatureMaterial]
+    """one of which is drawn"""
+
+
+class FeaturePart(Entry):
+    """A part that a value of a feature shows or hides."""
+    def __init__(self, *, part: str = ..., shown: bool = ...) -> None:
+        ...
+    part: str
+    """the words of its name; empty: all"""
+    shown: bool
+    """whether it is seen; begins as True"""
+
+
+class FeatureValue(Entry):
+    """What people can be like: what it names changes with its bearers, the rest stays."""
+    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., templates: Union[int, Template] = ..., clips: Sequence[Union[FeatureClip, Dict[str, Any]]] = ..., sets_phase: bool = ..., phase: Sequence[float] = ..., phase_curve: curve = ..., sets_speed: bool = ..., speed: Sequence[float] = ..., speed_curve: curve = ..., sets_walk_speed: bool = ..., walk_speed: Sequence[float] = ..., walk_speed_curve: curve = ..., sets_height: bool = ..., height: Sequence[float] = ..., height_curve: curve = ..., sets_girth: bool = ..., girth: Sequence[float] = ..., girth_curve: curve = ..., slots: Sequence[Union[FeatureSlot, Dict[str, Any]]] = ..., parts: Sequence[Union[FeaturePart, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """what columns and rules have: of no other value of the scene; 0 to 65535; begins as 0"""
+    name: str
+    """as scripts and brushes call it"""
+    color: str
+    """in which the editor shows it; begins as '#969696'"""
+    templates: ids
+    """ids of those it is limited to; none: all"""
+    clips: List[FeatureClip]
+    """of which one is drawn for each"""
+    sets_phase: bool
+    """whether it sets the phase; begins as False"""
+    phase: List[float]
+    """0–1 of the clip at time 0"""
+    phase_curve: curve
+    """how often phases come"""
+    sets_speed: bool
+    """whether it sets the speed; begins as False"""
+    speed: List[float]
+    """of playback, 1 as authored"""
+    speed_curve: curve
+    """how often speeds come"""
+    sets_walk_speed: bool
+    """whether it sets the walking speed; begins as False"""
+    walk_speed: List[float]
+    """at height 1; m/s"""
+    walk_speed_curve: curve
+    """how often walking speeds come"""
+    sets_height: bool
+    """whether it sets the height; begins as False"""
+    height: List[float]
+    """a scale"""
+    height_curve: curve
+    """how often heights come"""
+    sets_girth: bool
+    """whether it sets the girth; begins as False"""
+    girth: List[float]
+    """a scale"""
+    girth_curve: curve
+    """how often girths come"""
+    slots: List[FeatureSlot]
+    """how slots look"""
+    parts: List[FeaturePart]
+    """which parts are seen"""
+
+
+class FeatureKind(Entry):
+    """A feature: a kind with its values."""
+    def __init__(self, *, id: int = ..., name: str = ..., values_: Sequence[Union[FeatureValue, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """the number of the column that says who bears which of its values; 0 to 8; begins as 0"""
+    name: str
+    """as scripts and brushes call it"""
+    values_: List[FeatureValue]
+    """in order, from one end of a gradient to the other"""
+
+
 class Rule(Entry):
     """When this happens, and the conditions hold, do this."""
     def __init__(self, *, id: int, name: str = ..., enabled: bool = ..., any: bool = ..., meeting: Literal["interrupt", "queue", "ignore"] = ..., yields: Literal["further up", "anybody", "nobody", "others further up"] = ..., cooldown: float = ..., limit: int = ..., when: Union[Trigger, Dict[str, Any]] = ..., if_: Sequence[Union[Condition, Dict[str, Any]]] = ..., do: Sequence[Union[Action, Dict[str, Any]]] = ...) -> None:
@@ -2307,6 +2503,40 @@ class Rule(Entry):
     """what must hold"""
     do: List[Action]
     """what is done, in order"""
+
+
+class FeatureValues:
+    """The values of a feature by their names, in order. What it gives are copies: assigning one puts it in its
+    place, or at the end; it keeps the id by which people and rules have it. Each is a step of undo."""
+    def __init__(self, scene, kind) -> None:
+        ...
+    def __getitem__(self, name: str) -> FeatureValue:
+        ...
+    def __setitem__(self, name: str, value: Any) -> None:
+        ...
+    def __delitem__(self, name: str) -> None:
+        ...
+    def __iter__(self) -> Iterator[str]:
+        ...
+    def __len__(self) -> int:
+        ...
+
+
+class Features:
+    """The features of a scene by their names. Assigning a dict, or a list, of values makes one or replaces it; who
+    bears a value that is gone bears none. Each is a step of undo."""
+    def __init__(self, scene) -> None:
+        ...
+    def __getitem__(self, name: str) -> FeatureValues:
+        ...
+    def __setitem__(self, name: str, values: Any) -> None:
+        ...
+    def __delitem__(self, name: str) -> None:
+        ...
+    def __iter__(self) -> Iterator[str]:
+        ...
+    def __len__(self) -> int:
+        ...
 
 
 class Session:

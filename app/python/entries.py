@@ -5,6 +5,7 @@ import json as _json
 import keyword as _keyword
 import math as _math
 import re as _re
+from collections.abc import Mapping as _MappingBase, MutableMapping as _Mapping
 
 import numpy as _np
 
@@ -83,6 +84,15 @@ class _Field:
 
     def _as_range(self, value, where):
         return _numbers(value, 2, where)
+
+    def _as_curve(self, value, where):
+        return _numbers(value, 16, where)
+
+    def _as_colors(self, value, where):
+        return [_hex(each, 3, where) for each in _listed(value, where)]
+
+    def _as_ids(self, value, where):
+        return sorted(_whole(_id_of(each), where, 1, 0xFFFF) for each in _listed(value, where))
 
     def _as_clips(self, value, where):
         if isinstance(value, str):
@@ -310,6 +320,135 @@ for _base, _space in _spaces.items():
         setattr(_space, _each["name"], _class(_each, _base, _space))
 for _each in _schema["entries"]:
     globals()[_each["name"]] = _bases[_each["name"]] = _class(_each, Entry)
+
+
+class FeatureValues(_Mapping):
+    """The values of a feature by their names, in order. What it gives are copies: assigning one puts it in its
+    place, or at the end; it keeps the id by which people and rules have it. Each is a step of undo."""
+
+    def __init__(self, scene, kind):
+        self._scene = scene
+        self._kind = kind
+
+    def _all(self):
+        return Features(self._scene)._kind_named(self._kind)["values"]
+
+    def __getitem__(self, name: "str") -> "FeatureValue":
+        for each in self._all():
+            if each["name"] == name:
+                return each
+        raise KeyError(f"The feature \"{self._kind}\" has no value \"{name}\".")
+
+    def __setitem__(self, name: "str", value: "Any") -> None:
+        value = _value_named(name, value)
+        kinds = Features(self._scene)._all()
+        values = _named(kinds, self._kind)["values"]
+        known = [each["name"] for each in values]
+        if name in known:
+            value["id"] = values[known.index(name)]["id"]
+            values[known.index(name)] = value
+        else:
+            values.append(value)
+        Features(self._scene)._put(kinds)
+
+    def __delitem__(self, name: "str") -> None:
+        self[name]
+        kinds = Features(self._scene)._all()
+        kind = _named(kinds, self._kind)
+        kind["values"] = [each for each in kind["values"] if each["name"] != name]
+        Features(self._scene)._put(kinds)
+
+    def __iter__(self) -> "Iterator[str]":
+        return iter([each["name"] for each in self._all()])
+
+    def __len__(self) -> "int":
+        return len(self._all())
+
+    def __repr__(self):
+        return f"FeatureValues({self._kind!r}: {', '.join(self)})"
+
+
+class Features(_Mapping):
+    """The features of a scene by their names. Assigning a dict, or a list, of values makes one or replaces it; who
+    bears a value that is gone bears none. Each is a step of undo."""
+
+    def __init__(self, scene):
+        self._scene = scene
+
+    def _all(self):
+        return [FeatureKind.from_dict(each) for each in self._scene.environment["features"]]
+
+    def _kind_named(self, name):
+        return _named(self._all(), name)
+
+    def _put(self, kinds):
+        free = self._scene._free_feature_id()
+        for value in (value for kind in kinds for value in kind["values"] if not value.get("id")):
+            if not 0 < free <= 0xFFFF:
+                raise Error("The scene has as many values of features as there can be.")
+            value["id"] = free
+            free += 1
+        self._scene.set_environment({"features": kinds})
+
+    def __getitem__(self, name: "str") -> "FeatureValues":
+        self._kind_named(name)
+        return FeatureValues(self._scene, name)
+
+    def __setitem__(self, name: "str", values: "Any") -> None:
+        if isinstance(values, _MappingBase):
+            values = [_value_named(each, value) for each, value in values.items()]
+        values = [_entry("FeatureValue", each, f"features[\"{name}\"]") for each in _listed(values, "values")]
+        kinds = self._all()
+        if name in [kind["name"] for kind in kinds]:
+            kind = _named(kinds, name)
+            ids = {each["name"]: each["id"] for each in kind["values"]}
+            for value in values:
+                value["id"] = ids.get(value["name"], 0)
+            kind["values"] = values
+        else:
+            id = self._scene._free_kind_id()
+            if not id:
+                raise Error(f"A scene has at most {len(kinds)} features: remove one first.")
+            for value in values:
+                value["id"] = 0
+            kinds.append(FeatureKind(id=id, name=name, values_=values))
+        self._put(kinds)
+
+    def __delitem__(self, name: "str") -> None:
+        self._kind_named(name)
+        self._put([kind for kind in self._all() if kind["name"] != name])
+
+    def __iter__(self) -> "Iterator[str]":
+        return iter([kind["name"] for kind in self._all()])
+
+    def __len__(self) -> "int":
+        return len(self._all())
+
+    def __repr__(self):
+        return f"Features({', '.join(self)})"
+
+
+def _named(kinds, name):
+    for kind in kinds:
+        if kind["name"] == name:
+            return kind
+    raise KeyError(f"There is no feature \"{name}\".")
+
+
+def _value_named(name, value):
+    value = FeatureValue.from_dict(dict(_entry("FeatureValue", value, f"features[...][\"{name}\"]")))
+    value["name"] = name
+    value["id"] = 0
+    return value
+
+
+def _features_of(self) -> "Features":
+    if not isinstance(self, Scene):
+        raise TypeError(f"features belong to a crowdbrush.Scene, not to {_shortly(self)}.")
+    return Features(self)
+
+
+Scene.features = property(_features_of, None, None, "Features by their names, and their values by theirs.")
 
 
 class _Entries(list):

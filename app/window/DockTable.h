@@ -36,6 +36,7 @@ enum class DockId : std::uint8_t {
     Presets,
     Groups,
     States,
+    Features,
     Console,
     Count
 };

@@ -42,6 +42,7 @@ bool isTrue(const RuleScope& scope, const model::Condition& condition, std::uint
     return std::visit(
         model::Overloaded{
             [&](const HasTag& each) { return state.agents.hasTag(agent, each.tag); },
+            [&](const HasFeature& each) { return host.bears(agent, each.feature); },
             [&](const OfTemplate& each) { return host.templateOf(agent) == each.templateId; },
             [&](const InPlace& each) {
                 return state.places.isInside(each.place, host.position(agent));

@@ -115,6 +115,8 @@ void RuleEngine::setPeople(const model::Population& people, std::span<const std:
     m_state.numbers.setPeople(people.ids(), keep);
     m_state.log.setPeople(keep);
     m_recalled.clear(); // of agents as they were
+    m_dueFeatures.clear();
+    m_changedFeatures.clear();
     for (ActiveRule& rule : m_state.rules) {
         rearrange(rule.agents, keep);
         rearrange(rule.due, keep, kDueUnknown);
@@ -138,6 +140,7 @@ void RuleEngine::beginStep(std::uint64_t step)
     m_state.people.clear();
     m_state.endedClips.clear();
     m_state.recalled = std::exchange(m_recalled, {});
+    m_state.changedFeatures = std::exchange(m_dueFeatures, std::exchange(m_changedFeatures, {}));
     m_state.budget = {kActionsInStep + kActionsEach * m_state.agents.size(),
                       kHeardInStep + kHeardEach * m_state.agents.size(), kAskedInStep};
     m_state.problems.beginStep();

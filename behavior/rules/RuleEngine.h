@@ -55,6 +55,13 @@ public:
         m_recalled.push_back({agent, state});
     }
 
+    /// In the step after the next rules hear of it: whoever has it of a rule is free for others
+    /// by then.
+    void noteFeature(std::uint32_t agent, std::uint32_t feature)
+    {
+        m_changedFeatures.push_back({agent, feature});
+    }
+
     /// As long as the session's; 30 before it is said.
     void setStepsPerSecond(std::uint32_t steps) { m_stepsPerSecond = steps; }
     void step(RuleHost& host, std::uint64_t step);
@@ -84,7 +91,9 @@ private:
     void beginStep(std::uint64_t step);
 
     RuleState m_state;
-    std::vector<RecalledState> m_recalled; ///< since the last step
+    std::vector<RecalledState> m_recalled;         ///< since the last step
+    std::vector<ChangedFeature> m_dueFeatures;     ///< for the next step
+    std::vector<ChangedFeature> m_changedFeatures; ///< for the one after it
     std::uint32_t m_stepsPerSecond = 30;
 };
 

@@ -75,6 +75,9 @@ public:
                              const std::string& clip) = 0;
     /// By the end of this step. False: there is no such state.
     virtual bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action) = 0;
+    /// By the end of this step. False: the scene has no such value.
+    virtual bool takeOnFeature(std::uint32_t agent, std::uint32_t feature) = 0;
+    [[nodiscard]] virtual bool bears(std::uint32_t agent, std::uint32_t feature) const = 0;
     virtual void noteTags(std::uint32_t agent, std::uint64_t tags) = 0;
 };
 

@@ -42,6 +42,13 @@ struct EndedClip
     TriggerContext context;
 };
 
+/// Somebody bears another value of a feature than before; 0: none.
+struct ChangedFeature
+{
+    std::uint32_t agent = 0;
+    std::uint32_t feature = 0;
+};
+
 /// Somebody begins to take on a state.
 struct RecalledState
 {
@@ -85,6 +92,7 @@ struct RuleState
     std::vector<std::uint32_t> travellers; ///< to whom something happened on the way, ascending
     std::vector<EndedClip> endedClips;
     std::vector<RecalledState> recalled;
+    std::vector<ChangedFeature> changedFeatures;
 };
 
 /// The state and whom it is about; refers to both.

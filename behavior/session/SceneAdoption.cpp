@@ -68,6 +68,7 @@ private:
     void adoptWalks();
     void adoptOverridden();
     void adoptTraits();
+    void adoptFeatures();
     void adoptTags(std::uint32_t agent);
     /// The scene's value counts again where an edit has set it anew.
     void forgetOverrides(model::ColumnId column);
@@ -103,6 +104,7 @@ void Adoption::run()
         adoptOverridden();
     }
     adoptTraits();
+    adoptFeatures();
     if (m_areBodiesNew) {
         m_parts.resetBodies(m_now);
     }
@@ -296,6 +298,17 @@ void Adoption::adoptTraits()
         }
         m_parts.seating.setSeat(agent, m_now.column(adoptedKeys::seat)[agent], m_arePosesKept);
     });
+}
+
+/// What else they do has come with them.
+void Adoption::adoptFeatures()
+{
+    for (std::uint8_t kind = 1; kind <= model::kMostFeatureKinds; ++kind) {
+        const auto key = adoptedKeys::feature(kind);
+        forEach(key, [&](std::uint32_t agent) {
+            m_parts.rules.noteFeature(agent, m_now.column(key)[agent]);
+        });
+    }
 }
 
 } // namespace

@@ -15,37 +15,13 @@ namespace {
 
 namespace recalledKeys = model::columns;
 
-/// What rules have set of these properties counts no more, nor the clip that they let somebody
-/// play.
-void forgetRules(SessionParts& parts, const model::ChangeOver& change)
-{
-    for (const model::IndividualId id : change.ids) {
-        const std::size_t row = parts.population.rowOf(id);
-        if (row == model::Population::npos) {
-            continue;
-        }
-        const auto agent = static_cast<std::uint32_t>(row);
-        change.columns.forEach([&](model::ColumnId column) { parts.idle.forget(agent, column); });
-        if (change.columns.contains(model::ColumnId::Clip) && parts.animation.isPlaying(agent)) {
-            parts.animation.endClip(agent);
-        }
-        if (change.columns.contains(model::ColumnId::Tags)) {
-            parts.rules.setTags(agent, parts.population.column(recalledKeys::tags)[row]);
-        }
-        if (change.columns.contains(model::ColumnId::Height)) {
-            parts.agents.height[agent] = parts.population.column(recalledKeys::height)[row];
-        }
-    }
-    parts.shownOverrides = parts.overrides.publish();
-}
-
 /// `changed`: whom rules hear of. Whoever has it of a rule is free for others when its line is
 /// done.
 void changeOver(SessionParts& parts, const model::ChangeOver& change,
                 const model::Population& shown, std::span<const model::IndividualId> changed,
                 bool isOfRule)
 {
-    forgetRules(parts, change);
+    forgetRuleValues(parts, change.ids, change.columns);
     parts.fades.forget(change);
     const model::CrowdFrame after = captureFrame(parts);
     const double now = parts.clock.seconds();
@@ -86,6 +62,29 @@ bool isOneRecall(const RuleRecall& a, const RuleRecall& b)
 }
 
 } // namespace
+
+void forgetRuleValues(SessionParts& parts, std::span<const model::IndividualId> ids,
+                      const model::ColumnSet& columns)
+{
+    for (const model::IndividualId id : ids) {
+        const std::size_t row = parts.population.rowOf(id);
+        if (row == model::Population::npos) {
+            continue;
+        }
+        const auto agent = static_cast<std::uint32_t>(row);
+        columns.forEach([&](model::ColumnId column) { parts.idle.forget(agent, column); });
+        if (columns.contains(model::ColumnId::Clip) && parts.animation.isPlaying(agent)) {
+            parts.animation.endClip(agent);
+        }
+        if (columns.contains(model::ColumnId::Tags)) {
+            parts.rules.setTags(agent, parts.population.column(recalledKeys::tags)[row]);
+        }
+        if (columns.contains(model::ColumnId::Height)) {
+            parts.agents.height[agent] = parts.population.column(recalledKeys::height)[row];
+        }
+    }
+    parts.shownOverrides = parts.overrides.publish();
+}
 
 void adoptRecall(SessionParts& parts, const model::Scene& scene, const model::ChangeOver& change)
 {

@@ -9,6 +9,7 @@
 #include "behavior/session/PlanChecks.h"
 #include "behavior/session/PoseCapture.h"
 #include "behavior/session/SceneAdoption.h"
+#include "behavior/session/SceneFeatures.h"
 #include "behavior/session/SceneRecall.h"
 #include "behavior/session/SessionParts.h"
 #include "behavior/session/SessionRules.h"
@@ -198,6 +199,7 @@ void Session::step()
     parts.seating.step();
     parts.update.updateAll();
     recallForRules(parts);
+    takeOnFeatures(parts);
     parts.shownOverrides = parts.overrides.publish();
     parts.shownNumbers = parts.rules.ownNumbers();
     parts.fades.end(parts.clock.seconds());

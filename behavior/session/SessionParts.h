@@ -35,6 +35,13 @@ struct RuleRecall
     model::actions::TakeOnState action;
 };
 
+/// A rule wants somebody to bear a value of a feature.
+struct RuleFeature
+{
+    model::IndividualId id = 0;
+    model::FeatureId feature = 0;
+};
+
 /// Somebody will begin to take on a state, seconds.
 struct DueRecall
 {
@@ -67,7 +74,7 @@ struct SessionParts
 
     // Of the scene.
     model::Scene lastScene; ///< as it was when the session last looked
-    /// Its people, with what states that were recalled here alone have made of them.
+    /// Its people, with what states and features have made of them here alone.
     model::Population population;
     std::vector<model::Place> places;
     std::vector<model::Path> paths;
@@ -92,8 +99,9 @@ struct SessionParts
     GroundContact ground;
     ParkedDetours detours;
     AgentUpdate update;
-    std::vector<RuleRecall> ruleRecalls; ///< of this step
-    std::vector<DueRecall> dueRecalls;   ///< that rules will hear of
+    std::vector<RuleRecall> ruleRecalls;   ///< of this step
+    std::vector<RuleFeature> ruleFeatures; ///< of this step
+    std::vector<DueRecall> dueRecalls;     ///< that rules will hear of
     // As of the last step.
     std::shared_ptr<const OverrideColumns> shownOverrides;
     std::shared_ptr<const std::vector<OwnNumber>> shownNumbers;

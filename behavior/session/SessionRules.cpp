@@ -247,6 +247,28 @@ bool SessionRules::takeOnState(std::uint32_t agent, const model::actions::TakeOn
     return true;
 }
 
+bool SessionRules::takeOnFeature(std::uint32_t agent, std::uint32_t feature)
+{
+    constexpr std::uint32_t kMost = 0xFFFF;
+    const auto wanted = static_cast<model::FeatureId>(feature <= kMost ? feature : 0);
+    if (model::findFeature(m_parts.lastScene.features, wanted) == nullptr) {
+        return false;
+    }
+    m_parts.ruleFeatures.push_back({id(agent), wanted});
+    return true;
+}
+
+bool SessionRules::bears(std::uint32_t agent, std::uint32_t feature) const
+{
+    for (std::uint8_t kind = 1; kind <= model::kMostFeatureKinds; ++kind) {
+        const auto borne = m_parts.population.column(model::columns::feature(kind));
+        if (feature != 0 && borne[agent] == feature) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void SessionRules::noteTags(std::uint32_t agent, std::uint64_t tags)
 {
     m_parts.overrides.set(model::columns::tags, id(agent), tags);

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] bool showsClip(std::uint32_t agent, const std::string& clip) const override;
     void setProperty(std::uint32_t agent, const model::actions::SetProperty& action,
                      const std::string& clip) override;
+    bool takeOnFeature(std::uint32_t agent, std::uint32_t feature) override;
+    [[nodiscard]] bool bears(std::uint32_t agent, std::uint32_t feature) const override;
     bool takeOnState(std::uint32_t agent, const model::actions::TakeOnState& action) override;
     void noteTags(std::uint32_t agent, std::uint64_t tags) override;
 

@@ -10,6 +10,7 @@
 #include "model/brush/changes/Create.h"
 #include "model/brush/changes/Delete.h"
 #include "model/brush/changes/Event.h"
+#include "model/brush/changes/Feature.h"
 #include "model/brush/changes/Group.h"
 #include "model/brush/changes/Material.h"
 #include "model/brush/changes/Orientation.h"
@@ -53,7 +54,9 @@
     BRUSH(Clone, CloneSettings)                                                                    \
     BRUSH(Smooth, SmoothSettings)                                                                  \
     BRUSH(Push, PushSettings)                                                                      \
-    BRUSH(Parts, PartsSettings)
+    BRUSH(Parts, PartsSettings)                                                                    \
+    BRUSH(Feature, FeatureSettings)                                                                \
+    BRUSH(Outfit, OutfitSettings)
 
 namespace crowd::model {
 

@@ -2,6 +2,7 @@
 #include "model/brush/Mask.h"
 
 #include <algorithm>
+#include <array>
 
 #include "model/scene/Scene.h"
 
@@ -33,6 +34,9 @@ public:
           m_templates(people.column(columns::templateId)), m_groups(people.column(columns::group)),
           m_worn(people.column(columns::tags))
     {
+        for (std::uint8_t kind = 1; kind <= kMostFeatureKinds; ++kind) {
+            m_borne[kind - 1] = people.column(columns::feature(kind));
+        }
         std::ranges::sort(m_selected);
     }
 
@@ -43,11 +47,19 @@ public:
              std::ranges::binary_search(m_selected, static_cast<int>(m_ids[row]))) &&
             (m_mask.templates.empty() || isListed(m_mask.templates, m_templates[row])) &&
             (m_mask.groups.empty() || isListed(m_mask.groups, m_groups[row])) &&
-            (m_tags == 0 || (m_worn[row] & m_tags) != 0);
+            (m_tags == 0 || (m_worn[row] & m_tags) != 0) &&
+            (m_mask.features.empty() || bearsOne(row));
         return isHeld != m_mask.isInverted;
     }
 
 private:
+    [[nodiscard]] bool bearsOne(std::size_t row) const
+    {
+        return std::ranges::any_of(m_borne, [&](std::span<const FeatureId> borne) {
+            return borne[row] != 0 && isListed(m_mask.features, borne[row]);
+        });
+    }
+
     const MaskSettings& m_mask;
     std::uint64_t m_tags;
     std::vector<int> m_selected;
@@ -55,6 +67,7 @@ private:
     std::span<const TemplateId> m_templates;
     std::span<const GroupId> m_groups;
     std::span<const std::uint64_t> m_worn;
+    std::array<std::span<const FeatureId>, kMostFeatureKinds> m_borne;
 };
 
 } // namespace

@@ -27,11 +27,13 @@ struct MaskSettings
     std::vector<int> templates; ///< ids
     std::vector<int> groups;    ///< ids; 0: those in none
     std::vector<int> tags;      ///< bits, one of which is worn
+    std::vector<int> features;  ///< ids of values, one of which is borne
     bool isInverted = false;    ///< all but these
 
     [[nodiscard]] bool asksNothing() const
     {
-        return !onlySelected && templates.empty() && groups.empty() && tags.empty();
+        return !onlySelected && templates.empty() && groups.empty() && tags.empty() &&
+               features.empty();
     }
     static constexpr auto fields();
     friend bool operator==(const MaskSettings&, const MaskSettings&) = default;
@@ -93,6 +95,15 @@ constexpr auto MaskSettings::fields()
                          .role = FieldRole::Tag,
                          .isRemembered = false,
                          .zero = QT_TRANSLATE_NOOP("Fields", "all")}),
+        field(&S::features,
+              {.key = "features",
+               .label = QT_TRANSLATE_NOOP("Fields", "Features"),
+               .doc = "Ids of values of features, any of which is borne; empty: all. Assign a "
+                      "whole list.",
+               .high = 65535.0,
+               .role = FieldRole::Feature,
+               .isRemembered = false,
+               .zero = QT_TRANSLATE_NOOP("Fields", "all")}),
         field(&S::isInverted,
               {.key = "inverted",
                .label = QT_TRANSLATE_NOOP("Fields", "All but these"),

@@ -45,6 +45,7 @@ enum class StrokeReason : std::uint8_t {
     GroupLocked,  ///< their group, or the one that new ones come into, is locked or hidden
     NobodyChosen, ///< whom to clone or to face
     NoSuchPart,
+    NoSuchFeature,
     NoSuchMaterial, ///< though they have the slot
     OnlySeated,     ///< who sits is not pushed about
     NoState         ///< to give back: none is chosen, or it is gone

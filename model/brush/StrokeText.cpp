@@ -81,6 +81,8 @@ constexpr ReasonText kReasons[] = {
      QT_TRANSLATE_NOOP("Brushes", "The group is locked or hidden: the Groups panel shows it")},
     {StrokeReason::NobodyChosen,
      QT_TRANSLATE_NOOP("Brushes", "Ctrl+click somebody to choose first")},
+    {StrokeReason::NoSuchFeature,
+     QT_TRANSLATE_NOOP("Brushes", "The scene has no such feature: choose another kind or value")},
     {StrokeReason::NoSuchPart, QT_TRANSLATE_NOOP("Brushes", "None of them has the chosen part")},
     {StrokeReason::OnlySeated,
      QT_TRANSLATE_NOOP("Brushes", "All of them sit: who sits keeps the seat")},

@@ -29,6 +29,8 @@ enum class FieldRole : std::uint8_t {
     Group,        ///< GroupId; 0: none
     Part,         ///< a part's name; empty: all
     State,        ///< StateId
+    Feature,      ///< FeatureId; in lists with weights, the name of a value
+    FeatureKind,  ///< the name of a kind of feature
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

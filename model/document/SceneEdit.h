@@ -62,6 +62,8 @@ public:
     void setCues(std::vector<Cue> cues) { set<members::Cues>(std::move(cues)); }
     /// In the order in which they are shown; with different ids.
     void setStates(std::vector<State> states) { set<members::States>(std::move(states)); }
+    /// By ascending ids.
+    void setFeatures(std::vector<FeatureKind> kinds) { set<members::Features>(std::move(kinds)); }
     void setSurface(const SurfaceSettings& surface) { set<members::Surface>(surface); }
     /// One of kStepRates.
     void setStepsPerSecond(std::uint32_t steps) { set<members::Steps>(steps); }

@@ -49,12 +49,25 @@ enum class ColumnId : std::uint8_t {
     WalkSpeed,
     WalkStyle,
     TintReplaces,
+    Feature1,
+    Feature2,
+    Feature3,
+    Feature4,
+    Feature5,
+    Feature6,
+    Feature7,
+    Feature8,
     Count
 };
 inline constexpr std::size_t kColumnCount = static_cast<std::size_t>(ColumnId::Count);
 
 /// How a column's values are written to text (project file, scripts).
 enum class ColumnType : std::uint8_t { Float, Vec3, UInt16, UInt32, UInt64, Tint, Bytes8 };
+
+/// Stable name of a value of a feature within its scene, over all kinds. 0 is none.
+using FeatureId = std::uint16_t;
+/// Kinds of features that a scene may have, each with a column of its own.
+inline constexpr std::uint8_t kMostFeatureKinds = 8;
 
 /// Index of the chosen MaterialChoice for each of the first 8 slots.
 using MaterialChoices = std::array<std::uint8_t, 8>;
@@ -102,6 +115,11 @@ inline constexpr ColumnKey<std::uint16_t> tintReplaces{ColumnId::TintReplaces};
 [[nodiscard]] constexpr ColumnKey<Tint> tint(int slot)
 {
     return {static_cast<ColumnId>(static_cast<int>(ColumnId::Tint0) + slot)};
+}
+/// Which value of a kind of feature somebody bears; kinds count from 1 to kMostFeatureKinds.
+[[nodiscard]] constexpr ColumnKey<FeatureId> feature(std::uint8_t kind)
+{
+    return {static_cast<ColumnId>(static_cast<int>(ColumnId::Feature1) + kind - 1)};
 }
 } // namespace columns
 

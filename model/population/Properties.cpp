@@ -76,6 +76,18 @@ constexpr PropertyInfo tint(int slot, const char* key)
                      .aspect = PropertyAspect::Colours});
 }
 
+constexpr PropertyInfo feature(std::uint8_t kind, const char* key)
+{
+    return property(columns::feature(kind),
+                    {.key = key,
+                     .doc = "the id of a value of the feature whose id that is; 0: none",
+                     .role = FieldRole::Feature},
+                    {.kind = PropertyKind::Reference,
+                     .blend = PropertyBlend::Step,
+                     .writers = kWrittenByBrush | kWrittenByScript | kWrittenByRule,
+                     .aspect = PropertyAspect::Features});
+}
+
 constexpr FieldMeta scaleOf(const char* key, const char* label)
 {
     return {.key = key,
@@ -248,6 +260,14 @@ constexpr std::array<PropertyInfo, kColumnCount> kProperties{
              {.kind = PropertyKind::Set,
               .blend = PropertyBlend::Step,
               .aspect = PropertyAspect::Colours}),
+    feature(1, "feature1"),
+    feature(2, "feature2"),
+    feature(3, "feature3"),
+    feature(4, "feature4"),
+    feature(5, "feature5"),
+    feature(6, "feature6"),
+    feature(7, "feature7"),
+    feature(8, "feature8"),
 };
 
 /// An entry that was forgotten has no key; one in another's place has another's id.
@@ -281,6 +301,7 @@ std::span<const PropertyAspectInfo> propertyAspects()
         {PropertyAspect::Animation, "animation", QT_TRANSLATE_NOOP("Fields", "Animation")},
         {PropertyAspect::Size, "size", QT_TRANSLATE_NOOP("Fields", "Size")},
         {PropertyAspect::Walking, "walking", QT_TRANSLATE_NOOP("Fields", "Walking")},
+        {PropertyAspect::Features, "features", QT_TRANSLATE_NOOP("Fields", "Features")},
         {PropertyAspect::Tags, "tags", QT_TRANSLATE_NOOP("Fields", "Tags")},
         {PropertyAspect::Template, "template", QT_TRANSLATE_NOOP("Fields", "Template"), true},
         {PropertyAspect::Place, "place", QT_TRANSLATE_NOOP("Fields", "Place and heading"), true},

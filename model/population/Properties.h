@@ -53,6 +53,7 @@ enum class PropertyAspect : std::uint8_t {
     Animation,
     Size,
     Walking,
+    Features,
     Tags,
     Template,
     Place,

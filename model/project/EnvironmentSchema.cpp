@@ -18,12 +18,30 @@ namespace {
 
 using nlohmann::json;
 
+/// The class of what a list holds.
+const char* itemName(const FieldInfo& list)
+{
+    const std::array<std::pair<std::type_index, const char*>, 5> names{{
+        {typeid(FeatureValue), "FeatureValue"},
+        {typeid(FeatureClip), "FeatureClip"},
+        {typeid(FeatureSlot), "FeatureSlot"},
+        {typeid(FeatureMaterial), "FeatureMaterial"},
+        {typeid(FeaturePart), "FeaturePart"},
+    }};
+    const auto* found =
+        std::ranges::find(names, list.structType, &decltype(names)::value_type::first);
+    return found->second;
+}
+
 std::string typeOf(const FieldInfo& field)
 {
+    if (field.isList()) {
+        return std::string("list of ") + itemName(field);
+    }
     if (field.is<std::int64_t>()) {
         return field.meta.choices.empty() ? "int" : "choice";
     }
-    const std::array<std::pair<bool, const char*>, 8> types{{
+    const std::array<std::pair<bool, const char*>, 11> types{{
         {field.is<bool>(), "bool"},
         {field.is<float>(), "float"},
         {field.is<std::string>(), "str"},
@@ -32,6 +50,9 @@ std::string typeOf(const FieldInfo& field)
         {field.is<glm::vec3>(), "point"},
         {field.is<std::vector<ClipWeight>>(), "clips"},
         {field.is<ValueRange>(), "range"},
+        {field.is<DistributionCurve>(), "curve"},
+        {field.is<std::vector<PaintColor>>(), "colors"},
+        {field.is<std::vector<int>>(), "ids"},
     }};
     for (const auto& [isIt, name] : types) {
         if (isIt) {
@@ -51,6 +72,8 @@ const char* referredBy(FieldRole role)
         return "Path";
     case FieldRole::Tag:
         return "Tag";
+    case FieldRole::Feature:
+        return "FeatureValue";
     case FieldRole::Group:
         return "Group";
     case FieldRole::ArtistNumber:
@@ -164,7 +187,11 @@ json entryJson(const char* name, const char* list, const char* doc, json fields,
     const std::string_view owner(name);
     for (json& field : fields) {
         const auto key = field["key"].get<std::string>();
-        field["isNeeded"] = key == "id" || (owner == "Place" && key == "position") ||
+        const bool getsId = owner == "FeatureKind" || owner == "FeatureValue"; // from its mapping
+        if (key == "id" && getsId) {
+            field["low"] = 0;
+        }
+        field["isNeeded"] = (key == "id" && !getsId) || (owner == "Place" && key == "position") ||
                             (owner == "Branch" && (key == "place" || key == "path"));
     }
     return {{"name", name}, {"list", list}, {"doc", doc}, {"fields", std::move(fields)}};
@@ -179,6 +206,12 @@ json entriesJson()
     const TagName tag;
     const NumberName number;
     const Cue cue;
+    const FeatureKind kind;
+    const FeatureValue value;
+    const FeatureClip clip;
+    const FeatureSlot slot;
+    const FeatureMaterial material;
+    const FeaturePart featurePart;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
@@ -199,6 +232,20 @@ json entriesJson()
                   {partField("values", "values",
                              "[id, number] of each individual that begins with another one")}),
         entryJson("Cue", "cues", "A button that sends an event.", fieldsJson(cueFields(), &cue)),
+        entryJson("FeatureClip", "", "A clip that a value of a feature lets its bearers play.",
+                  fieldsJson(fieldsOf<FeatureClip>(), &clip)),
+        entryJson("FeatureMaterial", "", "One of the materials of a slot.",
+                  fieldsJson(fieldsOf<FeatureMaterial>(), &material)),
+        entryJson("FeatureSlot", "", "How a value of a feature lets a slot look.",
+                  fieldsJson(fieldsOf<FeatureSlot>(), &slot)),
+        entryJson("FeaturePart", "", "A part that a value of a feature shows or hides.",
+                  fieldsJson(fieldsOf<FeaturePart>(), &featurePart)),
+        entryJson(
+            "FeatureValue", "",
+            "What people can be like: what it names changes with its bearers, the rest stays.",
+            fieldsJson(fieldsOf<FeatureValue>(), &value)),
+        entryJson("FeatureKind", "", "A feature: a kind with its values.",
+                  fieldsJson(fieldsOf<FeatureKind>(), &kind)),
         entryJson("Rule", "rules", "When this happens, and the conditions hold, do this.",
                   fieldsJson(ruleFields(), &rule),
                   {partField("when", "Trigger", "what makes it fire", first),

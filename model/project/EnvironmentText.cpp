@@ -94,6 +94,22 @@ private:
             }
         });
     }
+    template<Described Entry>
+    void addOf(const Entry& entry)
+    {
+        add(entry.unknownMembers);
+        addItems(fieldsOf<Entry>(), const_cast<Entry*>(&entry)); // only read
+    }
+    void addItems(std::span<const FieldInfo> fields, void* object)
+    {
+        for (const FieldInfo& field : fields) {
+            for (std::size_t i = 0; field.isList() && i < field.count(object); ++i) {
+                void* item = field.itemOf(object, i);
+                add(*field.unknownOf(item));
+                addItems(field.children, item);
+            }
+        }
+    }
     void add(const std::string& members)
     {
         if (!members.empty()) {

@@ -7,6 +7,7 @@
 
 #include "model/project/AssetsJson.h"
 #include "model/project/EnvironmentJson.h"
+#include "model/project/FeaturesJson.h"
 #include "model/project/JsonWriting.h"
 #include "model/project/RulesJson.h"
 #include "model/project/StatesJson.h"

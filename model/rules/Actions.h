@@ -20,6 +20,7 @@
 #include "model/rules/actions/RemoveTag.h"
 #include "model/rules/actions/Repeat.h"
 #include "model/rules/actions/SendEvent.h"
+#include "model/rules/actions/SetFeature.h"
 #include "model/rules/actions/SetNumber.h"
 #include "model/rules/actions/SetProperty.h"
 #include "model/rules/actions/SetSpeed.h"
@@ -40,7 +41,7 @@ using ActionData =
                  actions::Follow, actions::Flee, actions::Stop, actions::GoOn, actions::SetSpeed,
                  actions::Wait, actions::WaitForEvent, actions::Repeat, actions::OneOf,
                  actions::Again, actions::SendEvent, actions::AddTag, actions::RemoveTag,
-                 actions::SetProperty, actions::TakeOnState, actions::SetNumber,
-                 actions::AddToNumber, actions::Appear, actions::LeaveScene>;
+                 actions::SetProperty, actions::SetFeature, actions::TakeOnState,
+                 actions::SetNumber, actions::AddToNumber, actions::Appear, actions::LeaveScene>;
 
 } // namespace crowd::model

@@ -5,6 +5,7 @@
 
 #include "model/rules/conditions/Chance.h"
 #include "model/rules/conditions/FollowsPath.h"
+#include "model/rules/conditions/HasFeature.h"
 #include "model/rules/conditions/HasTag.h"
 #include "model/rules/conditions/InPlace.h"
 #include "model/rules/conditions/IsFull.h"
@@ -20,9 +21,9 @@ namespace crowd::model {
 
 /// All kinds of conditions, in the order of menus. One more stands here and in a header of its own.
 using ConditionData =
-    std::variant<conditions::HasTag, conditions::OfTemplate, conditions::InPlace,
-                 conditions::FollowsPath, conditions::IsSeated, conditions::Chance,
-                 conditions::Number, conditions::Speed, conditions::Payload, conditions::IsFull,
-                 conditions::PeopleIn, conditions::Property>;
+    std::variant<conditions::HasTag, conditions::HasFeature, conditions::OfTemplate,
+                 conditions::InPlace, conditions::FollowsPath, conditions::IsSeated,
+                 conditions::Chance, conditions::Number, conditions::Speed, conditions::Payload,
+                 conditions::IsFull, conditions::PeopleIn, conditions::Property>;
 
 } // namespace crowd::model

@@ -77,6 +77,11 @@ namespace crowd::model::rulefields {
     return reference(meta, "state", FieldRole::State);
 }
 
+[[nodiscard]] constexpr FieldMeta feature(FieldMeta meta)
+{
+    return reference(meta, "feature", FieldRole::Feature);
+}
+
 [[nodiscard]] constexpr FieldMeta tag(FieldMeta meta)
 {
     meta.role = FieldRole::Tag;

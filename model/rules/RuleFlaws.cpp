@@ -26,6 +26,8 @@ std::optional<RuleGap> gapOf(const FieldInfo& field, const void* object)
             return isOpen ? std::optional(RuleGap::Number) : std::nullopt;
         case FieldRole::State:
             return isOpen ? std::optional(RuleGap::State) : std::nullopt;
+        case FieldRole::Feature:
+            return isOpen ? std::optional(RuleGap::Feature) : std::nullopt;
         case FieldRole::Template:
             return isOpen ? std::optional(RuleGap::Template) : std::nullopt;
         default:
@@ -307,6 +309,8 @@ std::string gapText(RuleGap gap)
         return "choose a template";
     case RuleGap::State:
         return "choose a state";
+    case RuleGap::Feature:
+        return "choose a feature";
     case RuleGap::Deed:
         return "add something to do";
     }

@@ -9,6 +9,7 @@
 #include "model/rules/triggers/Entered.h"
 #include "model/rules/triggers/Event.h"
 #include "model/rules/triggers/Every.h"
+#include "model/rules/triggers/FeatureChanged.h"
 #include "model/rules/triggers/Left.h"
 #include "model/rules/triggers/PathEnded.h"
 #include "model/rules/triggers/SpeedLimit.h"
@@ -23,7 +24,7 @@ namespace crowd::model {
 using TriggerData =
     std::variant<triggers::Start, triggers::Event, triggers::Arrived, triggers::Entered,
                  triggers::Left, triggers::PathEnded, triggers::ClipEnded, triggers::StateRecalled,
-                 triggers::Every, triggers::TagNear, triggers::SpeedLimit, triggers::Waited,
-                 triggers::AheadFree>;
+                 triggers::FeatureChanged, triggers::Every, triggers::TagNear, triggers::SpeedLimit,
+                 triggers::Waited, triggers::AheadFree>;
 
 } // namespace crowd::model

@@ -14,6 +14,7 @@
 #include "model/base/Message.h"
 #include "model/population/Population.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Feature.h"
 #include "model/scene/Group.h"
 #include "model/scene/Path.h"
 #include "model/scene/Stage.h"
@@ -117,6 +118,7 @@ struct Scene
     std::vector<NumberName> numbers; ///< ascending ids
     std::vector<Cue> cues;           ///< in the order in which they are shown
     std::vector<State> states;       ///< in the order in which they are shown
+    std::vector<FeatureKind> features = readyFeatures(); ///< ascending ids
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session

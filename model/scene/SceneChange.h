@@ -49,6 +49,10 @@ struct RulesChanged
 struct StatesChanged
 {
 };
+/// What there is of kinds and values of features.
+struct FeaturesChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
@@ -57,6 +61,6 @@ struct SceneReplaced
 using SceneChange =
     std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
                  StagesChanged, CamerasChanged, LightingChanged, PathsChanged, GroupsChanged,
-                 RulesChanged, StatesChanged, SceneReplaced>;
+                 RulesChanged, StatesChanged, FeaturesChanged, SceneReplaced>;
 
 } // namespace crowd::model

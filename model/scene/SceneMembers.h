@@ -29,9 +29,9 @@ struct SceneMember
     using Type = std::remove_cvref_t<decltype(std::declval<Scene&>().*Pointer)>;
     using Changed = Change; ///< what is announced
     /// Whether scripts read and set it with the environment (see EnvironmentText.h).
-    static constexpr bool isEnvironment = std::is_same_v<Change, PathsChanged> ||
-                                          std::is_same_v<Change, RulesChanged> ||
-                                          std::is_same_v<Change, GroupsChanged>;
+    static constexpr bool isEnvironment =
+        std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged> ||
+        std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged>;
     /// Whether files are without it where there is nothing of it.
     static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged>;
     [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
@@ -94,6 +94,10 @@ struct Surface : SceneMember<&Scene::surface, PathsChanged, MemberKind::Value>
     static constexpr const char* key = "surface";
 };
 
+struct Features : SceneMember<&Scene::features, FeaturesChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "features";
+};
 struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 {
     static constexpr const char* key = "states";
@@ -105,7 +109,8 @@ struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
                members::Groups, members::Cameras, members::Light, members::Tags, members::Rules,
-               members::Numbers, members::Cues, members::Steps, members::Surface, members::States>;
+               members::Numbers, members::Cues, members::Steps, members::Surface, members::Features,
+               members::States>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

@@ -102,6 +102,15 @@ public:
         note(agent, "state");
         return true;
     }
+    bool takeOnFeature(std::uint32_t agent, std::uint32_t /*feature*/) override
+    {
+        note(agent, "feature");
+        return true;
+    }
+    [[nodiscard]] bool bears(std::uint32_t /*agent*/, std::uint32_t /*feature*/) const override
+    {
+        return false;
+    }
     void noteTags(std::uint32_t agent, std::uint64_t /*tags*/) override { note(agent, "tags"); }
 
     std::vector<glm::vec3> positions;

@@ -131,6 +131,9 @@ inline void enliven(BrushSettings& settings)
     if (auto* shuffle = settings.find<ShuffleSettings>()) {
         *shuffle = {true, true, true, true, true};
     }
+    if (auto* feature = settings.find<FeatureSettings>()) {
+        feature->values = {{"sad", 1.0F}, {"excited", 2.0F}};
+    }
     if (auto* restore = settings.find<RestoreSettings>()) {
         *restore = {RestoreSource::Template, true, true, true, true, true};
     }

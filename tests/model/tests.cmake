@@ -33,6 +33,7 @@ crowd_add_tests(ROOM model
     tst_GltfSpecFiles
     tst_GltfSpecMeshes
     tst_GroundSpeed
+    tst_Features
     tst_Groups
     tst_ImportProposal
     tst_Lasso

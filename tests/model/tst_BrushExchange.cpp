@@ -260,6 +260,7 @@ void tst_BrushExchange::statesAreGivenBack()
     restore.as<RestoreSettings>().source = RestoreSource::State;
     QCOMPARE(paintAll(scene, restore).reason, StrokeReason::NoState);
     restore.as<RestoreSettings>().state = 1;
+    scene.keyframes.waitForAll(); // who is on screen has his clip
     bool isExact = false;
     const auto connection =
         QObject::connect(&scene.document, &SceneDocument::stepCommitted,

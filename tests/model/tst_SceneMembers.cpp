@@ -87,6 +87,14 @@ void alter(members::Surface, SceneEdit& edit)
     edit.set<members::Surface>(surface);
 }
 
+void alter(members::Features, SceneEdit& edit)
+{
+    FeatureKind kind;
+    kind.id = 3;
+    kind.name = "team";
+    edit.set<members::Features>({kind});
+}
+
 void alter(members::States, SceneEdit& edit)
 {
     putState(edit, keepState(edit.scene(), "calm", usualStateColumns(), {}));

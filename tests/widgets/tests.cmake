@@ -9,6 +9,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_Docks
     tst_EnvironmentMenu
     tst_GroundTools
+    tst_FeaturesDock
     tst_GroupsDock
     tst_IndividualDock
     tst_KeepPose

@@ -193,7 +193,8 @@ void TestStatesDock::whatIsTickedIsHeld()
     };
     QVERIFY(tick("animation")->isChecked() && tick("colours")->isChecked());
     QVERIFY(!tick("place")->isChecked() && !tick("template")->isChecked());
-    for (const char* aspect : {"colours", "materials", "size", "walking", "tags", "animation"}) {
+    for (const char* aspect :
+         {"colours", "materials", "size", "walking", "features", "tags", "animation"}) {
         tick(aspect)->setChecked(false);
     }
     desk.press("keepState");

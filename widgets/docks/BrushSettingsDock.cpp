@@ -27,16 +27,16 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
         }
     });
     // Slots, clips, seats, groups and states on offer are those of the scene.
-    connect(
-        &m_state.document(), &model::SceneDocument::changed, this,
-        [this](const model::SceneChange& change) {
-            const bool isWalk = brushKindOf(m_state.tool()) == model::BrushKind::Walk;
-            if (isOneOf<model::TemplatesChanged, model::StagesChanged, model::RulesChanged,
-                        model::GroupsChanged, model::StatesChanged, model::SceneReplaced>(change) ||
-                (isWalk && isOneOf<model::PathsChanged>(change))) {
-                m_rebuild.start();
-            }
-        });
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                const bool isWalk = brushKindOf(m_state.tool()) == model::BrushKind::Walk;
+                if (isOneOf<model::TemplatesChanged, model::StagesChanged, model::RulesChanged,
+                            model::GroupsChanged, model::StatesChanged, model::FeaturesChanged,
+                            model::SceneReplaced>(change) ||
+                    (isWalk && isOneOf<model::PathsChanged>(change))) {
+                    m_rebuild.start();
+                }
+            });
     rebuild();
 }
 

@@ -16,7 +16,8 @@ constexpr int kNameWidth = 110; ///< logical pixels; foreign files name clips at
 
 } // namespace
 
-ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent) : QWidget(parent)
+ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent, const Texts& texts)
+    : QWidget(parent)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -24,13 +25,13 @@ ClipMix::ClipMix(const std::vector<std::string>& names, QWidget* parent) : QWidg
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
     for (const std::string& name : names) {
-        const QString text = QString::fromStdString(name);
+        const QString text = texts ? texts(name) : QString::fromStdString(name);
         auto* tick =
             new QCheckBox(fontMetrics().elidedText(text, Qt::ElideMiddle, kNameWidth), this);
         tick->setAccessibleName(text);
         auto* weight = new ValueSlider({}, {1.0, 100.0, 5.0, 0, QStringLiteral(" %"), false}, this);
         tick->setToolTip(text);
-        weight->setToolTip(tr("How often the clip comes among those ticked"));
+        weight->setToolTip(tr("How often it comes among those ticked"));
         QSizePolicy policy = weight->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
         weight->setSizePolicy(policy);

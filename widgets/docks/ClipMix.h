@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,17 @@ namespace crowd::widgets {
 
 class ValueSlider;
 
-/// Clips to choose among, with a tick each and a weight for those that are ticked.
+/// Clips, or other things that go by names, to choose among, with a tick each and a weight for
+/// those that are ticked.
 class ClipMix : public QWidget
 {
     Q_OBJECT
 
 public:
-    ClipMix(const std::vector<std::string>& names, QWidget* parent);
+    /// What stands for a name on screen.
+    using Texts = std::function<QString(const std::string& name)>;
+
+    ClipMix(const std::vector<std::string>& names, QWidget* parent, const Texts& texts = {});
 
     void setClips(const std::vector<model::ClipWeight>& clips); ///< without signal
 

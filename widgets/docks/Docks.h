@@ -7,6 +7,7 @@
 #include "widgets/docks/BrushSettingsDock.h"
 #include "widgets/docks/ColourDock.h"
 #include "widgets/docks/EnvironmentDock.h"
+#include "widgets/docks/FeaturesDock.h"
 #include "widgets/docks/GroupsDock.h"
 #include "widgets/docks/HistoryDock.h"
 #include "widgets/docks/IndividualDock.h"

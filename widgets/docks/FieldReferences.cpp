@@ -16,8 +16,10 @@
 #include "model/scene/Scene.h"
 #include "widgets/docks/CheckList.h"
 #include "widgets/docks/ClipMix.h"
+#include "widgets/docks/FieldNames.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/EditorState.h"
+#include "widgets/state/FeatureTexts.h"
 
 namespace crowd::widgets {
 
@@ -101,20 +103,6 @@ void addSlot(FieldForm& form, const Bound& bound)
     form.addChoice(labelText(bound), texts, chosen, choose, bound.isShown);
 }
 
-/// A choice of names, with what is shown for each.
-void addName(FieldForm& form, const Bound& bound, const QStringList& texts,
-             const std::vector<std::string>& names)
-{
-    form.addChoice(
-        labelText(bound), texts,
-        [&form, bound, names] {
-            const auto found = std::ranges::find(names, form.valueOf<std::string>(bound));
-            return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-        },
-        [&form, bound, names](int i) { form.setValue(bound, names[static_cast<std::size_t>(i)]); },
-        bound.isShown);
-}
-
 /// Names of materials that some slot lets choose from, each once; any comes first.
 void addMaterial(FieldForm& form, const Bound& bound)
 {
@@ -171,23 +159,8 @@ std::vector<std::string> clipNamesOf(const model::Scene& scene, bool areWalking)
 
 void addClips(FieldForm& form, const Bound& bound)
 {
-    using Clips = std::vector<model::ClipWeight>;
     const bool areWalking = bound.field->meta.role == model::FieldRole::WalkingClips;
-    auto* mix = new ClipMix(clipNamesOf(sceneOf(form), areWalking), &form);
-    QObject::connect(mix, &ClipMix::edited, &form, [&form, bound](const model::ClipWeight& edited) {
-        auto all = form.valueOf<Clips>(bound);
-        const auto known = std::ranges::find(all, edited.clip, &model::ClipWeight::clip);
-        if (edited.weight <= 0.0F) {
-            std::erase_if(all, [&](const auto& clip) { return clip.clip == edited.clip; });
-        } else if (known != all.end()) {
-            known->weight = edited.weight;
-        } else {
-            all.push_back(edited);
-        }
-        form.setValue(bound, std::move(all));
-    });
-    form.bind(
-        mix, [&form, mix, bound] { mix->setClips(form.valueOf<Clips>(bound)); }, bound.isShown);
+    addMix(form, bound, new ClipMix(clipNamesOf(sceneOf(form), areWalking), &form));
 }
 
 void addPath(FieldForm& form, const Bound& bound)
@@ -240,6 +213,10 @@ std::vector<CheckList::Item> listedItems(const model::Scene& scene, model::Field
         items.push_back({0, FieldForm::tr("In no group")});
         for (const model::Group& group : scene.groups) {
             items.push_back({static_cast<int>(group.id), QString::fromStdString(group.name)});
+        }
+    } else if (role == model::FieldRole::Feature) {
+        for (const model::NamedFeature& each : featureEntries(scene)) {
+            items.push_back({static_cast<int>(each.id), QString::fromStdString(each.name)});
         }
     } else {
         for (int bit = 0; bit < static_cast<int>(model::kTagCount); ++bit) {
@@ -387,6 +364,9 @@ void addPoint(FieldForm& form, const Bound& bound)
 bool addReferenceControl(FieldForm& form, const Bound& bound)
 {
     const model::FieldInfo& field = *bound.field;
+    if (addNamedControl(form, bound)) {
+        return true;
+    }
     if (field.is<std::vector<model::ClipWeight>>()) {
         addClips(form, bound);
         return true;

@@ -16,6 +16,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/population/PropertyValues.h"
+#include "widgets/docks/FeatureRows.h"
 #include "widgets/docks/NumberList.h"
 #include "widgets/theme/Icons.h"
 
@@ -103,7 +104,8 @@ IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
       m_title(new QLabel(this)), m_content(new QWidget(this)), m_template(narrowBox(this)),
       m_clip(narrowBox(this)), m_tags(new QLineEdit(this)),
       m_seat(new NumberField(1.0, kMostSeats, 0, this)), m_seatPlace(new QLabel(this)),
-      m_standUp(new QToolButton(this)), m_slotArea(new QWidget(this))
+      m_standUp(new QToolButton(this)), m_features(new FeatureRows(state, this)),
+      m_slotArea(new QWidget(this))
 {
     auto* all = new QWidget(this);
     auto* layout = new QVBoxLayout(all);
@@ -117,6 +119,7 @@ IndividualDock::IndividualDock(EditorState& state, QWidget* parent)
     form->setVerticalSpacing(3);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     buildForm(form);
+    form->addRow(m_features);
     form->addRow(m_slotArea);
     setScrolledContent(all);
     connectState();
@@ -250,6 +253,7 @@ void IndividualDock::refresh()
         rebuild(selected);
         refreshNumbers(selected);
         refreshSeat(selected);
+        m_features->refresh(selected);
         refreshSlots(selected);
         refreshParts(selected);
     }

@@ -23,6 +23,8 @@ class QToolButton;
 
 namespace crowd::widgets {
 
+class FeatureRows;
+
 /// The properties of whoever is selected, several at once ("mixed" where they differ): those that
 /// the table of properties lets the panel write, numbers with a row generated from it. Clips,
 /// slots, outfits and parts of several templates are matched by name. Every edit is one undo step
@@ -90,6 +92,7 @@ private:
     NumberField* m_seat;
     QLabel* m_seatPlace;
     QToolButton* m_standUp;
+    FeatureRows* m_features;
     QWidget* m_slotArea;
     std::vector<SlotRow> m_slots;
     std::vector<PartRow> m_parts;

@@ -17,6 +17,7 @@
 
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/WrapRow.h"
+#include "widgets/state/FeatureTexts.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -161,6 +162,9 @@ void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::Field
         break;
     case model::FieldRole::State:
         addEntryField(row, scene.states, id, any, changed);
+        break;
+    case model::FieldRole::Feature:
+        addEntryField(row, featureEntries(scene), id, any, changed);
         break;
     case model::FieldRole::Template:
         addEntryField(row, scene.templates, id, any, changed);

@@ -80,6 +80,9 @@ QString missingText(const Scene& scene, const FieldMeta& meta, const FieldValue&
     if (meta.role == FieldRole::State && !isThere(scene.states, *id)) {
         return RuleProblemsText::tr("The state is not there any more: choose another one.");
     }
+    if (meta.role == FieldRole::Feature && !isThere(model::allFeatures(scene.features), *id)) {
+        return RuleProblemsText::tr("The feature is not there any more: choose another one.");
+    }
     if (meta.role == FieldRole::Template && !isThere(scene.templates, *id)) {
         return RuleProblemsText::tr(
             "A condition asks for something that is not there: choose again.");
@@ -140,6 +143,8 @@ QString gapText(RuleGap gap)
     case RuleGap::State:
         return RuleProblemsText::tr("It does nothing yet: choose a state; the panel States keeps "
                                     "one.");
+    case RuleGap::Feature:
+        return RuleProblemsText::tr("It does nothing yet: choose a feature.");
     case RuleGap::Template:
         return RuleProblemsText::tr("It does nothing yet: choose a template.");
     case RuleGap::Deed:

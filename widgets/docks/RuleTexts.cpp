@@ -10,6 +10,7 @@
 
 #include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleNames.h"
+#include "widgets/state/FeatureTexts.h"
 
 /// Rules as sentences.
 namespace crowd::widgets {
@@ -45,6 +46,15 @@ QString entryText(const std::vector<Entry>& entries, std::int64_t id, const QStr
                                             : RuleTextsContext::tr("(gone)");
 }
 
+QString featureName(const Scene& scene, std::int64_t id, const QString& none)
+{
+    const bool isOne = id > 0 && id <= std::int64_t{0xFFFF};
+    const FeatureValue* value =
+        isOne ? findFeature(scene.features, static_cast<FeatureId>(id)) : nullptr;
+    return value != nullptr ? featureText(value->name)
+                            : entryText(allFeatures(scene.features), id, none);
+}
+
 QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t value)
 {
     const QString none = *meta.zero == 0 ? openText() : ruleText(meta.zero);
@@ -59,6 +69,8 @@ QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t valu
         return entryText(scene.numbers, value, RuleTextsContext::tr("a number"));
     case FieldRole::State:
         return entryText(scene.states, value, none);
+    case FieldRole::Feature:
+        return featureName(scene, value, none);
     case FieldRole::Template:
         return entryText(scene.templates, value, RuleTextsContext::tr("(gone)"));
     case FieldRole::Tag:

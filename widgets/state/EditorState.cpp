@@ -54,6 +54,10 @@ void forgetGone(EditorState& state)
             }
         }
         std::erase_if(brush.mask.groups, isGoneGroup);
+        std::erase_if(brush.mask.features, [&state](int id) {
+            return model::findFeature(state.scene().features, static_cast<model::FeatureId>(id)) ==
+                   nullptr;
+        });
         state.setBrush(brush);
     }
 }
@@ -331,6 +335,7 @@ void EditorState::followScene(const model::SceneChange& change)
         [this](const model::RulesChanged&) { refreshEvent(*this); },
         [this](const model::GroupsChanged&) { forgetGone(*this); },
         [this](const model::StatesChanged&) { forgetGone(*this); },
+        [this](const model::FeaturesChanged&) { forgetGone(*this); },
         [this](const model::SceneReplaced&) { beginScene(); });
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "model/base/WeightedDraw.h"
+#include "model/brush/ColumnWriting.h"
+#include "model/features/FeatureWriting.h"
+
+namespace crowd::model {
+
+namespace {
+
+struct Offer
+{
+    FeatureId id = 0;
+    float weight = 1.0F;
+};
+
+/// The values that are meant, in their order.
+std::vector<Offer> offersOf(const FeatureKind& kind, const FeatureSettings& settings)
+{
+    std::vector<Offer> offers;
+    for (const ClipWeight& each : settings.values) {
+        const FeatureValue* value = kind.find(each.clip);
+        if (value != nullptr && each.weight > 0.0F) {
+            offers.push_back({value->id, each.weight});
+        }
+    }
+    for (const FeatureValue& value : kind.values) {
+        if (settings.values.empty()) {
+            offers.push_back({value.id, 1.0F});
+        }
+    }
+    return offers;
+}
+
+/// One of them for each: a draw goes by weight, else shares run from the first to the last.
+std::vector<FeatureId> wantedOf(const std::vector<Offer>& offers, const OperatorResult& values)
+{
+    std::vector<FeatureId> wanted;
+    wanted.reserve(values.shares.size());
+    for (const double share : values.shares) {
+        const auto step =
+            static_cast<std::size_t>(share * static_cast<double>(offers.size() - 1) + 0.5);
+        const std::size_t at = values.isDraw
+                                   ? weightedIndex(offers, static_cast<float>(share),
+                                                   [](const Offer& each) { return each.weight; })
+                                   : step;
+        wanted.push_back(offers[std::min(at, offers.size() - 1)].id);
+    }
+    return wanted;
+}
+
+const FeatureSettings& settingsOf(const BrushSettings& brush)
+{
+    const auto* outfit = brush.find<OutfitSettings>();
+    return outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
+}
+
+} // namespace
+
+ChangeResult FeatureSettings::change(const ChangeRequest& request)
+{
+    const FeatureSettings& settings = settingsOf(request.settings);
+    const FeatureKind* kind = findKind(request.edit.scene().features, settings.kind);
+    ChangeResult result;
+    result.reason = StrokeReason::NoSuchFeature;
+    if (kind == nullptr) {
+        return result;
+    }
+    const std::vector<Offer> offers = offersOf(*kind, settings);
+    if (offers.empty() && !settings.takesOff) {
+        return result;
+    }
+    const OperatorShares shares(request);
+    const std::vector<FeatureId> wanted =
+        settings.takesOff ? std::vector<FeatureId>(request.ids.size(), FeatureId{0})
+                          : wantedOf(offers, shares.of(request.settings.op, "feature.value"));
+    result.changed = setFeature(request.edit, *kind, request.ids, wanted, request.seed);
+    result.reason = StrokeReason::Unchanged;
+    return result;
+}
+
+void FeatureSettings::prepare(BrushSettings& brush)
+{
+    brush.selection = BrushSelection::AllInCircle;
+    brush.op = BrushOperator::Random;
+}
+
+std::string FeatureSettings::take(BrushSettings& brush, const TakenFrom& from)
+{
+    auto* outfit = brush.find<OutfitSettings>();
+    FeatureSettings& settings = outfit != nullptr ? *outfit : brush.as<FeatureSettings>();
+    const FeatureKind* kind = findKind(from.scene.features, settings.kind);
+    const FeatureValue* value =
+        kind != nullptr ? findFeature(from.scene.features, from.value(columns::feature(kind->id)))
+                        : nullptr;
+    if (value == nullptr) {
+        return {};
+    }
+    settings.values = {{value->name, 1.0F}};
+    settings.takesOff = false;
+    return value->name;
+}
+
+} // namespace crowd::model
