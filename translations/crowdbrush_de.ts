@@ -8243,6 +8243,17 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::FeatureRows</name>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::FeaturesDock</name>
     <message>
         <source>Features</source>

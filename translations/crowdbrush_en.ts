@@ -8236,6 +8236,17 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
+    <name>crowd::widgets::FeatureRows</name>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>crowd::widgets::FeaturesDock</name>
     <message>
         <source>Features</source>

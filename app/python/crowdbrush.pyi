@@ -2239,6 +2239,116 @@ class actions:
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
 
+class FeatureClip(Entry):
+    """A clip that a value of a feature lets its bearers play."""
+    def __init__(self, *, clip: str = ..., role: Literal["any", "idle", "walk", "run", "fly", "sit"] = ..., weight: float = ...) -> None:
+        ...
+    clip: str
+    """the words of its name: "cheer" is also "sit_cheer"; empty: any of the role"""
+    role: Literal["any", "idle", "walk", "run", "fly", "sit"]
+    """what it is for; any: whatever it is; begins as 'any'"""
+    weight: float
+    """how often, against the others; 0 to 1e6; begins as 1.0"""
+
+
+class FeatureMaterial(Entry):
+    """One of the materials of a slot."""
+    def __init__(self, *, name: str = ..., weight: float = ...) -> None:
+        ...
+    name: str
+    """of the slot's materials"""
+    weight: float
+    """how often, against the others; 0 to 1e6; begins as 1.0"""
+
+
+class FeatureSlot(Entry):
+    """How a value of a feature lets a slot look."""
+    def __init__(self, *, slot: str = ..., colors: colors = ..., strength: float = ..., replaces: bool = ..., materials: Sequence[Union[FeatureMaterial, Dict[str, Any]]] = ...) -> None:
+        ...
+    slot: str
+    """the words of its name; empty: what is worn and no other names"""
+    colors: colors
+    """of which one is drawn for each; none: as it is"""
+    strength: float
+    """of the tint; 0 to 1; begins as 1.0"""
+    replaces: bool
+    """the colour itself; else it multiplies the material's; begins as True"""
+    materials: List[FeatureMaterial]
+    """one of which is drawn"""
+
+
+class FeaturePart(Entry):
+    """A part that a value of a feature shows or hides."""
+    def __init__(self, *, part: str = ..., shown: bool = ...) -> None:
+        ...
+    part: str
+    """the words of its name; empty: all"""
+    shown: bool
+    """whether it is seen; begins as True"""
+
+
+class FeatureValue(Entry):
+    """What people can be like: what it names changes with its bearers, the rest stays."""
+    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., templates: Union[int, Template] = ..., clips: Sequence[Union[FeatureClip, Dict[str, Any]]] = ..., sets_phase: bool = ..., phase: Sequence[float] = ..., phase_curve: curve = ..., sets_speed: bool = ..., speed: Sequence[float] = ..., speed_curve: curve = ..., sets_walk_speed: bool = ..., walk_speed: Sequence[float] = ..., walk_speed_curve: curve = ..., sets_height: bool = ..., height: Sequence[float] = ..., height_curve: curve = ..., sets_girth: bool = ..., girth: Sequence[float] = ..., girth_curve: curve = ..., slots: Sequence[Union[FeatureSlot, Dict[str, Any]]] = ..., parts: Sequence[Union[FeaturePart, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """what columns and rules have: of no other value of the scene; 0 to 65535; begins as 0"""
+    name: str
+    """as scripts and brushes call it"""
+    color: str
+    """in which the editor shows it; begins as '#969696'"""
+    templates: ids
+    """ids of those it is limited to; none: all"""
+    clips: List[FeatureClip]
+    """of which one is drawn for each"""
+    sets_phase: bool
+    """whether it sets the phase; begins as False"""
+    phase: List[float]
+    """0–1 of the clip at time 0"""
+    phase_curve: curve
+    """how often phases come"""
+    sets_speed: bool
+    """whether it sets the speed; begins as False"""
+    speed: List[float]
+    """of playback, 1 as authored"""
+    speed_curve: curve
+    """how often speeds come"""
+    sets_walk_speed: bool
+    """whether it sets the walking speed; begins as False"""
+    walk_speed: List[float]
+    """at height 1; m/s"""
+    walk_speed_curve: curve
+    """how often walking speeds come"""
+    sets_height: bool
+    """whether it sets the height; begins as False"""
+    height: List[float]
+    """a scale"""
+    height_curve: curve
+    """how often heights come"""
+    sets_girth: bool
+    """whether it sets the girth; begins as False"""
+    girth: List[float]
+    """a scale"""
+    girth_curve: curve
+    """how often girths come"""
+    slots: List[FeatureSlot]
+    """how slots look"""
+    parts: List[FeaturePart]
+    """which parts are seen"""
+
+
+class FeatureKind(Entry):
+    """A feature: a kind with its values."""
+    def __init__(self, *, id: int = ..., name: str = ..., values_: Sequence[Union[FeatureValue, Dict[str, Any]]] = ...) -> None:
+        ...
+    id: int
+    """the number of the column that says who bears which of its values; 0 to 8; begins as 0"""
+    name: str
+    """as scripts and brushes call it"""
+    values_: List[FeatureValue]
+    """in order, from one end of a gradient to the other"""
+
+
 class Place(Entry):
     """A spot with a size on the ground."""
     def __init__(self, *, id: int, name: str = ..., position: Sequence[float], radius: float = ..., color: Union[str, Sequence[int]] = ..., role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"] = ..., capacity: int = ..., speed_share: float = ...) -> None:
@@ -2365,116 +2475,6 @@ class Cue(Entry):
     """who begins when; begins as 'distance'"""
     point: List[float]
     """metres, where "distance" begins"""
-
-
-class FeatureClip(Entry):
-    """A clip that a value of a feature lets its bearers play."""
-    def __init__(self, *, clip: str = ..., role: Literal["any", "idle", "walk", "run", "fly", "sit"] = ..., weight: float = ...) -> None:
-        ...
-    clip: str
-    """the words of its name: "cheer" is also "sit_cheer"; empty: any of the role"""
-    role: Literal["any", "idle", "walk", "run", "fly", "sit"]
-    """what it is for; any: whatever it is; begins as 'any'"""
-    weight: float
-    """how often, against the others; 0 to 1e6; begins as 1.0"""
-
-
-class FeatureMaterial(Entry):
-    """One of the materials of a slot."""
-    def __init__(self, *, name: str = ..., weight: float = ...) -> None:
-        ...
-    name: str
-    """of the slot's materials"""
-    weight: float
-    """how often, against the others; 0 to 1e6; begins as 1.0"""
-
-
-class FeatureSlot(Entry):
-    """How a value of a feature lets a slot look."""
-    def __init__(self, *, slot: str = ..., colors: colors = ..., strength: float = ..., replaces: bool = ..., materials: Sequence[Union[FeatureMaterial, Dict[str, Any]]] = ...) -> None:
-        ...
-    slot: str
-    """the words of its name; empty: what is worn and no other names"""
-    colors: colors
-    """of which one is drawn for each; none: as it is"""
-    strength: float
-    """of the tint; 0 to 1; begins as 1.0"""
-    replaces: bool
-    """the colour itself; else it multiplies the material's; begins as True"""
-    materials: List[FeatureMaterial]
-    """one of which is drawn"""
-
-
-class FeaturePart(Entry):
-    """A part that a value of a feature shows or hides."""
-    def __init__(self, *, part: str = ..., shown: bool = ...) -> None:
-        ...
-    part: str
-    """the words of its name; empty: all"""
-    shown: bool
-    """whether it is seen; begins as True"""
-
-
-class FeatureValue(Entry):
-    """What people can be like: what it names changes with its bearers, the rest stays."""
-    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., templates: Union[int, Template] = ..., clips: Sequence[Union[FeatureClip, Dict[str, Any]]] = ..., sets_phase: bool = ..., phase: Sequence[float] = ..., phase_curve: curve = ..., sets_speed: bool = ..., speed: Sequence[float] = ..., speed_curve: curve = ..., sets_walk_speed: bool = ..., walk_speed: Sequence[float] = ..., walk_speed_curve: curve = ..., sets_height: bool = ..., height: Sequence[float] = ..., height_curve: curve = ..., sets_girth: bool = ..., girth: Sequence[float] = ..., girth_curve: curve = ..., slots: Sequence[Union[FeatureSlot, Dict[str, Any]]] = ..., parts: Sequence[Union[FeaturePart, Dict[str, Any]]] = ...) -> None:
-        ...
-    id: int
-    """what columns and rules have: of no other value of the scene; 0 to 65535; begins as 0"""
-    name: str
-    """as scripts and brushes call it"""
-    color: str
-    """in which the editor shows it; begins as '#969696'"""
-    templates: ids
-    """ids of those it is limited to; none: all"""
-    clips: List[FeatureClip]
-    """of which one is drawn for each"""
-    sets_phase: bool
-    """whether it sets the phase; begins as False"""
-    phase: List[float]
-    """0–1 of the clip at time 0"""
-    phase_curve: curve
-    """how often phases come"""
-    sets_speed: bool
-    """whether it sets the speed; begins as False"""
-    speed: List[float]
-    """of playback, 1 as authored"""
-    speed_curve: curve
-    """how often speeds come"""
-    sets_walk_speed: bool
-    """whether it sets the walking speed; begins as False"""
-    walk_speed: List[float]
-    """at height 1; m/s"""
-    walk_speed_curve: curve
-    """how often walking speeds come"""
-    sets_height: bool
-    """whether it sets the height; begins as False"""
-    height: List[float]
-    """a scale"""
-    height_curve: curve
-    """how often heights come"""
-    sets_girth: bool
-    """whether it sets the girth; begins as False"""
-    girth: List[float]
-    """a scale"""
-    girth_curve: curve
-    """how often girths come"""
-    slots: List[FeatureSlot]
-    """how slots look"""
-    parts: List[FeaturePart]
-    """which parts are seen"""
-
-
-class FeatureKind(Entry):
-    """A feature: a kind with its values."""
-    def __init__(self, *, id: int = ..., name: str = ..., values_: Sequence[Union[FeatureValue, Dict[str, Any]]] = ...) -> None:
-        ...
-    id: int
-    """the number of the column that says who bears which of its values; 0 to 8; begins as 0"""
-    name: str
-    """as scripts and brushes call it"""
-    values_: List[FeatureValue]
-    """in order, from one end of a gradient to the other"""
 
 
 class Rule(Entry):

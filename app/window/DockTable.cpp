@@ -31,7 +31,7 @@ constexpr std::array<DockInfo, static_cast<std::size_t>(DockId::Count)> kDocks{{
     {DockId::Brushes, &make<widgets::BrushPaletteDock>, kLeft, 165},
     {DockId::BrushSettings, &make<widgets::BrushSettingsDock>, kLeft, 500, 280},
     {DockId::Templates, &make<widgets::TemplatesDock>, kRight, 320},
-    {DockId::Colour, &make<widgets::ColourDock>, kRight, 266},
+    {DockId::Colour, &make<widgets::ColourDock>, kRight, 296},
     {DockId::Individual, &make<widgets::IndividualDock>, kRight, 300},
     {DockId::Scene, &make<widgets::SceneDock>, kRight, 0, 0, DockId::Templates},
     {DockId::Environment, &make<widgets::EnvironmentDock>, kRight, 0, 0, DockId::Individual},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -189,9 +190,10 @@ private:
             const auto drawn = static_cast<std::size_t>(draws.of("colour", slot) *
                                                         static_cast<double>(colors.size()));
             const PaintColor& color = colors[std::min(drawn, colors.size() - 1)];
-            m_tints[slot].set(id, row,
-                              {color[0], color[1], color[2],
-                               static_cast<std::uint8_t>(worn.colors->strength * 255.0F + 0.5F)});
+            m_tints[slot].set(
+                id, row,
+                {color[0], color[1], color[2],
+                 static_cast<std::uint8_t>(std::floor(worn.colors->strength * 255.0F + 0.5F))});
         }
         m_modes.set(id, row, modes);
         m_choices.set(id, row, choices);

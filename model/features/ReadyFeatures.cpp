@@ -10,9 +10,6 @@ namespace crowd::model {
 
 namespace {
 
-/// Clips that stand and sit at rest, and those to walk with.
-const std::vector<FeatureClip> kAtRest{{"", 1.0F, ClipRole::Idle}, {"", 1.0F, ClipRole::Sit}};
-
 struct Tempo
 {
     ValueRange playback;
@@ -35,20 +32,19 @@ FeatureValue emotion(FeatureId id, const char* name, const PaintColor& color,
     return value;
 }
 
+/// And those to stand and sit at rest with.
 std::vector<FeatureClip> restAnd(std::vector<FeatureClip> clips)
 {
-    clips.insert(clips.end(), kAtRest.begin(), kAtRest.end());
+    clips.push_back({"", 1.0F, ClipRole::Idle});
+    clips.push_back({"", 1.0F, ClipRole::Sit});
     return clips;
 }
 
-/// From low spirits to high ones, as a gradient runs through them. Names that a template does not
-/// have are passed over: there are those of the built-in cast, and those that others use.
-FeatureKind emotions()
+/// Names that a template does not have are passed over: there are those of the built-in cast, and
+/// those that others use.
+std::vector<FeatureValue> calmEmotions()
 {
-    FeatureKind kind;
-    kind.id = 1;
-    kind.name = QT_TRANSLATE_NOOP("Features", "emotion");
-    kind.values = {
+    return {
         emotion(1, QT_TRANSLATE_NOOP("Features", "neutral"), {150, 150, 150},
                 restAnd({{"look around", 0.2F}, {"talk", 0.2F}, {"walk", 1.0F, ClipRole::Walk}}),
                 {{0.9F, 1.1F}, {1.2F, 1.5F}}),
@@ -68,6 +64,12 @@ FeatureKind emotions()
         emotion(4, QT_TRANSLATE_NOOP("Features", "attentive"), {90, 170, 160},
                 restAnd({{"watch", 1.0F}, {"listen", 1.0F}, {"walk", 1.0F, ClipRole::Walk}}),
                 {{0.85F, 1.0F}, {1.1F, 1.4F}}),
+    };
+}
+
+std::vector<FeatureValue> livelyEmotions()
+{
+    return {
         emotion(5, QT_TRANSLATE_NOOP("Features", "happy"), {240, 200, 70},
                 {{"clap", 3.0F},
                  {"wave", 1.0F},
@@ -97,6 +99,18 @@ FeatureKind emotions()
                  {"walk", 1.0F, ClipRole::Walk}},
                 {{1.05F, 1.35F}, {1.5F, 1.9F}}),
     };
+}
+
+/// From low spirits to high ones, as a gradient runs through them.
+FeatureKind emotions()
+{
+    FeatureKind kind;
+    kind.id = 1;
+    kind.name = QT_TRANSLATE_NOOP("Features", "emotion");
+    kind.values = calmEmotions();
+    for (FeatureValue& value : livelyEmotions()) {
+        kind.values.push_back(std::move(value));
+    }
     return kind;
 }
 

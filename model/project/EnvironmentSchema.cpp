@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/EnvironmentSchema.h"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string_view>
+#include <typeindex>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "model/describe/FieldJson.h"
 #include "model/rules/EnvironmentFields.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Feature.h"
 #include "model/scene/Group.h"
 
 namespace crowd::model {
@@ -197,6 +201,30 @@ json entryJson(const char* name, const char* list, const char* doc, json fields,
     return {{"name", name}, {"list", list}, {"doc", doc}, {"fields", std::move(fields)}};
 }
 
+json featureEntriesJson()
+{
+    const FeatureKind kind;
+    const FeatureValue value;
+    const FeatureClip clip;
+    const FeatureSlot slot;
+    const FeatureMaterial material;
+    const FeaturePart featurePart;
+    return {entryJson("FeatureClip", "", "A clip that a value of a feature lets its bearers play.",
+                      fieldsJson(fieldsOf<FeatureClip>(), &clip)),
+            entryJson("FeatureMaterial", "", "One of the materials of a slot.",
+                      fieldsJson(fieldsOf<FeatureMaterial>(), &material)),
+            entryJson("FeatureSlot", "", "How a value of a feature lets a slot look.",
+                      fieldsJson(fieldsOf<FeatureSlot>(), &slot)),
+            entryJson("FeaturePart", "", "A part that a value of a feature shows or hides.",
+                      fieldsJson(fieldsOf<FeaturePart>(), &featurePart)),
+            entryJson(
+                "FeatureValue", "",
+                "What people can be like: what it names changes with its bearers, the rest stays.",
+                fieldsJson(fieldsOf<FeatureValue>(), &value)),
+            entryJson("FeatureKind", "", "A feature: a kind with its values.",
+                      fieldsJson(fieldsOf<FeatureKind>(), &kind))};
+}
+
 json entriesJson()
 {
     const Place place;
@@ -206,12 +234,6 @@ json entriesJson()
     const TagName tag;
     const NumberName number;
     const Cue cue;
-    const FeatureKind kind;
-    const FeatureValue value;
-    const FeatureClip clip;
-    const FeatureSlot slot;
-    const FeatureMaterial material;
-    const FeaturePart featurePart;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
@@ -232,20 +254,6 @@ json entriesJson()
                   {partField("values", "values",
                              "[id, number] of each individual that begins with another one")}),
         entryJson("Cue", "cues", "A button that sends an event.", fieldsJson(cueFields(), &cue)),
-        entryJson("FeatureClip", "", "A clip that a value of a feature lets its bearers play.",
-                  fieldsJson(fieldsOf<FeatureClip>(), &clip)),
-        entryJson("FeatureMaterial", "", "One of the materials of a slot.",
-                  fieldsJson(fieldsOf<FeatureMaterial>(), &material)),
-        entryJson("FeatureSlot", "", "How a value of a feature lets a slot look.",
-                  fieldsJson(fieldsOf<FeatureSlot>(), &slot)),
-        entryJson("FeaturePart", "", "A part that a value of a feature shows or hides.",
-                  fieldsJson(fieldsOf<FeaturePart>(), &featurePart)),
-        entryJson(
-            "FeatureValue", "",
-            "What people can be like: what it names changes with its bearers, the rest stays.",
-            fieldsJson(fieldsOf<FeatureValue>(), &value)),
-        entryJson("FeatureKind", "", "A feature: a kind with its values.",
-                  fieldsJson(fieldsOf<FeatureKind>(), &kind)),
         entryJson("Rule", "rules", "When this happens, and the conditions hold, do this.",
                   fieldsJson(ruleFields(), &rule),
                   {partField("when", "Trigger", "what makes it fire", first),
@@ -258,7 +266,11 @@ json entriesJson()
 
 std::string environmentSchema()
 {
-    return json{{"entries", entriesJson()},
+    json entries = featureEntriesJson();
+    for (json& entry : entriesJson()) {
+        entries.push_back(std::move(entry));
+    }
+    return json{{"entries", std::move(entries)},
                 {"triggers", kindsJson<Trigger>({})},
                 {"conditions", kindsJson<Condition>(conditionFields())},
                 {"actions", kindsJson<Action>(actionFields())}}

@@ -75,7 +75,7 @@ std::string freeName(const Entries& entries, const QString& pattern, std::size_t
 template<class Entries>
 std::string soundName(EditorState& state, const Entries& entries, const QString& name)
 {
-    const std::string wanted = name.simplified().toStdString();
+    std::string wanted = name.simplified().toStdString();
     if (wanted.empty()) {
         state.showStatus(FeatureText::tr("It needs a name."));
         return {};

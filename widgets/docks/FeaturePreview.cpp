@@ -70,7 +70,7 @@ FeaturePreview::FeaturePreview(EditorState& state, QWidget* parent)
     : QWidget(parent), m_state(state)
 {
     setObjectName(QStringLiteral("featurePreview"));
-    setMinimumHeight(130);
+    setMinimumHeight(110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&m_clock, &QTimer::timeout, this, &FeaturePreview::beat);
     m_clock.start(kFeatureBeatMs);

@@ -22,7 +22,7 @@ public:
 
     /// Null: nobody.
     void setFeature(const model::FeatureValue* value);
-    [[nodiscard]] QSize sizeHint() const override { return {240, 130}; }
+    [[nodiscard]] QSize sizeHint() const override { return {240, 110}; }
     [[nodiscard]] const model::Scene& people() const { return m_people; } ///< who are drawn
 
 protected:

@@ -96,10 +96,10 @@ FeaturesDock::FeaturesDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(kindRow());
+    layout->addWidget(m_preview);
     layout->addWidget(valueButtons());
     layout->addWidget(m_note);
     layout->addWidget(m_values);
-    layout->addWidget(m_preview);
     layout->addWidget(m_isWorn);
     layout->addLayout(m_formPlace);
     layout->addStretch(1);
@@ -122,7 +122,7 @@ QWidget* FeaturesDock::kindRow()
     m_kinds->setAccessibleName(tr("Feature"));
     layout->addWidget(m_kinds, 1);
     QToolButton* more =
-        buttonOf(row, "rules", tr("New features, and files of features"), "featureKindMenu");
+        buttonOf(row, "preferences", tr("New features, and files of features"), "featureKindMenu");
     more->setMenu(m_kindMenu);
     more->setPopupMode(QToolButton::InstantPopup);
     connect(m_kindMenu, &QMenu::aboutToShow, this, &FeaturesDock::fillKindMenu);

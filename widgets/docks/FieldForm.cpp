@@ -105,9 +105,11 @@ void FieldForm::addList(const Bound& bound)
     }
     const std::size_t items = bound.field->count(object(bound));
     m_lists.push_back({bound, items});
+    ++m_inside;
     for (std::size_t i = 0; i < items; ++i) {
         addItem(bound, i);
     }
+    --m_inside;
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("add-%1").arg(QLatin1String(bound.field->meta.key)));
     button->setText(fieldText(bound.field->meta.label));
@@ -291,6 +293,9 @@ void FieldForm::beginRow()
 
 void FieldForm::addNote(const QString& text, const Condition& isShown)
 {
+    if (m_inside > 0) {
+        return; // it would come again with every item
+    }
     auto* note = new QLabel(text, this);
     note->setWordWrap(true);
     note->setEnabled(false);

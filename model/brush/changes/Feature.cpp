@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "model/base/WeightedDraw.h"
 #include "model/brush/ColumnWriting.h"
 #include "model/features/FeatureWriting.h"
@@ -37,8 +39,8 @@ std::vector<FeatureId> wantedOf(const std::vector<Offer>& offers, const Operator
     std::vector<FeatureId> wanted;
     wanted.reserve(values.shares.size());
     for (const double share : values.shares) {
-        const auto step =
-            static_cast<std::size_t>(share * static_cast<double>(offers.size() - 1) + 0.5);
+        const double place = share * static_cast<double>(offers.size() - 1);
+        const auto step = static_cast<std::size_t>(std::floor(place + 0.5));
         const std::size_t at = values.isDraw
                                    ? weightedIndex(offers, static_cast<float>(share),
                                                    [](const Offer& each) { return each.weight; })
