@@ -16,7 +16,7 @@ namespace {
 
 /// Names of kinds or of values.
 template<class Entries>
-std::string namesOf(const Entries& entries)
+std::string listedNames(const Entries& entries)
 {
     std::string names;
     for (const auto& each : entries) {
@@ -25,8 +25,8 @@ std::string namesOf(const Entries& entries)
     return names.empty() ? "none yet" : names;
 }
 
-Result<std::vector<WeightedFeature>> mixOf(const FeatureKind& kind,
-                                           const std::vector<NamedWeight>& values)
+Result<std::vector<WeightedFeature>> weightedMix(const FeatureKind& kind,
+                                                 const std::vector<NamedWeight>& values)
 {
     std::vector<WeightedFeature> mix;
     float total = 0.0F;
@@ -52,14 +52,14 @@ Result<std::vector<WeightedFeature>> mixOf(const FeatureKind& kind,
 
 std::string noKindText(const FeatureKinds& kinds, const std::string& name)
 {
-    return "the scene has no feature \"" + shortened(name) + "\"; there are: " + namesOf(kinds) +
-           '.';
+    return "the scene has no feature \"" + shortened(name) +
+           "\"; there are: " + listedNames(kinds) + '.';
 }
 
 std::string noValueText(const FeatureKind& kind, const std::string& name)
 {
     return "the feature \"" + shortened(kind.name) + "\" has no value \"" + shortened(name) +
-           "\"; there are: " + namesOf(kind.values) + '.';
+           "\"; there are: " + listedNames(kind.values) + '.';
 }
 
 Result<std::size_t> setFeature(ScriptScene& script, const std::vector<IndividualId>& ids,
@@ -72,7 +72,7 @@ Result<std::size_t> setFeature(ScriptScene& script, const std::vector<Individual
         if (found == nullptr) {
             return Error{noKindText(now.features, kind)};
         }
-        const auto mix = mixOf(*found, values);
+        const auto mix = weightedMix(*found, values);
         if (!mix) {
             return mix.error();
         }

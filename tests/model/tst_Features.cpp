@@ -71,7 +71,7 @@ BrushSettings featureBrush(const char* kind, std::vector<ClipWeight> values, Bru
 }
 
 /// A value that does everything that one can.
-FeatureValue everything(FeatureId id)
+FeatureValue allOfIt(FeatureId id)
 {
     FeatureValue value;
     value.id = id;
@@ -175,7 +175,7 @@ void tst_Features::aValueDoesWhatItSays()
 {
     FeatureScene scene;
     FeatureKinds kinds = scene.kinds();
-    kinds[0].values.push_back(everything(40));
+    kinds[0].values.push_back(allOfIt(40));
     scene.change(kinds, false);
     scene.set("emotion", "everything", scene.ids);
     for (const IndividualId id : scene.ids) {
@@ -224,7 +224,7 @@ void tst_Features::whoSitsPlaysClipsToSitWith()
         edit.setColumn(columns::seat, seated, std::span<const SeatId>(seats));
     });
     FeatureKinds kinds = scene.kinds();
-    kinds[0].values.push_back(everything(40));
+    kinds[0].values.push_back(allOfIt(40));
     scene.change(kinds, false);
     scene.set("emotion", "everything", scene.ids);
     QCOMPARE(scene.clipOf(scene.ids[0]), std::string("idle")); // no clip of that role: it stays
@@ -240,7 +240,7 @@ void tst_Features::limitedValuesAreForTheirTemplates()
 {
     FeatureScene scene;
     FeatureKinds kinds = scene.kinds();
-    FeatureValue limited = everything(40);
+    FeatureValue limited = allOfIt(40);
     limited.templates = {kOtherMan};
     kinds[0].values.push_back(limited);
     scene.change(kinds, false);
@@ -425,7 +425,7 @@ void tst_Features::filesKeepThem()
     FeatureKind team;
     team.id = 5;
     team.name = "team";
-    team.values = {everything(60)};
+    team.values = {allOfIt(60)};
     named.features.push_back(team);
     const std::vector<FeatureId> borne{60};
     named.population.setValues(columns::feature(5), Ids{scene.ids[0]},

@@ -29,13 +29,13 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kFeatureIcon = 20;  ///< logical pixels
-constexpr int kSwatch = 14;       ///< logical pixels
-constexpr int kFeatureRows = 6;   ///< seen at once
-constexpr int kRoomBelowRows = 6; ///< logical pixels
+constexpr int kFeatureIcon = 20;   ///< logical pixels
+constexpr int kFeatureSwatch = 14; ///< logical pixels
+constexpr int kFeatureRows = 6;    ///< seen at once
+constexpr int kRoomBelowRows = 6;  ///< logical pixels
 constexpr int kFeaturesRebuildMs = 30;
 constexpr int kRestMs = 400; ///< of the hand, after which a change comes to the scene
-constexpr int kCountMs = 300;
+constexpr int kBearersMs = 300;
 
 /// All but the name, which the list lets edit.
 std::span<const model::FieldInfo> formFields()
@@ -52,9 +52,9 @@ std::span<const model::FieldInfo> formFields()
     return kShown;
 }
 
-QIcon swatchOf(const model::PaintColor& color)
+QIcon featureSwatch(const model::PaintColor& color)
 {
-    QPixmap filled(kSwatch, kSwatch);
+    QPixmap filled(kFeatureSwatch, kFeatureSwatch);
     filled.fill(QColor(color[0], color[1], color[2]));
     QIcon icon(filled);
     icon.addPixmap(filled, QIcon::Selected); // not tinted
@@ -174,7 +174,7 @@ void FeaturesDock::connectParts()
     m_keep.setInterval(kRestMs);
     connect(&m_keep, &QTimer::timeout, this, &FeaturesDock::keepChange);
     m_count.setSingleShot(true);
-    m_count.setInterval(kCountMs);
+    m_count.setInterval(kBearersMs);
     connect(&m_count, &QTimer::timeout, this, &FeaturesDock::refreshBearers);
     connect(&m_state.document(), &model::SceneDocument::changed, this, &FeaturesDock::follow);
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
@@ -260,7 +260,7 @@ void FeaturesDock::fill()
 
 void FeaturesDock::addRow(const model::FeatureValue& value)
 {
-    auto* item = new QListWidgetItem(swatchOf(value.color), featureText(value.name), m_values);
+    auto* item = new QListWidgetItem(featureSwatch(value.color), featureText(value.name), m_values);
     item->setData(kIdRole, value.id);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setToolTip(tr("Double click or F2: rename"));
@@ -349,7 +349,7 @@ void FeaturesDock::change(const std::function<void(void*)>& apply)
     m_keep.start();
     if (QListWidgetItem* item = m_values->currentItem()) {
         m_isFilling = true;
-        item->setIcon(swatchOf(m_edited->color));
+        item->setIcon(featureSwatch(m_edited->color));
         m_isFilling = false;
     }
     m_preview->setFeature(&*m_edited);

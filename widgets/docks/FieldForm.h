@@ -129,7 +129,7 @@ private:
         std::size_t items;
     };
     std::vector<List> m_lists; ///< those inside an item come after the list that it is of
-    int m_inside = 0; ///< lists whose items are being added
+    int m_inside = 0;          ///< lists whose items are being added
     bool m_isRefreshing = false;
 };
 
