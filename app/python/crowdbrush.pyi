@@ -2,7 +2,7 @@
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """Everything the editor can do to a crowd, scripted. Metres, seconds, radians; Y is up and characters face +Z at heading 0. Columns are NumPy arrays."""
 import os
-from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, MutableMapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
@@ -2263,11 +2263,11 @@ class FeatureMaterial(Entry):
 
 class FeatureSlot(Entry):
     """How a value of a feature lets a slot look."""
-    def __init__(self, *, slot: str = ..., colors: colors = ..., strength: float = ..., replaces: bool = ..., materials: Sequence[Union[FeatureMaterial, Dict[str, Any]]] = ...) -> None:
+    def __init__(self, *, slot: str = ..., colors: Sequence[Union[str, Sequence[int]]] = ..., strength: float = ..., replaces: bool = ..., materials: Sequence[Union[FeatureMaterial, Dict[str, Any]]] = ...) -> None:
         ...
     slot: str
     """the words of its name; empty: what is worn and no other names"""
-    colors: colors
+    colors: List[str]
     """of which one is drawn for each; none: as it is"""
     strength: float
     """of the tint; 0 to 1; begins as 1.0"""
@@ -2289,7 +2289,7 @@ class FeaturePart(Entry):
 
 class FeatureValue(Entry):
     """What people can be like: what it names changes with its bearers, the rest stays."""
-    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., templates: Union[int, Template] = ..., clips: Sequence[Union[FeatureClip, Dict[str, Any]]] = ..., sets_phase: bool = ..., phase: Sequence[float] = ..., phase_curve: curve = ..., sets_speed: bool = ..., speed: Sequence[float] = ..., speed_curve: curve = ..., sets_walk_speed: bool = ..., walk_speed: Sequence[float] = ..., walk_speed_curve: curve = ..., sets_height: bool = ..., height: Sequence[float] = ..., height_curve: curve = ..., sets_girth: bool = ..., girth: Sequence[float] = ..., girth_curve: curve = ..., slots: Sequence[Union[FeatureSlot, Dict[str, Any]]] = ..., parts: Sequence[Union[FeaturePart, Dict[str, Any]]] = ...) -> None:
+    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., templates: Union[int, Template] = ..., clips: Sequence[Union[FeatureClip, Dict[str, Any]]] = ..., sets_phase: bool = ..., phase: Sequence[float] = ..., phase_curve: Sequence[float] = ..., sets_speed: bool = ..., speed: Sequence[float] = ..., speed_curve: Sequence[float] = ..., sets_walk_speed: bool = ..., walk_speed: Sequence[float] = ..., walk_speed_curve: Sequence[float] = ..., sets_height: bool = ..., height: Sequence[float] = ..., height_curve: Sequence[float] = ..., sets_girth: bool = ..., girth: Sequence[float] = ..., girth_curve: Sequence[float] = ..., slots: Sequence[Union[FeatureSlot, Dict[str, Any]]] = ..., parts: Sequence[Union[FeaturePart, Dict[str, Any]]] = ...) -> None:
         ...
     id: int
     """what columns and rules have: of no other value of the scene; 0 to 65535; begins as 0"""
@@ -2297,7 +2297,7 @@ class FeatureValue(Entry):
     """as scripts and brushes call it"""
     color: str
     """in which the editor shows it; begins as '#969696'"""
-    templates: ids
+    templates: List[int]
     """ids of those it is limited to; none: all"""
     clips: List[FeatureClip]
     """of which one is drawn for each"""
@@ -2305,31 +2305,31 @@ class FeatureValue(Entry):
     """whether it sets the phase; begins as False"""
     phase: List[float]
     """0–1 of the clip at time 0"""
-    phase_curve: curve
+    phase_curve: List[float]
     """how often phases come"""
     sets_speed: bool
     """whether it sets the speed; begins as False"""
     speed: List[float]
     """of playback, 1 as authored"""
-    speed_curve: curve
+    speed_curve: List[float]
     """how often speeds come"""
     sets_walk_speed: bool
     """whether it sets the walking speed; begins as False"""
     walk_speed: List[float]
     """at height 1; m/s"""
-    walk_speed_curve: curve
+    walk_speed_curve: List[float]
     """how often walking speeds come"""
     sets_height: bool
     """whether it sets the height; begins as False"""
     height: List[float]
     """a scale"""
-    height_curve: curve
+    height_curve: List[float]
     """how often heights come"""
     sets_girth: bool
     """whether it sets the girth; begins as False"""
     girth: List[float]
     """a scale"""
-    girth_curve: curve
+    girth_curve: List[float]
     """how often girths come"""
     slots: List[FeatureSlot]
     """how slots look"""
@@ -2505,10 +2505,10 @@ class Rule(Entry):
     """what is done, in order"""
 
 
-class FeatureValues:
+class FeatureValues(MutableMapping[str, FeatureValue]):
     """The values of a feature by their names, in order. What it gives are copies: assigning one puts it in its
     place, or at the end; it keeps the id by which people and rules have it. Each is a step of undo."""
-    def __init__(self, scene, kind) -> None:
+    def __init__(self, scene: Scene, kind: str) -> None:
         ...
     def __getitem__(self, name: str) -> FeatureValue:
         ...
@@ -2522,10 +2522,10 @@ class FeatureValues:
         ...
 
 
-class Features:
+class Features(MutableMapping[str, FeatureValues]):
     """The features of a scene by their names. Assigning a dict, or a list, of values makes one or replaces it; who
     bears a value that is gone bears none. Each is a step of undo."""
-    def __init__(self, scene) -> None:
+    def __init__(self, scene: Scene) -> None:
         ...
     def __getitem__(self, name: str) -> FeatureValues:
         ...

@@ -16,7 +16,7 @@ HEAD = '''# SPDX-License-Identifier: MIT
 # Written by app/python/describe.py from the module as it is built: ./dev describe
 """{doc}"""
 import os
-from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, Dict, Iterator, List, Literal, Mapping, MutableMapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy
 import numpy.typing
@@ -214,6 +214,8 @@ def entry_type(field, is_argument):
         return f"Union[int, {field.refers}]"
     plain_types = {"color": ("str", "Union[str, Sequence[int]]"), "tint": ("str", "Union[str, Sequence[int]]"),
                    "point": ("List[float]", "Sequence[float]"), "range": ("List[float]", "Sequence[float]"),
+                   "curve": ("List[float]", "Sequence[float]"), "ids": ("List[int]", "Sequence[Any]"),
+                   "colors": ("List[str]", "Sequence[Union[str, Sequence[int]]]"),
                    "clips": ("List[Dict[str, Any]]", "Clips"), "any": ("Any", "Any"),
                    "values": ("List[List[float]]", "Sequence[Sequence[float]]")}
     if field.type[0].isupper():
@@ -264,7 +266,8 @@ def class_lines(name, cls):
         return entry_lines(cls)
     if is_space(cls):
         return space_lines(cls)
-    bases = {"Picture": "numpy.ndarray[Any, Any]", "Error": "RuntimeError", "Entry": "Dict[str, Any]"}
+    bases = {"Picture": "numpy.ndarray[Any, Any]", "Error": "RuntimeError", "Entry": "Dict[str, Any]",
+             "Features": "MutableMapping[str, FeatureValues]", "FeatureValues": "MutableMapping[str, FeatureValue]"}
     base = bases.get(name, "Entry" if issubclass(cls, crowdbrush.Entry) else "")
     lines = ["", "", f"class {name}({base}):" if base else f"class {name}:"]
     doc = ERROR_DOC if name == "Error" else inspect.getdoc(cls) or ""

@@ -326,7 +326,7 @@ class FeatureValues(_Mapping):
     """The values of a feature by their names, in order. What it gives are copies: assigning one puts it in its
     place, or at the end; it keeps the id by which people and rules have it. Each is a step of undo."""
 
-    def __init__(self, scene, kind):
+    def __init__(self, scene: "Scene", kind: "str") -> None:
         self._scene = scene
         self._kind = kind
 
@@ -372,7 +372,7 @@ class Features(_Mapping):
     """The features of a scene by their names. Assigning a dict, or a list, of values makes one or replaces it; who
     bears a value that is gone bears none. Each is a step of undo."""
 
-    def __init__(self, scene):
+    def __init__(self, scene: "Scene") -> None:
         self._scene = scene
 
     def _all(self):
