@@ -163,7 +163,39 @@ Result<void> checkGroups(const Scene& scene, std::span<const GroupId> ids)
     return {};
 }
 
-/// Groups to be in and paths to follow that are there.
+/// 0 is always right.
+Result<void> checkBorne(const Scene& scene, std::uint8_t kind, const ColumnValues& values)
+{
+    const FeatureKind* known = findKind(scene.features, kind);
+    const std::span<const FeatureId> ids = itemsOf<FeatureId>(values);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const bool isThere =
+            ids[i] == 0 ||
+            (known != nullptr &&
+             std::ranges::find(known->values, ids[i], &FeatureValue::id) != known->values.end());
+        if (!isThere) {
+            return refused(values.column, i,
+                           "is " + std::to_string(ids[i]) +
+                               ", and no feature of that number has such a value: "
+                               "Scene.set_feature takes names.");
+        }
+    }
+    return {};
+}
+
+Result<void> checkBorne(const Scene& scene, std::span<const ColumnValues> values)
+{
+    for (std::uint8_t kind = 1; kind <= kMostFeatureKinds; ++kind) {
+        const ColumnValues* borne = find(values, columns::feature(kind).id);
+        auto valid = borne != nullptr ? checkBorne(scene, kind, *borne) : Result<void>();
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+/// Groups to be in, features to bear and paths to follow that are there.
 Result<void> checkEntries(const Scene& scene, std::span<const ColumnValues> values,
                           MissingEntries missing)
 {
@@ -174,6 +206,9 @@ Result<void> checkEntries(const Scene& scene, std::span<const ColumnValues> valu
         if (auto valid = checkGroups(scene, itemsOf<GroupId>(*groups)); !valid) {
             return valid;
         }
+    }
+    if (auto valid = checkBorne(scene, values); !valid) {
+        return valid;
     }
     const ColumnValues* paths = find(values, ColumnId::Path);
     return paths != nullptr ? checkPaths(scene, itemsOf<PathId>(*paths)) : Result<void>();

@@ -12,6 +12,7 @@
 #include "app/console/ConsoleDock.h"
 #include "model/brush/IndividualEdits.h"
 #include "model/document/SceneEdit.h"
+#include "model/features/FeatureWriting.h"
 #include "model/states/StateKeeping.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/FileContent.h"
@@ -114,6 +115,45 @@ bool hasLeft(Editor& editor)
     const auto now = editor.state().frame()->population.column(model::columns::position);
     const auto then = editor.state().scene().population.column(model::columns::position);
     return glm::distance(now.front(), then.front()) > 2.0F;
+}
+
+/// Features made, borne, changed with their bearers, and removed.
+template<class Edit>
+void recordFeatures(const Edit& edit, const model::Scene& scene,
+                    std::span<const model::IndividualId> people)
+{
+    edit("A feature made", [&](model::SceneEdit& open) {
+        auto kinds = scene.features;
+        model::FeatureKind team;
+        team.id = 4;
+        team.name = "team \"west\"";
+        team.values.resize(2);
+        team.values[0].id = 40;
+        team.values[0].name = "home";
+        team.values[0].clips = {{"cheer", 2.5F}};
+        team.values[1].id = 41;
+        team.values[1].name = "guest";
+        kinds.push_back(team);
+        changeFeatures(open, kinds, false);
+    });
+    edit("Features borne", [&](model::SceneEdit& open) {
+        const std::vector<model::FeatureId> home(people.size(), 40);
+        (void)setFeature(open, scene.features.back(), people, home, 3);
+        const std::vector<model::FeatureId> sad(people.size(), 2);
+        (void)setFeature(open, scene.features.front(), people, sad, 3);
+    });
+    edit("A feature changed with its bearers", [&](model::SceneEdit& open) {
+        auto kinds = scene.features;
+        kinds.back().values[0].setsHeight = true;
+        kinds.back().values[0].height = {1.25F, 1.25F};
+        changeFeatures(open, kinds, true);
+    });
+    edit("Values removed", [&](model::SceneEdit& open) {
+        auto kinds = scene.features;
+        kinds.back().values.erase(kinds.back().values.begin());
+        kinds.front().values.erase(kinds.front().values.begin() + 1);
+        changeFeatures(open, kinds, false);
+    });
 }
 
 /// A session with mouse and keys: every kind of brush, some of it while it plays, the selection,
@@ -492,6 +532,7 @@ void TestRecording::everyKindOfEditHasItsLines()
     edit("A state recalled", [&](model::SceneEdit& open) {
         (void)recallState(open, scene.states[1], scene.states[1].columns);
     });
+    recordFeatures(edit, scene, two);
     edit("Everybody moved", [&](model::SceneEdit& open) {
         auto all = std::vector(scene.population.ids().begin(), scene.population.ids().end());
         auto rows = scene.population.rows(all);

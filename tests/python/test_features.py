@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Features: what people are like, in names, and what that does to them."""
+import json
+import random
 import tempfile
 import unittest
 from pathlib import Path
@@ -138,6 +140,50 @@ class Features(unittest.TestCase):
             with self.assertRaisesRegex(Error, "there are"):
                 scene.stroke(brush, [(0, 0), (1279, 767)], camera=camera, size=(1280, 768))
 
+    def test_random_mixes_with_states_are_undone_and_redone(self):
+        scene, ids = crowd(8)
+        chance = random.Random(11)
+
+        def text():
+            columns = b"".join(scene.column(each.name).tobytes() for each in crowdbrush.properties()
+                               if not each.name.startswith("tint") or each.name == "tintReplaces")
+            return columns, scene.column("tint").tobytes(), json.dumps(scene.environment), scene.states.text()
+
+        def step():
+            some = sorted(chance.sample(ids.tolist(), chance.randint(1, len(ids))))
+            kind = chance.choice(list(scene.features))
+            what = chance.randrange(7)
+            if what < 3 and len(scene.features[kind]):
+                scene.set_feature(some, kind, chance.choice([*scene.features[kind], None]))
+            elif what == 3:
+                scene.save_state(chance.choice("abc"), ids=some)
+            elif what == 4 and len(scene.states):
+                scene.recall_state(chance.choice(list(scene.states)))
+            elif what == 5:
+                scene.features[kind][f"new {chance.randrange(3)}"] = FeatureValue(
+                    sets_girth=True, girth=(chance.uniform(0.5, 1), 1.5))
+            elif what == 6 and len(scene.features[kind]) > 2:
+                del scene.features[kind][chance.choice(list(scene.features[kind]))]
+
+        seen = {scene.history_index: text()}
+        first = scene.history_index
+        for _ in range(120):
+            step()
+            seen[scene.history_index] = text()
+        last = scene.history_index
+        self.assertGreater(last - first, 60)
+        for index in range(last - 1, first - 1, -1):
+            scene.undo()
+            self.assertEqual(text(), seen[index], index)
+        for index in range(first + 1, last + 1):
+            scene.redo()
+            self.assertEqual(text(), seen[index], index)
+        with tempfile.TemporaryDirectory() as folder:
+            one, other = (str(Path(folder) / name) for name in ("one.crowd", "other.crowd"))
+            scene.save(one)
+            crowdbrush.open(one).save(other)
+            self.assertEqual(Path(one).read_bytes(), Path(other).read_bytes())
+
     def test_what_is_wrong_is_said(self):
         scene, ids = crowd(2)
         before = scene.history
@@ -153,6 +199,10 @@ class Features(unittest.TestCase):
             scene.set_feature([12345], "emotion", "sad")
         with self.assertRaises(Error):
             scene.feature("courage")
+        sad, rain = scene.features["emotion"]["sad"].id, scene.features["outfit"]["rain"].id
+        for column, value in (("feature1", rain), ("feature2", sad), ("feature1", 999), ("feature3", 1)):
+            with self.assertRaisesRegex(Error, "no feature of that number", msg=column):
+                scene.change(ids, **{column: value})
         for wrong in ({"clips": [{"role": "fall"}]}, {"speed": (2, 1)}, {"slots": [{"colors": ["red"]}]},
                       {"speed_curve": [1, 2]}, {"sped": (1, 2)}):
             with self.assertRaises(Error, msg=str(wrong)):

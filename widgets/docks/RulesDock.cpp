@@ -179,7 +179,8 @@ void RulesDock::connectState()
                     forgetLog(); // it is of another scene
                 }
                 if (isOneOf<model::RulesChanged, model::PathsChanged, model::StatesChanged,
-                            model::TemplatesChanged, model::SceneReplaced>(change)) {
+                            model::FeaturesChanged, model::TemplatesChanged, model::SceneReplaced>(
+                        change)) {
                     m_rebuild.start();
                 }
             });
