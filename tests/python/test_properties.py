@@ -17,7 +17,9 @@ def two_people():
     man = scene.add_template(MAN)
     scene.add_template(MAN)
     scene.set_environment({"places": [{"id": 1, "position": [0, 0, 0]}, {"id": 2, "position": [5, 0, 0]}],
-                           "paths": [{"id": 1, "places": [1, 2]}], "groups": [{"id": 1}]})
+                           "paths": [{"id": 1, "places": [1, 2]}], "groups": [{"id": 1}],
+                           "features": [{"id": kind, "name": f"kind {kind}", "values": [{"id": kind, "name": "a"}]}
+                                        for kind in range(1, 9)]})
     scene.create(template=man, position=np.zeros((2, 3)))
     return scene
 
@@ -28,6 +30,8 @@ def other_value(scene, each):
         return scene.templates[1].id
     if each.name == "seat":
         return int(scene.seats["id"][3])
+    if each.name.startswith("feature"):
+        return int(each.name[-1])
     if each.low is None:
         return 1 if np.ndim(each.default) == 0 else [1] * len(each.default)
     number = 0.75 * each.low + 0.25 * each.high
