@@ -50,12 +50,15 @@ struct Marker
     float leastPixels = 0.0F; ///< radius that it has at least, logical pixels
 };
 
-/// A line over the scene (paths, gradient direction). Hidden parts shine through faintly.
+/// A line over the scene, with a dark rim, so that it is seen on any ground. Hidden parts shine
+/// through faintly.
 struct OverlayLine
 {
     glm::vec3 from{0.0F};
     glm::vec3 to{0.0F};
     glm::vec4 color{1.0F};
+    float fromPixels = 2.0F; ///< width at its beginning, logical pixels
+    float toPixels = 2.0F;   ///< and at its end: 0 for an arrow's head
 };
 
 /// A translucent part of an area that lies on the scene (paths, places). Where several cover a

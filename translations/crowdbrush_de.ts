@@ -895,6 +895,38 @@
         <source>Dress the characters under the brush</source>
         <translation>Kleidet die Figuren unter dem Pinsel ein</translation>
     </message>
+    <message>
+        <source>Grow to R&amp;elated</source>
+        <translation>Auf &amp;Verbundene erweitern</translation>
+    </message>
+    <message>
+        <source>Select also those who are related to one of the selected</source>
+        <translation>Auch die auswählen, die mit einem der Ausgewählten verbunden sind</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate Selected</source>
+        <translation>Ausgewählte d&amp;uplizieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected characters beside themselves, with the relations among them</source>
+        <translation>Die ausgewählten Figuren neben sich kopieren, mit den Beziehungen untereinander</translation>
+    </message>
+    <message>
+        <source>&amp;Relations</source>
+        <translation>Be&amp;ziehungen</translation>
+    </message>
+    <message>
+        <source>Show by arcs to whom the selected are related; all of them where nobody is selected</source>
+        <translation>Mit Bögen zeigen, mit wem die Ausgewählten verbunden sind; alle, wo niemand ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Re&amp;lation</source>
+        <translation>Be&amp;ziehung</translation>
+    </message>
+    <message>
+        <source>Relate characters: friends, families, couples, leaders</source>
+        <translation>Figuren verbinden: Freunde, Familien, Paare, Anführer</translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1386,6 +1418,17 @@
             <numerusform>%n Figuren eingekleidet</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag from one to another: relate them · Ctrl+drag: take it away</source>
+        <translation>Von einer Figur zur anderen ziehen: sie verbinden · Strg+Ziehen: Verbindung lösen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters related</source>
+        <translation>
+            <numerusform>%n Figur verbunden</numerusform>
+            <numerusform>%n Figuren verbunden</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1747,6 +1790,37 @@
     <message>
         <source>The scene has no such feature: choose another kind or value</source>
         <translation>Die Szene hat kein solches Merkmal: ein anderes Merkmal oder einen anderen Wert wählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Relate %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur verbinden</numerusform>
+            <numerusform>%n Figuren verbinden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are related like that</source>
+        <translation>Alle sind schon so verbunden</translation>
+    </message>
+    <message>
+        <source>The scene has no relation of that name: choose another one</source>
+        <translation>Die Szene hat keine Beziehung dieses Namens: eine andere wählen</translation>
+    </message>
+    <message>
+        <source>Drag on to whom they are related</source>
+        <translation>Weiterziehen bis zu denen, mit denen sie verbunden werden</translation>
+    </message>
+    <message>
+        <source>None of them has such a relation</source>
+        <translation>Keiner von ihnen hat eine solche Beziehung</translation>
+    </message>
+    <message>
+        <source>Those are too many relations at once: take fewer characters</source>
+        <translation>Das sind zu viele Beziehungen auf einmal: weniger Figuren nehmen</translation>
+    </message>
+    <message>
+        <source>Now draw around those to whom they are related (Esc: no)</source>
+        <translation>Jetzt die umfahren, mit denen sie verbunden werden (Esc: nicht)</translation>
     </message>
 </context>
 <context>
@@ -2989,6 +3063,106 @@
     <message>
         <source>Add Part</source>
         <translation>Teil hinzufügen</translation>
+    </message>
+    <message>
+        <source>From A to B</source>
+        <translation>Von A nach B</translation>
+    </message>
+    <message>
+        <source>Those where the stroke begins to those where it ends; with a rectangle or lasso those of the first one to those of the second</source>
+        <translation>Die am Anfang des Strichs mit denen an seinem Ende; mit Rechteck oder Lasso die des ersten mit denen des zweiten</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>Each to the one before on the way of the brush</source>
+        <translation>Jeder mit dem vorigen auf dem Weg des Pinsels</translation>
+    </message>
+    <message>
+        <source>Families</source>
+        <translation>Familien</translation>
+    </message>
+    <message>
+        <source>A few of the nearest become one: two of another look, and smaller ones with them</source>
+        <translation>Einige der Nächsten werden eine: zwei von verschiedenem Aussehen und kleinere dazu</translation>
+    </message>
+    <message>
+        <source>Some around</source>
+        <translation>Einige ringsum</translation>
+    </message>
+    <message>
+        <source>Each to a few of those around, drawn at random</source>
+        <translation>Jeder mit einigen ringsum, zufällig gezogen</translation>
+    </message>
+    <message>
+        <source>Each to each</source>
+        <translation>Jeder mit jedem</translation>
+    </message>
+    <message>
+        <source>All whom the stroke touches, with one another</source>
+        <translation>Alle, die der Strich berührt, untereinander</translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation>Beziehung</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>How much they mean to each other; drawn for each relation</source>
+        <translation>Wie viel sie einander bedeuten; für jede Beziehung gezogen</translation>
+    </message>
+    <message>
+        <source>Take it away</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Relations of this kind go that those under the brush have; Ctrl while painting does the same</source>
+        <translation>Beziehungen dieser Art, die die Figuren unter dem Pinsel haben, gehen weg; Strg beim Malen tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Mutual</source>
+        <translation>Gegenseitig</translation>
+    </message>
+    <message>
+        <source>Else it goes from one to the other alone, as from a leader to a follower</source>
+        <translation>Sonst geht sie nur vom einen zum anderen, wie vom Anführer zum Gefolge</translation>
+    </message>
+    <message>
+        <source>Share features</source>
+        <translation>Merkmale teilen</translation>
+    </message>
+    <message>
+        <source>Whoever is related to somebody on whom an emotion or an outfit is painted gets the same</source>
+        <translation>Wer mit jemandem verbunden ist, auf den eine Stimmung oder Kleidung gemalt wird, bekommt dieselbe</translation>
+    </message>
+    <message>
+        <source>When painted</source>
+        <translation>Beim Bemalen</translation>
+    </message>
+    <message>
+        <source>Share colours</source>
+        <translation>Farben teilen</translation>
+    </message>
+    <message>
+        <source>Whoever is related to somebody who is coloured gets the same colour</source>
+        <translation>Wer mit jemandem verbunden ist, der gefärbt wird, bekommt dieselbe Farbe</translation>
     </message>
 </context>
 <context>
@@ -4593,6 +4767,42 @@
         <source>%1: the name &quot;%2&quot; is given twice</source>
         <translation>%1: Der Name „%2“ ist zweimal vergeben</translation>
     </message>
+    <message>
+        <source>the id of an individual, a whole number above zero</source>
+        <translation>die Kennung einer Figur, eine ganze Zahl über null</translation>
+    </message>
+    <message>
+        <source>the id of a kind of relation, from 1 to 64</source>
+        <translation>die Kennung einer Beziehungsart, von 1 bis 64</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1</source>
+        <translation>eine Zahl von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>relations.columns must stand before the rows, once, and be %1</source>
+        <translation>relations.columns muss vor den Zeilen stehen, einmal, und %1 sein</translation>
+    </message>
+    <message>
+        <source>%1 relations are left out: they are of individuals or kinds that the scene has not, or of somebody to himself</source>
+        <translation>%1 Beziehungen sind ausgelassen: sie gehören zu Figuren oder Arten, die die Szene nicht hat, oder verbinden jemanden mit sich selbst</translation>
+    </message>
+    <message>
+        <source>%1 relations stood there twice: the last ones count</source>
+        <translation>%1 Beziehungen standen doppelt da: die letzten zählen</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 relations</source>
+        <translation>sie enthält mehr als %1 Beziehungen</translation>
+    </message>
+    <message>
+        <source>%1: a kind has no name</source>
+        <translation>%1: eine Art hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>%1 must be an object with columns and rows</source>
+        <translation>%1 muss ein Objekt mit „columns“ und „rows“ sein</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -4767,6 +4977,106 @@
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
         <translation>Etwas steht dazwischen: Figuren gehen %1 m darum herum.</translation>
+    </message>
+</context>
+<context>
+    <name>RelationCommands</name>
+    <message>
+        <source>A scene has at most %1 relations: remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Beziehungsarten: erst eine entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a relation</source>
+        <translation>Beziehungsart hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a relation</source>
+        <translation>Beziehungsart entfernen</translation>
+    </message>
+    <message>
+        <source>It needs a name.</source>
+        <translation>Sie braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is one of that name already.</source>
+        <translation>Es gibt schon eine dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Change a relation</source>
+        <translation>Beziehungsart ändern</translation>
+    </message>
+    <message>
+        <source>It takes two: select whom to relate.</source>
+        <translation>Dazu gehören zwei: auswählen, wer verbunden werden soll.</translation>
+    </message>
+    <message>
+        <source>Those are too many: select at most %1 characters.</source>
+        <translation>Das sind zu viele: höchstens %1 Figuren auswählen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Relate %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur verbinden</numerusform>
+            <numerusform>%n Figuren verbinden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None of the selected has such a relation.</source>
+        <translation>Keiner der Ausgewählten hat eine solche Beziehung.</translation>
+    </message>
+    <message>
+        <source>Take relations away</source>
+        <translation>Beziehungen lösen</translation>
+    </message>
+    <message>
+        <source>Nobody has such a relation.</source>
+        <translation>Niemand hat eine solche Beziehung.</translation>
+    </message>
+    <message>
+        <source>Nobody is selected.</source>
+        <translation>Niemand ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>The selected are related to nobody else.</source>
+        <translation>Die Ausgewählten sind mit niemandem sonst verbunden.</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: there is nobody to duplicate.</source>
+        <translation>Niemand ist ausgewählt: es gibt niemanden zu duplizieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n character(s)</source>
+        <translation>
+            <numerusform>%n Figur duplizieren</numerusform>
+            <numerusform>%n Figuren duplizieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Relation %1</source>
+        <translation>Beziehung %1</translation>
+    </message>
+</context>
+<context>
+    <name>Relations</name>
+    <message>
+        <source>family</source>
+        <translation>Familie</translation>
+    </message>
+    <message>
+        <source>friends</source>
+        <translation>Freunde</translation>
+    </message>
+    <message>
+        <source>couple</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>leader</source>
+        <translation>Anführer</translation>
+    </message>
+    <message>
+        <source>rivals</source>
+        <translation>Rivalen</translation>
     </message>
 </context>
 <context>
@@ -6339,6 +6649,18 @@
         <source>Set a feature</source>
         <translation>Merkmal setzen</translation>
     </message>
+    <message>
+        <source>Relate characters</source>
+        <translation>Figuren verbinden</translation>
+    </message>
+    <message>
+        <source>Take relations away</source>
+        <translation>Beziehungen lösen</translation>
+    </message>
+    <message>
+        <source>Duplicate characters</source>
+        <translation>Figuren duplizieren</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -6621,6 +6943,10 @@
     <message>
         <source>Outfit Brush</source>
         <translation>Kleidungspinsel</translation>
+    </message>
+    <message>
+        <source>Relation Brush</source>
+        <translation>Beziehungspinsel</translation>
     </message>
 </context>
 <context>
@@ -9027,6 +9353,88 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
         <translation>Beim Abspielen bleibt die Szene, wie sie ist, und Anhalten gibt sie zurück. Die Tasten tun das immer.</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::RelationsDock</name>
+    <message>
+        <source>Relations</source>
+        <translation>Beziehungen</translation>
+    </message>
+    <message>
+        <source>Show in the picture</source>
+        <translation>Im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Arcs to whom the selected are related; of all where nobody is selected</source>
+        <translation>Bögen zu denen, mit denen die Ausgewählten verbunden sind; von allen, wo niemand ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Add a kind of relation</source>
+        <translation>Beziehungsart hinzufügen</translation>
+    </message>
+    <message>
+        <source>Relate each of the selected to each</source>
+        <translation>Jeden der Ausgewählten mit jedem verbinden</translation>
+    </message>
+    <message>
+        <source>Take the relation away from the selected</source>
+        <translation>Den Ausgewählten die Beziehung nehmen</translation>
+    </message>
+    <message>
+        <source>Select who has such a relation</source>
+        <translation>Auswählen, wer eine solche Beziehung hat</translation>
+    </message>
+    <message>
+        <source>Select also who is related so to the selected</source>
+        <translation>Auch auswählen, wer mit den Ausgewählten so verbunden ist</translation>
+    </message>
+    <message>
+        <source>Remove the chosen kind with its relations</source>
+        <translation>Die gewählte Art mit ihren Beziehungen entfernen</translation>
+    </message>
+    <message>
+        <source>Double click or F2: rename</source>
+        <translation>Doppelklick oder F2: umbenennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n relations of this kind</source>
+        <translation>
+            <numerusform>%n Beziehung dieser Art</numerusform>
+            <numerusform>%n Beziehungen dieser Art</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A relation is who belongs to whom. The button above adds a kind.</source>
+        <translation>Eine Beziehung sagt, wer zu wem gehört. Der Knopf oben fügt eine Art hinzu.</translation>
+    </message>
+    <message>
+        <source>Nobody is related so yet: drag with the relation brush.</source>
+        <translation>Noch ist niemand so verbunden: mit dem Beziehungspinsel ziehen.</translation>
+    </message>
+    <message>
+        <source>Relate Each of the Selected to Each</source>
+        <translation>Jeden der Ausgewählten mit jedem verbinden</translation>
+    </message>
+    <message>
+        <source>Take It Away from the Selected</source>
+        <translation>Den Ausgewählten nehmen</translation>
+    </message>
+    <message>
+        <source>Select Who Has It</source>
+        <translation>Auswählen, wer sie hat</translation>
+    </message>
+    <message>
+        <source>Grow Selection to Those Related So</source>
+        <translation>Auswahl auf so Verbundene erweitern</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
     </message>
 </context>
 <context>

@@ -895,6 +895,38 @@
         <source>Dress the characters under the brush</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Grow to R&amp;elated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select also those who are related to one of the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected characters beside themselves, with the relations among them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show by arcs to whom the selected are related; all of them where nobody is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;lation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relate characters: friends, families, couples, leaders</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssetController</name>
@@ -1386,6 +1418,17 @@
             <numerusform>%n characters dressed</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag from one to another: relate them · Ctrl+drag: take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters related</source>
+        <translation>
+            <numerusform>%n character related</numerusform>
+            <numerusform>%n characters related</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1746,6 +1789,37 @@
     </message>
     <message>
         <source>The scene has no such feature: choose another kind or value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Relate %n character(s)</source>
+        <translation>
+            <numerusform>Relate %n character</numerusform>
+            <numerusform>Relate %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All of them already are related like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene has no relation of that name: choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag on to whom they are related</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of them has such a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those are too many relations at once: take fewer characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now draw around those to whom they are related (Esc: no)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2988,6 +3062,106 @@
     </message>
     <message>
         <source>Add Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those where the stroke begins to those where it ends; with a rectangle or lasso those of the first one to those of the second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each to the one before on the way of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Families</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A few of the nearest become one: two of another look, and smaller ones with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each to a few of those around, drawn at random</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each to each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All whom the stroke touches, with one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much they mean to each other; drawn for each relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relations of this kind go that those under the brush have; Ctrl while painting does the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mutual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else it goes from one to the other alone, as from a leader to a follower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever is related to somebody on whom an emotion or an outfit is painted gets the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever is related to somebody who is coloured gets the same colour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4593,6 +4767,42 @@
         <source>%1: the name &quot;%2&quot; is given twice</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the id of an individual, a whole number above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the id of a kind of relation, from 1 to 64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relations.columns must stand before the rows, once, and be %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 relations are left out: they are of individuals or kinds that the scene has not, or of somebody to himself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 relations stood there twice: the last ones count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds more than %1 relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a kind has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be an object with columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -4766,6 +4976,106 @@
     </message>
     <message>
         <source>Something is in between: characters walk %1 m around it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RelationCommands</name>
+    <message>
+        <source>A scene has at most %1 relations: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one of that name already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes two: select whom to relate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those are too many: select at most %1 characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Relate %n character(s)</source>
+        <translation>
+            <numerusform>Relate %n character</numerusform>
+            <numerusform>Relate %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None of the selected has such a relation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take relations away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has such a relation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected are related to nobody else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: there is nobody to duplicate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n character(s)</source>
+        <translation>
+            <numerusform>Duplicate %n character</numerusform>
+            <numerusform>Duplicate %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Relation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Relations</name>
+    <message>
+        <source>family</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>friends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>couple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rivals</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6339,6 +6649,18 @@
         <source>Set a feature</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Relate characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take relations away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate characters</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -6620,6 +6942,10 @@
     </message>
     <message>
         <source>Outfit Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation Brush</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9019,6 +9345,88 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>While it plays the scene stays as it is, and Stop gives it back. The keys always do so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::RelationsDock</name>
+    <message>
+        <source>Relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arcs to whom the selected are related; of all where nobody is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a kind of relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relate each of the selected to each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the relation away from the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select who has such a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select also who is related so to the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen kind with its relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click or F2: rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n relations of this kind</source>
+        <translation>
+            <numerusform>%n relation of this kind</numerusform>
+            <numerusform>%n relations of this kind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A relation is who belongs to whom. The button above adds a kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is related so yet: drag with the relation brush.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relate Each of the Selected to Each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take It Away from the Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Who Has It</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grow Selection to Those Related So</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -11,6 +11,7 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 
+#include "app/commands/BenchRelations.h"
 #include "app/commands/BenchReport.h"
 #include "app/commands/BenchStates.h"
 #include "model/base/Random.h"
@@ -157,7 +158,11 @@ public:
     [[nodiscard]] std::optional<double> medianFrame();
     [[nodiscard]] AreaQueries queryArea(model::AreaMode mode);
     /// Last: it changes people.
-    void addStates(QJsonObject& report) { measureStates(m_document, report); }
+    void addStates(QJsonObject& report)
+    {
+        measureStates(m_document, report);
+        measureRelations(m_document, report);
+    }
 
 private:
     [[nodiscard]] model::BrushContext context() { return {fieldView(), m_keyframes, m_stage}; }

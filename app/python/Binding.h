@@ -225,6 +225,7 @@ void bindStrokes(py::module_& module, SceneClass& scene);
 void bindContents(py::module_& module, SceneClass& scene); ///< templates, stages, light
 void bindStates(py::module_& module, SceneClass& scene);
 void bindFeatures(SceneClass& scene);
+void bindRelations(SceneClass& scene);
 void bindEnvironment(SceneClass& scene); ///< places, paths, rules
 /// Classes for places, rules and so on; after the scene.
 void bindEntries(py::module_& module);

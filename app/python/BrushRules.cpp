@@ -2,6 +2,7 @@
 #include "app/python/BrushRules.h"
 
 #include "app/python/ScriptFeatures.h"
+#include "app/python/ScriptRelations.h"
 
 #include <algorithm>
 #include <limits>
@@ -114,6 +115,14 @@ Result<void> checkMask(const Scene& scene, const MaskSettings& mask)
     return checkTemplates(scene, mask.templates, "brush.mask.templates");
 }
 
+Result<void> checkRelation(const Scene& scene, const std::string& kind, const std::string& name)
+{
+    if (findRelation(scene.relationKinds, kind) == nullptr) {
+        return Error{name + ": " + noRelationText(scene.relationKinds, kind)};
+    }
+    return {};
+}
+
 /// Kind and values of a brush of features.
 Result<void> checkFeatures(const Scene& scene, const BrushType& type, const BrushSettings& brush)
 {
@@ -144,6 +153,8 @@ Result<void> checkSettings(const Scene& scene, const BrushType& type, const Brus
         Result<void> valid;
         if (const auto* mix = std::get_if<std::vector<TemplateWeight>>(&value)) {
             valid = checkMix(scene, *mix, name);
+        } else if (field.meta.role == FieldRole::RelationKind) {
+            valid = checkRelation(scene, std::get<std::string>(value), name);
         } else if (field.meta.role == FieldRole::FeatureKind) {
             valid = checkFeatures(scene, type, brush);
         } else if (field.meta.role == FieldRole::Feature) {

@@ -269,6 +269,7 @@ void bindScene(py::module_& module)
     bindStrokes(module, scene);
     bindStates(module, scene);
     bindFeatures(scene);
+    bindRelations(scene);
     module.def(
         "open",
         [](const FilePath& path) {

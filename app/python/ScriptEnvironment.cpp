@@ -18,6 +18,9 @@ void putEnvironment(SceneEdit& edit, const Scene& wanted)
     if (wanted.features != edit.scene().features) {
         changeFeatures(edit, wanted.features, false);
     }
+    if (wanted.relationKinds != edit.scene().relationKinds) {
+        edit.setRelationKinds(wanted.relationKinds);
+    }
     forEachMember([&]<class M>(const M&) {
         if constexpr (M::isEnvironment && M::kind == MemberKind::Value) {
             if (M::of(wanted) != M::of(edit.scene())) {

@@ -145,6 +145,7 @@ class BrushKind:
     STYLE: ClassVar[BrushKind]
     WALK: ClassVar[BrushKind]
     FEATURE: ClassVar[BrushKind]
+    RELATION: ClassVar[BrushKind]
     TAG: ClassVar[BrushKind]
     UNTAG: ClassVar[BrushKind]
     GROUP: ClassVar[BrushKind]
@@ -939,6 +940,64 @@ class FeatureSettings:
         ...
 
 
+class RelationSettings:
+    """Who of those under the brush is related to whom."""
+    @property
+    def relation(self) -> str:
+        """Name of a kind of relation: "friends", "family"."""
+    @relation.setter
+    def relation(self, value: str) -> None:
+        ...
+    @property
+    def how(self) -> str:
+        ...
+    @how.setter
+    def how(self, value: str) -> None:
+        ...
+    @property
+    def least(self) -> int:
+        """Families: the fewest members."""
+    @least.setter
+    def least(self, value: int) -> None:
+        ...
+    @property
+    def most(self) -> int:
+        """Families: the most members."""
+    @most.setter
+    def most(self, value: int) -> None:
+        ...
+    @property
+    def count(self) -> int:
+        """Some around: how many each is related to."""
+    @count.setter
+    def count(self, value: int) -> None:
+        ...
+    @property
+    def metres(self) -> float:
+        """Families, some around: how far they are apart at most."""
+    @metres.setter
+    def metres(self, value: float) -> None:
+        ...
+    @property
+    def strength(self) -> Tuple[float, float]:
+        """Drawn for each relation, 0–1."""
+    @strength.setter
+    def strength(self, value: Tuple[float, float]) -> None:
+        ...
+    @property
+    def erases(self) -> bool:
+        """Takes relations of the kind away that people have."""
+    @erases.setter
+    def erases(self, value: bool) -> None:
+        ...
+    @property
+    def sources(self) -> List[int]:
+        """From A to B by a rectangle or lasso: ids of those from whom."""
+    @sources.setter
+    def sources(self, value: List[int]) -> None:
+        ...
+
+
 class Brush:
     """A brush with the editor's own settings."""
     def __init__(self, kind: BrushKind) -> None:
@@ -1138,6 +1197,12 @@ class Brush:
         ...
     @feature.setter
     def feature(self, value: FeatureSettings) -> None:
+        ...
+    @property
+    def relation(self) -> RelationSettings:
+        ...
+    @relation.setter
+    def relation(self, value: RelationSettings) -> None:
         ...
     @property
     def tag(self) -> int:
@@ -1389,9 +1454,31 @@ class Scene:
     def feature(self, kind: str) -> Any:
         """Names of the values of a feature that people bear, in the order of ids; "" for none.
         Raises Error where there is no such feature."""
+    def relate(self, from_ids: Any, to_ids: Any, name: str, strength: Any = ...) -> int:
+        """Relates people by a kind of relation: the first of from_ids to the first of to_ids and
+        so on; one stands for all. One undo step. strength: 0 to 1, a number or one for each.
+        Who is related so already gets the new strength. How many relations are another way.
+        Raises Error for unknown names, dead ids, and lists that do not fit."""
+    def unrelate(self, from_ids: Any, to_ids: Any = ..., name: Optional[str] = ...) -> int:
+        """Takes relations away between from_ids and to_ids, one for one, whichever way they go;
+        without to_ids all that from_ids have. name: of that kind alone. One undo step. How
+        many there were."""
+    def related(self, ids: Any, name: Optional[str] = ...) -> _Array:
+        """Ids of those to whom one of these is related, ascending; of a kind that is not mutual
+        those that it goes to. name: by that kind alone."""
+    def duplicate(self, ids: Any, offset: Sequence[float] = ...) -> _Array:
+        """Copies of these people, offset metres away and off their seats, related among each
+        other as these are: one undo step. Their ids, in the order of these."""
+    @property
+    def relations(self) -> Dict[Any, Any]:
+        """All relations as a dict of arrays, "from", "to", "name" and "strength", in the order
+        of the ids. Copies: relate() and unrelate() change them."""
     @property
     def features(self) -> Features:
         """Features by their names, and their values by theirs."""
+    @property
+    def relation_kinds(self) -> RelationKinds:
+        """Kinds of relations by their names."""
     @property
     def places(self) -> List[Place]:
         """A new list of Place, as the environment has them, by name too; setting it is a step of
@@ -2349,6 +2436,24 @@ class FeatureKind(Entry):
     """in order, from one end of a gradient to the other"""
 
 
+class RelationKind(Entry):
+    """How people can be related to each other."""
+    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., mutual: bool = ..., shares_features: bool = ..., shares_colors: bool = ...) -> None:
+        ...
+    id: int
+    """what relations and rules have: of no other kind of the scene; 0 to 64; begins as 0"""
+    name: str
+    """as scripts and brushes call it"""
+    color: str
+    """of its arcs in the picture; begins as '#969696'"""
+    mutual: bool
+    """it goes both ways; else from one to the other alone; begins as True"""
+    shares_features: bool
+    """what is painted of features on one, those related to him get too; begins as False"""
+    shares_colors: bool
+    """what is painted of colours on one, those related to him get too; begins as False"""
+
+
 class Place(Entry):
     """A spot with a size on the ground."""
     def __init__(self, *, id: int, name: str = ..., position: Sequence[float], radius: float = ..., color: Union[str, Sequence[int]] = ..., role: Literal["spot", "obstacle", "attractor", "repeller", "exit", "slow", "forbidden", "preferred"] = ..., capacity: int = ..., speed_share: float = ...) -> None:
@@ -2530,6 +2635,23 @@ class Features(MutableMapping[str, FeatureValues]):
     def __getitem__(self, name: str) -> FeatureValues:
         ...
     def __setitem__(self, name: str, values: Any) -> None:
+        ...
+    def __delitem__(self, name: str) -> None:
+        ...
+    def __iter__(self) -> Iterator[str]:
+        ...
+    def __len__(self) -> int:
+        ...
+
+
+class RelationKinds(MutableMapping[str, RelationKind]):
+    """The kinds of relations of a scene by their names. What it gives are copies: assigning one puts it in its place
+    or adds it; relations of a kind that is taken away go with it. Each is a step of undo."""
+    def __init__(self, scene: Scene) -> None:
+        ...
+    def __getitem__(self, name: str) -> RelationKind:
+        ...
+    def __setitem__(self, name: str, kind: Any) -> None:
         ...
     def __delitem__(self, name: str) -> None:
         ...

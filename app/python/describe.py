@@ -267,7 +267,8 @@ def class_lines(name, cls):
     if is_space(cls):
         return space_lines(cls)
     bases = {"Picture": "numpy.ndarray[Any, Any]", "Error": "RuntimeError", "Entry": "Dict[str, Any]",
-             "Features": "MutableMapping[str, FeatureValues]", "FeatureValues": "MutableMapping[str, FeatureValue]"}
+             "Features": "MutableMapping[str, FeatureValues]",
+             "RelationKinds": "MutableMapping[str, RelationKind]", "FeatureValues": "MutableMapping[str, FeatureValue]"}
     base = bases.get(name, "Entry" if issubclass(cls, crowdbrush.Entry) else "")
     lines = ["", "", f"class {name}({base}):" if base else f"class {name}:"]
     doc = ERROR_DOC if name == "Error" else inspect.getdoc(cls) or ""

@@ -451,6 +451,56 @@ def _features_of(self) -> "Features":
 Scene.features = property(_features_of, None, None, "Features by their names, and their values by theirs.")
 
 
+class RelationKinds(_Mapping):
+    """The kinds of relations of a scene by their names. What it gives are copies: assigning one puts it in its place
+    or adds it; relations of a kind that is taken away go with it. Each is a step of undo."""
+
+    def __init__(self, scene: "Scene") -> None:
+        self._scene = scene
+
+    def _all(self):
+        return [RelationKind.from_dict(each) for each in self._scene.environment["relationKinds"]]
+
+    def __getitem__(self, name: "str") -> "RelationKind":
+        for kind in self._all():
+            if kind["name"] == name:
+                return kind
+        raise KeyError(f"There is no relation \"{name}\".")
+
+    def __setitem__(self, name: "str", kind: "Any") -> None:
+        kind = RelationKind.from_dict(dict(_entry("RelationKind", kind, f"relation_kinds[\"{name}\"]")))
+        kinds = self._all()
+        known = {each["name"]: each["id"] for each in kinds}
+        kind["name"] = name
+        kind["id"] = known.get(name) or self._scene._free_relation_id()
+        if not kind["id"]:
+            raise Error(f"A scene has at most {len(kinds)} kinds of relations: remove one first.")
+        kinds = [each for each in kinds if each["name"] != name] + [kind]
+        self._scene.set_environment({"relationKinds": sorted(kinds, key=lambda each: each["id"])})
+
+    def __delitem__(self, name: "str") -> None:
+        self[name]
+        self._scene.set_environment({"relationKinds": [each for each in self._all() if each["name"] != name]})
+
+    def __iter__(self) -> "Iterator[str]":
+        return iter([kind["name"] for kind in self._all()])
+
+    def __len__(self) -> "int":
+        return len(self._all())
+
+    def __repr__(self):
+        return f"RelationKinds({', '.join(self)})"
+
+
+def _relation_kinds_of(self) -> "RelationKinds":
+    if not isinstance(self, Scene):
+        raise TypeError(f"relation_kinds belong to a crowdbrush.Scene, not to {_shortly(self)}.")
+    return RelationKinds(self)
+
+
+Scene.relation_kinds = property(_relation_kinds_of, None, None, "Kinds of relations by their names.")
+
+
 class _Entries(list):
     """Entries in order, found by name too: scene.groups["left stand"]."""
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 
+#include "app/record/RelationScript.h"
 #include "app/record/ScriptText.h"
 #include "app/record/StateScript.h"
 #include "model/population/Properties.h"
@@ -370,6 +371,9 @@ std::string deltaScript(const SceneDelta& delta, const QString& undoText, const 
     text += creations(delta, after);
     text += changes(delta, after);
     text += entries(delta, false);
+    for (const std::string& line : relationLines(delta.of<members::Relations>(), after)) {
+        text += std::string(kIndent, ' ') + line;
+    }
     if (const auto& changed = delta.of<members::Cameras>()) {
         text += cameras(changed->after);
     }

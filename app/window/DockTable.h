@@ -37,6 +37,7 @@ enum class DockId : std::uint8_t {
     Groups,
     States,
     Features,
+    Relations,
     Console,
     Count
 };

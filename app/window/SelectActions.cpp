@@ -4,6 +4,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/ViewSwitch.h"
 #include "widgets/commands/GroupCommands.h"
+#include "widgets/commands/RelationCommands.h"
 #include "widgets/commands/SelectionCommands.h"
 
 namespace crowd::app {
@@ -38,6 +39,11 @@ const WindowAction kSelectActions[] = {
     {{"select-grow", QT_TRANSLATE_NOOP("Actions", "&Grow Selection"), "larger", "Ctrl+Alt++",
       QT_TRANSLATE_NOOP("Actions", "Also those who stand beside the selected")},
      [](MainWindow& w, bool) { widgets::growSelection(w.state()); },
+     {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
+    {{"select-related", QT_TRANSLATE_NOOP("Actions", "Grow to R&elated"), "brush-relation",
+      "Ctrl+Alt+E",
+      QT_TRANSLATE_NOOP("Actions", "Select also those who are related to one of the selected")},
+     [](MainWindow& w, bool) { widgets::growSelectionToRelated(w.state(), 0); },
      {.inputs = ActionInput::Selection, .isEnabled = hasSelection}},
     {{"select-shrink", QT_TRANSLATE_NOOP("Actions", "Sh&rink Selection"), "smaller", "Ctrl+Alt+-",
       QT_TRANSLATE_NOOP("Actions", "Without those who stand beside somebody not selected")},

@@ -21,6 +21,7 @@ constexpr std::array kSwitches{Switch{"view/showGroundGrid", &ViewOptions::showG
                                Switch{"view/showShadows", &ViewOptions::showShadows},
                                Switch{"view/showPaths", &ViewOptions::showPaths},
                                Switch{"view/showTags", &ViewOptions::showTags},
+                               Switch{"view/showRelations", &ViewOptions::showRelations},
                                Switch{"view/showWalkable", &ViewOptions::showWalkable},
                                Switch{"select/byLasso", &ViewOptions::selectsByLasso}};
 constexpr const char* kLookKey = "view/look";

@@ -12,6 +12,7 @@
 #include "app/window/SelectActions.h"
 #include "app/window/ViewMemory.h"
 #include "app/window/ViewSwitch.h"
+#include "widgets/commands/RelationCommands.h"
 #include "widgets/commands/SelectionCommands.h"
 #include "widgets/commands/ViewCommands.h"
 #include "widgets/state/BrushTexts.h"
@@ -129,6 +130,12 @@ const WindowAction kEditActions[] = {
      {.inputs = ActionInput::History,
       .isEnabled = [](MainWindow& w) { return w.document().undoStack().canRedo(); },
       .text = redoText}},
+    {{"duplicate", QT_TRANSLATE_NOOP("Actions", "D&uplicate Selected"), "copy", "Ctrl+D",
+      QT_TRANSLATE_NOOP("Actions", "Copy the selected characters beside themselves, with the "
+                                   "relations among them")},
+     [](MainWindow& w, bool) { widgets::duplicateSelection(w.state()); },
+     {.inputs = ActionInput::Selection,
+      .isEnabled = [](MainWindow& w) { return !w.state().selection().isEmpty(); }}},
     {{"delete", QT_TRANSLATE_NOOP("Actions", "&Delete Selected"), "delete", "Del; Backspace",
       QT_TRANSLATE_NOOP("Actions", "Remove the selected characters")},
      [](MainWindow& w, bool) { widgets::deleteSelection(w.state()); },
@@ -211,6 +218,11 @@ const WindowAction kViewActions[] = {
     viewSwitch<&ViewOptions::showTags>(
         {"tags", QT_TRANSLATE_NOOP("Actions", "Ta&gs"), "brush-tag", "Ctrl+Shift+T",
          QT_TRANSLATE_NOOP("Actions", "Show who has which tag by a coloured disc"), true}),
+    viewSwitch<&ViewOptions::showRelations>(
+        {"relations", QT_TRANSLATE_NOOP("Actions", "&Relations"), "brush-relation", "Ctrl+Shift+L",
+         QT_TRANSLATE_NOOP("Actions", "Show by arcs to whom the selected are related; all of them "
+                                      "where nobody is selected"),
+         true}),
     viewSwitch<&ViewOptions::showWalkable>(
         {"walkable", QT_TRANSLATE_NOOP("Actions", "&Walkable Ground"), "brush-walk", "Ctrl+Shift+W",
          QT_TRANSLATE_NOOP("Actions", "Show where characters can walk by a colour on the ground"),
@@ -343,16 +355,17 @@ constexpr const char* kFileMenu[] = {"new-theatre",
                                      "",
                                      "quit"};
 constexpr const char* kEditMenu[] = {
-    "undo",    "redo",         "", "delete",    "put-on-ground", "@path-of-places", "path-end", "",
-    "@states", "@keep-states", "", "@language", "preferences"};
-constexpr const char* kSelectMenu[] = {"select-all",     "select-none",   "select-invert", "",
-                                       "select-similar", "select-grow",   "select-shrink", "",
-                                       "select-lasso",   "group-selected"};
+    "undo",     "redo", "",        "duplicate",    "delete", "put-on-ground", "@path-of-places",
+    "path-end", "",     "@states", "@keep-states", "",       "@language",     "preferences"};
+constexpr const char* kSelectMenu[] = {
+    "select-all",    "select-none",   "select-invert",  "", "select-similar",
+    "select-grow",   "select-shrink", "select-related", "", "select-lasso",
+    "group-selected"};
 constexpr const char* kViewMenu[] = {
-    "frame-selection", "frame-all", "",           "view-front",  "view-side",     "view-top",
-    "projection",      "",          "camera-add", "@cameras",    "@keep-cameras", "",
-    "paths",           "walkable",  "tags",       "ground-grid", "shadows",       "look-lit",
-    "@looks",          "",          "full-screen"};
+    "frame-selection", "frame-all", "",           "view-front", "view-side",     "view-top",
+    "projection",      "",          "camera-add", "@cameras",   "@keep-cameras", "",
+    "paths",           "walkable",  "tags",       "relations",  "ground-grid",   "shadows",
+    "look-lit",        "@looks",    "",           "full-screen"};
 constexpr const char* kPlayMenu[] = {"play",         "step", "stop",      "", "faster", "slower",
                                      "@step-length", "",     "keep-pose", "", "rules"};
 constexpr const char* kScriptMenu[] = {"console", "",           "script-record",

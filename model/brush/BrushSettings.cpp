@@ -27,6 +27,9 @@ BrushType typeOf()
                    [](const BrushSettings& brush) { return operatorInfo(brush.op).followsLine; },
                    [](const BrushSettings& brush) -> const void* { return &brush.as<Settings>(); },
                    [](BrushSettings& brush) -> void* { return &brush.as<Settings>(); }};
+    if constexpr (requires { Settings::kHasOperator; }) {
+        type.followsLine = [](const BrushSettings&) { return Settings::kHasOperator; };
+    }
     if constexpr (requires(BrushSettings & brush) { Settings::prepare(brush); }) {
         type.prepare = [](BrushSettings& brush) { Settings::prepare(brush); };
     }

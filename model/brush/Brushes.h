@@ -17,6 +17,7 @@
 #include "model/brush/changes/Parts.h"
 #include "model/brush/changes/Place.h"
 #include "model/brush/changes/Push.h"
+#include "model/brush/changes/Relation.h"
 #include "model/brush/changes/Restore.h"
 #include "model/brush/changes/Scale.h"
 #include "model/brush/changes/Script.h"
@@ -56,7 +57,8 @@
     BRUSH(Push, PushSettings)                                                                      \
     BRUSH(Parts, PartsSettings)                                                                    \
     BRUSH(Feature, FeatureSettings)                                                                \
-    BRUSH(Outfit, OutfitSettings)
+    BRUSH(Outfit, OutfitSettings)                                                                  \
+    BRUSH(Relation, RelationSettings)
 
 namespace crowd::model {
 

@@ -20,6 +20,9 @@ SelectionEffect::SelectionEffect(StrokeContext& ground)
       m_picker(ground.context.keyframes, ground.context.stage), m_frame(ground.document.frame(0.0)),
       m_isTouched(m_frame->population.size(), 0), m_isChanged(m_frame->population.size(), 0)
 {
+    if (ground.settings.kind() == BrushKind::Relation) {
+        m_relations.emplace(ground.settings, ground.seed);
+    }
 }
 
 void SelectionEffect::showTime(double seconds)
@@ -159,6 +162,24 @@ void SelectionEffect::change(std::span<const IndividualId> ids, const StrokeLine
     m_reason = result.reason;
 }
 
+void SelectionEffect::relate(std::span<const IndividualId> ids)
+{
+    m_relations->add(*m_ground.edit, m_shown ? m_shown->population : m_frame->population, ids);
+}
+
+/// Anew: a stroke from one to another may have gone on to somebody else.
+void SelectionEffect::settleRelations()
+{
+    m_relations->settle(*m_ground.edit);
+    std::ranges::fill(m_isChanged, 0);
+    m_affected = 0;
+    count(m_relations->changed());
+    const bool isMasked = m_reason == StrokeReason::Masked || m_reason == StrokeReason::GroupLocked;
+    if (m_relations->reason() != StrokeReason::NobodyUnderBrush || !isMasked) {
+        m_reason = m_relations->reason();
+    }
+}
+
 void SelectionEffect::send(std::span<const IndividualId> ids)
 {
     if (!m_ground.context.sendEvent) {
@@ -206,6 +227,10 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
             followMoves();
         }
         std::vector<IndividualId> ids = remembered([&] { return selected(dab.dab); });
+        if (m_relations) {
+            relate(unmasked(std::move(ids)));
+            continue;
+        }
         const bool isBeforeAnyWay = isMoving && dab.heading && dab.dab.index == 0;
         ids = isBeforeAnyWay ? std::vector<IndividualId>() : untouched(unmasked(std::move(ids)));
         if (ids.empty()) {
@@ -226,6 +251,9 @@ void SelectionEffect::apply(std::span<const StrokeDab> dabs)
         }
     }
     remove(std::move(gone));
+    if (m_relations && !settings.hasWholeArea()) {
+        settleRelations();
+    }
 }
 
 /// Events and scripts are not run again and again: they reach whom the area holds in the end.
@@ -259,6 +287,12 @@ void SelectionEffect::reevaluate(const StrokeLine& line, double shownSeconds)
         const AreaMode mode = settings.through ? AreaMode::Through : AreaMode::Visible;
         m_touched = unmasked(remembered(
             [&] { return m_picker.individualsInArea(wholeArea(m_ground, line), mode); }));
+    }
+    if (m_relations) {
+        m_relations->restart();
+        relate(m_touched);
+        settleRelations();
+        return;
     }
     if (m_touched.empty()) {
         return;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "model/brush/RelationStroke.h"
 #include "model/brush/StrokeEffect.h"
 #include "model/pick/ScenePicker.h"
 
@@ -37,6 +38,9 @@ private:
     /// The share of them that a delete brush takes.
     [[nodiscard]] std::vector<IndividualId> thinned(std::vector<IndividualId> ids);
     void remove(std::vector<IndividualId> ids);
+    /// The next dab of a relation brush, or a whole area.
+    void relate(std::span<const IndividualId> ids);
+    void settleRelations();
     void send(std::span<const IndividualId> ids);
     void change(std::span<const IndividualId> ids, const StrokeLine& line, std::uint64_t seed,
                 std::optional<float> heading);
@@ -50,8 +54,9 @@ private:
     std::vector<char> m_isTouched;       ///< by row of the frame
     std::vector<char> m_isChanged;       ///< by row of the frame
     std::vector<IndividualId> m_touched; ///< ascending
-    std::size_t m_selections = 0;        ///< asked for so far
-    std::size_t m_selected = 0;          ///< ids in all of them
+    std::optional<RelationStroke> m_relations; ///< of a relation brush
+    std::size_t m_selections = 0;              ///< asked for so far
+    std::size_t m_selected = 0;                ///< ids in all of them
     int m_affected = 0;
     StrokeReason m_reason = StrokeReason::NobodyUnderBrush;
 };

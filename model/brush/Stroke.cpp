@@ -292,6 +292,9 @@ StrokeOutcome Stroke::finish()
     if (!outcome.isCommitted && !outcome.isSent && outcome.reason == StrokeReason::None) {
         outcome.reason = StrokeReason::ScriptChangedNothing;
     }
+    if (outcome.reason == StrokeReason::SourcesChosen && !d.recording.selected.empty()) {
+        outcome.chosen = d.recording.selected.back();
+    }
     outcome.message = reasonText(outcome.reason, d.ground.settings.kind());
     return outcome;
 }

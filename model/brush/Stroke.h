@@ -48,7 +48,12 @@ enum class StrokeReason : std::uint8_t {
     NoSuchFeature,
     NoSuchMaterial, ///< though they have the slot
     OnlySeated,     ///< who sits is not pushed about
-    NoState         ///< to give back: none is chosen, or it is gone
+    NoState,        ///< to give back: none is chosen, or it is gone
+    NoSuchRelation,
+    NobodyElse,     ///< it takes two to be related
+    NothingToErase, ///< none of them has such a relation
+    TooManyAtOnce,  ///< relations of one stroke
+    SourcesChosen   ///< and now those to whom they are to be related
 };
 
 /// What a brush says of ground that nobody can walk on.
@@ -63,7 +68,8 @@ struct StrokeOutcome
     bool isSent = false;      ///< an event reached a session
     int affected = 0;         ///< individuals created, removed or changed
     StrokeReason reason = StrokeReason::None;
-    QString message; ///< reasonText()
+    QString message;                    ///< reasonText()
+    std::vector<IndividualId> chosen{}; ///< SourcesChosen: whom the area held; ascending
 };
 
 /// Everything that decides what a stroke does, besides the scene and its assets. Replayed on the

@@ -77,6 +77,15 @@ constexpr ReasonText kReasons[] = {
     {StrokeReason::NoDirection, QT_TRANSLATE_NOOP("Brushes", "Drag to show the direction")},
     {StrokeReason::Masked,
      QT_TRANSLATE_NOOP("Brushes", "The mask of the brush leaves all of them out")},
+    {StrokeReason::NoSuchRelation,
+     QT_TRANSLATE_NOOP("Brushes", "The scene has no relation of that name: choose another one")},
+    {StrokeReason::NobodyElse, QT_TRANSLATE_NOOP("Brushes", "Drag on to whom they are related")},
+    {StrokeReason::NothingToErase,
+     QT_TRANSLATE_NOOP("Brushes", "None of them has such a relation")},
+    {StrokeReason::TooManyAtOnce,
+     QT_TRANSLATE_NOOP("Brushes", "Those are too many relations at once: take fewer characters")},
+    {StrokeReason::SourcesChosen,
+     QT_TRANSLATE_NOOP("Brushes", "Now draw around those to whom they are related (Esc: no)")},
     {StrokeReason::GroupLocked,
      QT_TRANSLATE_NOOP("Brushes", "The group is locked or hidden: the Groups panel shows it")},
     {StrokeReason::NobodyChosen,
@@ -90,7 +99,7 @@ constexpr ReasonText kReasons[] = {
      QT_TRANSLATE_NOOP("Brushes", "Choose a state in the brush's settings first")},
 };
 
-constexpr auto kLast = StrokeReason::NoState;
+constexpr auto kLast = StrokeReason::SourcesChosen;
 constexpr std::size_t kSilent = 3; ///< None, Cancelled and Unchanged, which each brush says itself
 static_assert(std::size(kReasons) + kSilent == static_cast<std::size_t>(kLast) + 1);
 

@@ -31,6 +31,8 @@ enum class FieldRole : std::uint8_t {
     State,        ///< StateId
     Feature,      ///< FeatureId; in lists with weights, the name of a value
     FeatureKind,  ///< the name of a kind of feature
+    Relation,     ///< RelationKindId
+    RelationKind, ///< the name of a kind of relation
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

@@ -120,6 +120,8 @@ std::vector<std::byte> bulkBytesOf(const SceneDelta& delta)
         putList(bytes, change.before);
         putList(bytes, change.after);
     }
+    putList(bytes, delta.of<members::Relations>().removed);
+    putList(bytes, delta.of<members::Relations>().added);
     return bytes;
 }
 
@@ -132,6 +134,8 @@ Result<void> readBulk(std::span<const std::byte> bytes, SceneDelta& delta)
     for (std::uint64_t i = 0; i < columns && source.isWhole(); ++i) {
         source.column(delta.columns.emplace_back());
     }
+    source.list(delta.of<members::Relations>().removed);
+    source.list(delta.of<members::Relations>().added);
     if (!source.isWhole() || !source.isAtEnd()) {
         dropBulk(delta);
         return Error{QT_TRANSLATE_NOOP(
@@ -146,6 +150,7 @@ void dropBulk(SceneDelta& delta)
     delta.removed = {};
     delta.columns = {};
     delta.columns.shrink_to_fit();
+    delta.of<members::Relations>() = {};
 }
 
 } // namespace crowd::model

@@ -95,6 +95,8 @@ SceneDelta EditRecord::delta(const Scene& scene) const
         const auto& before = std::get<FirstMember<M>>(m_members).before;
         if constexpr (M::kind == MemberKind::Entries) {
             delta.of<M>() = entryDeltas(before, M::of(scene));
+        } else if constexpr (M::kind == MemberKind::Table) {
+            delta.of<M>() = before ? M::of(scene).since(*before) : typename M::Type::Delta();
         } else {
             delta.of<M>() = valueDelta(before, M::of(scene));
         }

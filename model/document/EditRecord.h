@@ -67,7 +67,7 @@ public:
     }
     /// Of a member that is kept as a whole.
     template<class M>
-    requires(M::kind == MemberKind::Value) void touch(const Scene& scene)
+    requires(M::kind != MemberKind::Entries) void touch(const Scene& scene)
     {
         auto& before = std::get<FirstMember<M>>(m_members).before;
         if (!before) {

@@ -34,6 +34,10 @@ namespace crowd::model {
 {
     return a == b;
 }
+[[nodiscard]] inline bool isSame(const RelationTable& a, const RelationTable& b)
+{
+    return a == b;
+}
 template<Described T>
 [[nodiscard]] bool isSame(const T& a, const T& b)
 {

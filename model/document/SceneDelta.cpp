@@ -29,6 +29,11 @@ std::size_t deltaBytes(const std::optional<ValueDelta<Value>>& delta)
     return delta ? bytesOf(delta->before) + bytesOf(delta->after) : 0;
 }
 
+std::size_t deltaBytes(const RelationDelta&)
+{
+    return 0; // see bulkBytes()
+}
+
 template<class Entry>
 bool hasChanged(const std::vector<EntryDelta<Entry>>& deltas)
 {
@@ -38,6 +43,10 @@ template<class Value>
 bool hasChanged(const std::optional<ValueDelta<Value>>& delta)
 {
     return delta.has_value();
+}
+bool hasChanged(const RelationDelta& delta)
+{
+    return !delta.isEmpty();
 }
 
 void swapIndividuals(Scene& scene, const StoredRows& leaving, const StoredRows& coming,
@@ -125,6 +134,8 @@ void swapMembers(Scene& scene, const SceneDelta& delta, DeltaDirection direction
         if constexpr (M::kind == kKind) {
             if constexpr (kKind == MemberKind::Entries) {
                 swapEntries(M::of(scene), delta.of<M>(), direction);
+            } else if constexpr (kKind == MemberKind::Table) {
+                M::of(scene).apply(delta.of<M>(), direction == DeltaDirection::Undo);
             } else {
                 swapValue(M::of(scene), delta.of<M>(), direction);
             }
@@ -175,7 +186,7 @@ bool SceneDelta::isEmpty() const
 
 std::size_t SceneDelta::bulkBytes() const
 {
-    std::size_t total = added.bytes() + removed.bytes();
+    std::size_t total = added.bytes() + removed.bytes() + of<members::Relations>().bytes();
     for (const ColumnDelta& change : columns) {
         total += sizeof(ColumnDelta) + change.ids.size() * sizeof(IndividualId) +
                  change.before.size() + change.after.size();
@@ -206,6 +217,7 @@ void applyDelta(Scene& scene, const SceneDelta& delta, DeltaDirection direction,
         swapMembers<MemberKind::Entries>(scene, delta, direction, announce);
     }
     swapMembers<MemberKind::Value>(scene, delta, direction, announce);
+    swapMembers<MemberKind::Table>(scene, delta, direction, announce);
 }
 
 } // namespace crowd::model

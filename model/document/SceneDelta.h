@@ -47,6 +47,11 @@ requires(M::kind == MemberKind::Entries) struct MemberDelta<M>
 {
     std::vector<EntryDelta<typename M::Type::value_type>> changes; ///< ascending ids
 };
+template<class M>
+requires(M::kind == MemberKind::Table) struct MemberDelta<M>
+{
+    typename M::Type::Delta changes;
+};
 
 template<class Members>
 struct MemberDeltas;
@@ -81,7 +86,8 @@ struct SceneDelta
     [[nodiscard]] bool isEmpty() const;
     /// Memory held, without assets (they are shared).
     [[nodiscard]] std::size_t bytes() const;
-    /// The part of it that grows with the number of individuals: added, removed and columns.
+    /// The part of it that grows with the number of individuals: added, removed, columns and
+    /// relations.
     [[nodiscard]] std::size_t bulkBytes() const;
 
 private:

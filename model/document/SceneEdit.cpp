@@ -141,6 +141,7 @@ void SceneEdit::removeIndividuals(std::span<const IndividualId> ids)
     if (ids.empty()) {
         return;
     }
+    forgetRelations(ids);
     m_record->removeIndividuals(ids, scene().population);
     (void)m_document.m_scene.population.remove(ids);
     m_document.announce(IndividualsRemoved{{ids.begin(), ids.end()}});
@@ -169,6 +170,74 @@ requires(M::kind == MemberKind::Value) void SceneEdit::set(typename M::Type valu
     m_record->touch<M>(scene());
     M::of(m_document.m_scene) = std::move(value);
     m_document.announce(typename M::Changed());
+}
+
+void SceneEdit::setRelationKinds(std::vector<RelationKind> kinds)
+{
+    std::vector<Relation> leaving;
+    std::vector<Relation> coming;
+    for (const Relation& each : scene().relations.all()) {
+        const RelationKind* kind = findRelation(kinds, each.kind);
+        const Relation wanted = kind != nullptr ? canonical(*kind, each) : Relation();
+        if (wanted != each) {
+            leaving.push_back(each);
+        }
+        if (wanted != each && kind != nullptr) {
+            coming.push_back(wanted);
+        }
+    }
+    set<members::RelationKinds>(std::move(kinds));
+    changeRelations(leaving, true);
+    changeRelations(coming, false);
+}
+
+void SceneEdit::relate(std::span<const Relation> relations)
+{
+    std::vector<Relation> coming;
+    coming.reserve(relations.size());
+    const RelationKind* kind = nullptr;
+    for (const Relation& each : relations) {
+        if (kind == nullptr || kind->id != each.kind) {
+            kind = findRelation(scene().relationKinds, each.kind);
+        }
+        assert(kind != nullptr);
+        coming.push_back(canonical(*kind, each));
+    }
+    changeRelations(coming, false);
+}
+
+void SceneEdit::unrelate(std::span<const Relation> relations)
+{
+    std::vector<Relation> leaving;
+    leaving.reserve(relations.size());
+    for (const Relation& each : relations) {
+        const RelationKind* kind = findRelation(scene().relationKinds, each.kind);
+        leaving.push_back(kind != nullptr ? canonical(*kind, each) : each);
+    }
+    changeRelations(leaving, true);
+}
+
+void SceneEdit::forgetRelations(std::span<const IndividualId> ids)
+{
+    std::vector<Relation> leaving;
+    for (const IndividualId id : ids) {
+        for (const RelationLink& link : scene().relations.of(id)) {
+            leaving.push_back(link.isOut ? Relation{id, link.other, link.strength, link.kind}
+                                         : Relation{link.other, id, link.strength, link.kind});
+        }
+    }
+    changeRelations(leaving, true);
+}
+
+void SceneEdit::changeRelations(std::span<const Relation> relations, bool isGone)
+{
+    if (relations.empty()) {
+        return;
+    }
+    m_record->touch<members::Relations>(scene());
+    RelationTable& table = m_document.m_scene.relations;
+    isGone ? table.remove(relations) : table.put(relations);
+    m_document.announce(RelationsChanged{});
 }
 
 TemplateId SceneEdit::addTemplate(TemplateEntry entry)

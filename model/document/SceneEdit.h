@@ -64,6 +64,13 @@ public:
     void setStates(std::vector<State> states) { set<members::States>(std::move(states)); }
     /// By ascending ids.
     void setFeatures(std::vector<FeatureKind> kinds) { set<members::Features>(std::move(kinds)); }
+    /// By ascending ids. Those of kinds that are gone go too; those of one that has become mutual
+    /// are one of each two.
+    void setRelationKinds(std::vector<RelationKind> kinds);
+    /// Relations between people of the scene, of its kinds: adds them or sets their strength.
+    void relate(std::span<const Relation> relations);
+    /// Takes those away that there are.
+    void unrelate(std::span<const Relation> relations);
     void setSurface(const SurfaceSettings& surface) { set<members::Surface>(surface); }
     /// One of kStepRates.
     void setStepsPerSecond(std::uint32_t steps) { set<members::Steps>(steps); }
@@ -94,6 +101,8 @@ public:
 private:
     friend class SceneDocument;
     explicit SceneEdit(SceneDocument& document);
+    void forgetRelations(std::span<const IndividualId> ids);
+    void changeRelations(std::span<const Relation> relations, bool isGone);
 
     SceneDocument& m_document;
     std::unique_ptr<EditRecord> m_record;

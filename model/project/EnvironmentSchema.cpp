@@ -15,6 +15,7 @@
 #include "model/rules/Rule.h"
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
+#include "model/scene/Relation.h"
 
 namespace crowd::model {
 
@@ -78,6 +79,8 @@ const char* referredBy(FieldRole role)
         return "Tag";
     case FieldRole::Feature:
         return "FeatureValue";
+    case FieldRole::Relation:
+        return "RelationKind";
     case FieldRole::Group:
         return "Group";
     case FieldRole::ArtistNumber:
@@ -191,7 +194,8 @@ json entryJson(const char* name, const char* list, const char* doc, json fields,
     const std::string_view owner(name);
     for (json& field : fields) {
         const auto key = field["key"].get<std::string>();
-        const bool getsId = owner == "FeatureKind" || owner == "FeatureValue"; // from its mapping
+        const bool getsId = owner == "FeatureKind" || owner == "FeatureValue" ||
+                            owner == "RelationKind"; // from its mapping
         if (key == "id" && getsId) {
             field["low"] = 0;
         }
@@ -209,6 +213,7 @@ json featureEntriesJson()
     const FeatureSlot slot;
     const FeatureMaterial material;
     const FeaturePart featurePart;
+    const RelationKind relation;
     return {entryJson("FeatureClip", "", "A clip that a value of a feature lets its bearers play.",
                       fieldsJson(fieldsOf<FeatureClip>(), &clip)),
             entryJson("FeatureMaterial", "", "One of the materials of a slot.",
@@ -222,7 +227,9 @@ json featureEntriesJson()
                 "What people can be like: what it names changes with its bearers, the rest stays.",
                 fieldsJson(fieldsOf<FeatureValue>(), &value)),
             entryJson("FeatureKind", "", "A feature: a kind with its values.",
-                      fieldsJson(fieldsOf<FeatureKind>(), &kind))};
+                      fieldsJson(fieldsOf<FeatureKind>(), &kind)),
+            entryJson("RelationKind", "", "How people can be related to each other.",
+                      fieldsJson(fieldsOf<RelationKind>(), &relation))};
 }
 
 json entriesJson()

@@ -9,6 +9,7 @@
 #include "model/project/EnvironmentJson.h"
 #include "model/project/FeaturesJson.h"
 #include "model/project/JsonWriting.h"
+#include "model/project/RelationsJson.h"
 #include "model/project/RulesJson.h"
 #include "model/project/StatesJson.h"
 #include "model/project/ViewJson.h"

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/ShownText.h"
+#include "model/project/LinkParser.h"
 #include "model/project/ProjectHeader.h"
 #include "model/project/RowParser.h"
 #include "model/project/StateTables.h"
@@ -24,6 +25,7 @@ constexpr std::size_t kMaxDepth = 64;
 /// Of values outside of the rows; what a file of ours has is a few thousand.
 constexpr std::size_t kMaxHeaderValues = 2'000'000;
 constexpr std::size_t kMaxIndividuals = 4'000'000;
+constexpr std::size_t kMaxRelations = 8'000'000;
 
 constexpr std::size_t kMostReason = 200; ///< the parser quotes what it read
 constexpr const char* kRowNoList = QT_TRANSLATE_NOOP("Messages", "row %1 of %2 must be a list");
@@ -99,6 +101,7 @@ public:
         if (m_depth == 1) {
             m_isInIndividuals = name == "individuals";
             m_isInStates = name == members::States::key;
+            m_isInRelations = name == members::Relations::key;
         }
         if (m_depth == tableDepth()) {
             m_tableKey = name;
@@ -128,7 +131,7 @@ public:
     [[nodiscard]] Error problem() const;
 
 private:
-    enum class Where : std::uint8_t { Header, Rows, Row, Vector, Cell };
+    enum class Where : std::uint8_t { Header, Rows, Row, Vector, Cell, Links, Link };
 
     bool fail(Message what)
     {
@@ -173,6 +176,10 @@ private:
         case Where::Cell:
             m_tree.value(make());
             return true;
+        case Where::Links:
+            return failLinks();
+        case Where::Link:
+            return linkValue(cell);
         }
         return false;
     }
@@ -211,7 +218,9 @@ private:
         switch (m_where) {
         case Where::Header:
             if (m_depth == tableDepth() + 1 && m_tableKey == "rows" && isArray) {
-                return m_isInStates ? beginStateRows() : beginRows();
+                return m_isInStates      ? beginStateRows()
+                       : m_isInRelations ? beginLinks()
+                                         : beginRows();
             }
             m_header.open(std::move(container));
             return hasRoom();
@@ -226,6 +235,11 @@ private:
         case Where::Cell:
             m_tree.open(std::move(container));
             return true;
+        case Where::Links:
+            m_where = Where::Link;
+            return isArray || failLinks();
+        case Where::Link:
+            return failLink(m_links.put({}));
         }
         return false;
     }
@@ -281,6 +295,12 @@ private:
                 m_where = Where::Row;
             }
             return true;
+        case Where::Links:
+            m_where = Where::Header;
+            return true;
+        case Where::Link:
+            m_where = Where::Links;
+            return endLink();
         }
         return false;
     }
@@ -343,10 +363,52 @@ private:
         const Result<void> known = m_state->readHead(m_header.current(), kMaxIndividuals);
         return known ? true : fail(known.error().said);
     }
+    bool beginLinks()
+    {
+        m_where = Where::Links;
+        if (!isOurs()) {
+            return false;
+        }
+        const json* table = m_header.peek(LinkParser::kPlace);
+        const Result<void> begun = m_links.begin(
+            table != nullptr && table->is_object() ? table->value("columns", json()) : json());
+        return begun ? true : fail(begun.error().said);
+    }
+    bool linkValue(const CellValue& cell)
+    {
+        if (m_links.cell() >= kLinkColumns.size()) {
+            return failLinkLength();
+        }
+        const char* expected = m_links.put(cell);
+        return expected == nullptr || failLink(expected);
+    }
+    bool endLink()
+    {
+        if (!m_links.endRow()) {
+            return failLinkLength();
+        }
+        return m_links.rowCount() <= kMaxRelations ||
+               fail({QT_TRANSLATE_NOOP("Messages", "it holds more than %1 relations"),
+                     kMaxRelations});
+    }
+    bool failLinks() { return fail({kRowNoList, m_links.rowCount() + 1, LinkParser::kPlace}); }
+    bool failLink(const char* expected)
+    {
+        const std::size_t cell = std::clamp<std::size_t>(m_links.cell(), 1, kLinkColumns.size());
+        return fail({QT_TRANSLATE_NOOP("Messages", "row %1 of %2, column \"%3\": it must be %4"),
+                     m_links.rowCount() + 1, LinkParser::kPlace, kLinkColumns[cell - 1],
+                     Message(expected)});
+    }
+    bool failLinkLength()
+    {
+        return fail(
+            {QT_TRANSLATE_NOOP("Messages", "row %1 of %2 must have %3 values, one for each column"),
+             m_links.rowCount() + 1, LinkParser::kPlace, kLinkColumns.size()});
+    }
     /// Of the objects that have tables.
     [[nodiscard]] std::size_t tableDepth() const
     {
-        return m_isInIndividuals ? 2 : m_isInStates ? 3 : kMaxDepth;
+        return m_isInIndividuals || m_isInRelations ? 2 : m_isInStates ? 3 : kMaxDepth;
     }
     [[nodiscard]] bool isOfState() const { return m_rows != &m_people; }
     /// That stands in the rows.
@@ -377,6 +439,7 @@ private:
     TreeBuilder m_tree;
     RowParser m_people{"individuals", {ColumnId::Template, ColumnId::Position}};
     StateTables m_states;
+    LinkParser m_links;
     StateTable* m_state = nullptr; ///< whose rows come, or came last
     RowParser* m_rows = &m_people; ///< that come
     Where m_where = Where::Header;
@@ -385,6 +448,7 @@ private:
     std::size_t m_component = 0;
     bool m_isInIndividuals = false;
     bool m_isInStates = false;
+    bool m_isInRelations = false;
     bool m_seenRows = false;
     bool m_isForeign = false; ///< not damaged, but not for this program
     std::string m_tableKey;
@@ -416,6 +480,7 @@ Result<Scene> ProjectHandler::finish()
     if (const Result<void> rows = m_people.finish(scene.value()); !rows) {
         return damaged(rows.error().said);
     }
+    m_links.fill(scene.value());
     return scene;
 }
 

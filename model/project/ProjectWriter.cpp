@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/project/LinkParser.h"
 #include "model/project/ProjectHeader.h"
 #include "model/project/StatesJson.h"
 
@@ -323,6 +324,28 @@ void appendStates(std::string& text, const nlohmann::json& headers, const Scene&
     text += "],\n";
 }
 
+/// Its head, with the rows below it.
+void appendRelations(std::string& text, const nlohmann::json& head, const RelationTable& relations)
+{
+    std::string object = dumped(head);
+    object.pop_back();
+    text += "\"relations\": " + object + ",\"rows\": [";
+    const char* separator = "\n";
+    for (const Relation& each : relations.all()) {
+        text += separator;
+        separator = ",\n";
+        text += '[';
+        for (const std::uint32_t number :
+             {each.from, each.to, static_cast<std::uint32_t>(each.kind)}) {
+            appendNumber(text, number);
+            text += ',';
+        }
+        appendFloat(text, each.strength);
+        text += ']';
+    }
+    text += "\n]},\n";
+}
+
 } // namespace
 
 Result<std::string> projectToText(const Scene& scene)
@@ -339,8 +362,13 @@ Result<std::string> projectToText(const Scene& scene)
     }
     std::string text = "{\n";
     const nlohmann::json states = header.value(members::States::key, nlohmann::json());
+    const nlohmann::json relations = header.value(members::Relations::key, nlohmann::json());
     header.erase(members::States::key);
+    header.erase(members::Relations::key);
     appendHeader(text, std::move(header));
+    if (!scene.relations.isEmpty()) {
+        appendRelations(text, relations, scene.relations);
+    }
     if (!scene.states.empty()) {
         appendStates(text, states, scene);
     }

@@ -17,6 +17,7 @@
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
 #include "model/scene/Path.h"
+#include "model/scene/Relation.h"
 #include "model/scene/Stage.h"
 #include "model/scene/State.h"
 #include "model/template/Template.h"
@@ -118,7 +119,9 @@ struct Scene
     std::vector<NumberName> numbers; ///< ascending ids
     std::vector<Cue> cues;           ///< in the order in which they are shown
     std::vector<State> states;       ///< in the order in which they are shown
-    std::vector<FeatureKind> features = readyFeatures(); ///< ascending ids
+    std::vector<FeatureKind> features = readyFeatures();        ///< ascending ids
+    std::vector<RelationKind> relationKinds = readyRelations(); ///< ascending ids
+    RelationTable relations; ///< of people and kinds that are there
     SurfaceSettings surface;
     std::uint32_t seed = 1;
     std::uint32_t stepsPerSecond = kStepRates.front(); ///< of a session

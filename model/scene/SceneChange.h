@@ -53,6 +53,14 @@ struct StatesChanged
 struct FeaturesChanged
 {
 };
+/// What there is of kinds of relations.
+struct RelationKindsChanged
+{
+};
+/// Who is related to whom.
+struct RelationsChanged
+{
+};
 /// Another scene altogether: forget everything.
 struct SceneReplaced
 {
@@ -61,6 +69,7 @@ struct SceneReplaced
 using SceneChange =
     std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
                  StagesChanged, CamerasChanged, LightingChanged, PathsChanged, GroupsChanged,
-                 RulesChanged, StatesChanged, FeaturesChanged, SceneReplaced>;
+                 RulesChanged, StatesChanged, FeaturesChanged, RelationKindsChanged,
+                 RelationsChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -18,7 +18,8 @@ namespace crowd::model {
 
 enum class MemberKind : std::uint8_t {
     Entries, ///< a list by ascending `id`; deltas hold the entries that changed
-    Value    ///< deltas hold the whole
+    Value,   ///< deltas hold the whole
+    Table    ///< deltas are of a type of its own
 };
 
 template<auto Pointer, class Change, MemberKind Kind>
@@ -31,9 +32,11 @@ struct SceneMember
     /// Whether scripts read and set it with the environment (see EnvironmentText.h).
     static constexpr bool isEnvironment =
         std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged> ||
-        std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged>;
+        std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged> ||
+        std::is_same_v<Change, RelationKindsChanged>;
     /// Whether files are without it where there is nothing of it.
-    static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged>;
+    static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged> ||
+                                       std::is_same_v<Change, RelationsChanged>;
     [[nodiscard]] static const Type& of(const Scene& scene) { return scene.*Pointer; }
     [[nodiscard]] static Type& of(Scene& scene) { return scene.*Pointer; }
 };
@@ -98,6 +101,14 @@ struct Features : SceneMember<&Scene::features, FeaturesChanged, MemberKind::Val
 {
     static constexpr const char* key = "features";
 };
+struct RelationKinds : SceneMember<&Scene::relationKinds, RelationKindsChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "relationKinds";
+};
+struct Relations : SceneMember<&Scene::relations, RelationsChanged, MemberKind::Table>
+{
+    static constexpr const char* key = "relations";
+};
 struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 {
     static constexpr const char* key = "states";
@@ -110,7 +121,7 @@ using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
                members::Groups, members::Cameras, members::Light, members::Tags, members::Rules,
                members::Numbers, members::Cues, members::Steps, members::Surface, members::Features,
-               members::States>;
+               members::RelationKinds, members::Relations, members::States>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

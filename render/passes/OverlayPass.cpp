@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kMarkerLift = 0.03F;   ///< metres above what it marks
 constexpr float kHiddenOpacity = 0.3F; ///< of lines behind something
+constexpr float kRibbonRim = 1.5F;     ///< logical pixels
 constexpr float kHiddenAreaOpacity = 0.2F;
 constexpr float kHiddenRingOpacity = 0.5F;
 constexpr float kRingPull = 0.15F; ///< as kAreaPull; feet stay in front of it
@@ -33,6 +34,13 @@ struct MarkerVertex
 struct LineVertex
 {
     glm::vec3 position{0.0F};
+    glm::vec4 color{1.0F};
+};
+
+struct RibbonVertex
+{
+    glm::vec4 fromAndWidth{0.0F};
+    glm::vec4 toAndWidth{0.0F};
     glm::vec4 color{1.0F};
 };
 
@@ -79,22 +87,28 @@ model::Result<void> OverlayPass::initialize()
     if (!line) {
         return line.error();
     }
+    auto ribbon = ShaderProgram::build("ribbon");
+    if (!ribbon) {
+        return ribbon.error();
+    }
     m_marker = std::move(marker).value();
+    m_ribbon = std::move(ribbon).value();
     m_line = std::move(line).value();
     m_markers = GlBuffer::create();
-    m_lines = GlBuffer::create();
+    m_ribbons = GlBuffer::create();
     constexpr std::array<glm::vec2, 4> kCorners{
         {{-1.0F, -1.0F}, {-1.0F, 1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}}};
-    m_markerArray = GlVertexArray::create();
-    glBindVertexArray(m_markerArray.name());
     m_corners = makeBuffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(kCorners)));
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    for (GLuint attribute = 0; attribute < 4; ++attribute) {
-        glEnableVertexAttribArray(attribute);
-        glVertexAttribDivisor(attribute, attribute == 0 ? 0 : 1);
+    for (GlVertexArray* array : {&m_markerArray, &m_ribbonArray}) {
+        *array = GlVertexArray::create();
+        glBindVertexArray(array->name());
+        glBindBuffer(GL_ARRAY_BUFFER, m_corners.name());
+        glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        for (GLuint attribute = 0; attribute < 4; ++attribute) {
+            glEnableVertexAttribArray(attribute);
+            glVertexAttribDivisor(attribute, attribute == 0 ? 0 : 1);
+        }
     }
-    m_lineArray = GlVertexArray::create();
-    describeLines(m_lineArray, m_lines);
     m_areas.initialize();
     m_ground.initialize();
     glBindVertexArray(0);
@@ -230,25 +244,31 @@ void OverlayPass::drawLines(const PassContext& context)
     if (context.input.lines.empty()) {
         return;
     }
-    std::vector<LineVertex> vertices;
+    std::vector<RibbonVertex> ribbons;
+    ribbons.reserve(context.input.lines.size());
     for (const OverlayLine& line : context.input.lines) {
-        vertices.push_back({line.from, linear(line.color)});
-        vertices.push_back({line.to, linear(line.color)});
+        ribbons.push_back({glm::vec4(line.from, line.fromPixels), glm::vec4(line.to, line.toPixels),
+                           linear(line.color)});
     }
-    stream(m_lines, vertices);
-    m_line.use();
-    context.setCommon(m_line);
-    m_line.set("pull", 0.0F);
-    glBindVertexArray(m_lineArray.name());
-    const auto count = static_cast<GLsizei>(vertices.size());
-    m_line.set("opacity", kHiddenOpacity);
-    glDepthFunc(GL_GREATER);
-    glDrawArrays(GL_LINES, 0, count);
-    m_line.set("opacity", 1.0F);
-    glDepthFunc(GL_LEQUAL);
-    glDrawArrays(GL_LINES, 0, count);
-    context.countDraw(0);
-    context.countDraw(0);
+    stream(m_ribbons, ribbons);
+    m_ribbon.use();
+    context.setCommon(m_ribbon);
+    m_ribbon.set("viewSize", context.input.view.size());
+    m_ribbon.set("rim", kRibbonRim);
+    glBindVertexArray(m_ribbonArray.name());
+    glBindBuffer(GL_ARRAY_BUFFER, m_ribbons.name());
+    for (GLuint part = 0; part < 3; ++part) {
+        glVertexAttribPointer(part + 1, 4, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
+                              bufferOffset(part * sizeof(glm::vec4)));
+    }
+    const auto draw = [&](GLenum depth, float opacity) {
+        m_ribbon.set("opacity", opacity);
+        glDepthFunc(depth);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ribbons.size()));
+        context.countDraw(static_cast<std::int64_t>(ribbons.size()) * 2);
+    };
+    draw(GL_GREATER, kHiddenOpacity);
+    draw(GL_LEQUAL, 1.0F);
 }
 
 } // namespace crowd::render

@@ -36,12 +36,13 @@ private:
     void drawLines(const PassContext& context);
 
     ShaderProgram m_marker;
-    ShaderProgram m_line;
+    ShaderProgram m_line;   ///< of areas
+    ShaderProgram m_ribbon; ///< of lines
     GlVertexArray m_markerArray;
-    GlVertexArray m_lineArray;
+    GlVertexArray m_ribbonArray;
     GlBuffer m_corners;
     GlBuffer m_markers;
-    GlBuffer m_lines;
+    GlBuffer m_ribbons;
     Areas m_areas;
     Areas m_ground;
 };

@@ -134,6 +134,10 @@ inline void enliven(BrushSettings& settings)
     if (auto* feature = settings.find<FeatureSettings>()) {
         feature->values = {{"sad", 1.0F}, {"excited", 2.0F}};
     }
+    if (auto* relation = settings.find<RelationSettings>()) {
+        relation->how = RelationHow::Near;
+        relation->strength = {0.2F, 0.9F};
+    }
     if (auto* restore = settings.find<RestoreSettings>()) {
         *restore = {RestoreSource::Template, true, true, true, true, true};
     }

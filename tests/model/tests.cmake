@@ -34,6 +34,7 @@ crowd_add_tests(ROOM model
     tst_GltfSpecMeshes
     tst_GroundSpeed
     tst_Features
+    tst_Relations
     tst_Groups
     tst_ImportProposal
     tst_Lasso

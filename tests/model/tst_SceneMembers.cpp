@@ -95,6 +95,26 @@ void alter(members::Features, SceneEdit& edit)
     edit.set<members::Features>({kind});
 }
 
+void alter(members::RelationKinds, SceneEdit& edit)
+{
+    RelationKind kind;
+    kind.id = 7;
+    kind.name = "neighbours";
+    edit.setRelationKinds({kind});
+}
+
+void alter(members::Relations, SceneEdit& edit)
+{
+    TemplateEntry entry;
+    entry.name = "man";
+    entry.path = "/nowhere/man.glb";
+    const TemplateId man = edit.addTemplate(entry);
+    IndividualRows rows = IndividualRows::withDefaults({1, 2});
+    std::ranges::fill(rows.column(columns::templateId), man);
+    const auto ids = edit.addIndividuals(std::move(rows));
+    edit.relate(std::vector<Relation>{{ids[0], ids[1], 0.5F, 4}});
+}
+
 void alter(members::States, SceneEdit& edit)
 {
     putState(edit, keepState(edit.scene(), "calm", usualStateColumns(), {}));

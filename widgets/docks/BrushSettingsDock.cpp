@@ -32,7 +32,7 @@ BrushSettingsDock::BrushSettingsDock(EditorState& state, QWidget* parent)
                 const bool isWalk = brushKindOf(m_state.tool()) == model::BrushKind::Walk;
                 if (isOneOf<model::TemplatesChanged, model::StagesChanged, model::RulesChanged,
                             model::GroupsChanged, model::StatesChanged, model::FeaturesChanged,
-                            model::SceneReplaced>(change) ||
+                            model::RelationKindsChanged, model::SceneReplaced>(change) ||
                     (isWalk && isOneOf<model::PathsChanged>(change))) {
                     m_rebuild.start();
                 }

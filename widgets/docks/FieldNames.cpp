@@ -12,6 +12,7 @@
 #include "widgets/docks/ClipMix.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/FeatureTexts.h"
+#include "widgets/state/RelationTexts.h"
 
 namespace crowd::widgets {
 
@@ -33,6 +34,17 @@ void addFeatureKind(FieldForm& form, const Bound& bound)
     for (const model::FeatureKind& kind : sceneBehind(form).features) {
         names.push_back(kind.name);
         texts << featureText(kind.name);
+    }
+    addName(form, bound, texts, names);
+}
+
+void addRelationKind(FieldForm& form, const Bound& bound)
+{
+    QStringList texts;
+    std::vector<std::string> names;
+    for (const model::RelationKind& kind : sceneBehind(form).relationKinds) {
+        names.push_back(kind.name);
+        texts << relationText(kind.name);
     }
     addName(form, bound, texts, names);
 }
@@ -173,6 +185,8 @@ bool addNamedControl(FieldForm& form, const Bound& bound)
     if (field.meta.role == model::FieldRole::Feature &&
         field.is<std::vector<model::ClipWeight>>()) {
         addFeatures(form, bound);
+    } else if (field.meta.role == model::FieldRole::RelationKind) {
+        addRelationKind(form, bound);
     } else if (field.meta.role == model::FieldRole::FeatureKind) {
         addFeatureKind(form, bound);
     } else if (form.context().brush == nullptr && field.is<std::string>() &&

@@ -45,6 +45,7 @@ struct ViewOptions
     bool showShadows = true;
     bool showPaths = true;
     bool showTags = false;
+    bool showRelations = false;  ///< arcs: of the selected, of all where nobody is
     bool showWalkable = false;   ///< where people can walk, as a colour on the ground
     bool selectsByLasso = false; ///< the select tool; else by a rectangle
     render::Look look = render::Look::Lit;

@@ -60,6 +60,11 @@ void PressedWay::show(ToolPicture& picture, int affected) const
     if (m_settings.selection == BrushSelection::Lasso) {
         picture.outlines.push_back(closed(m_way));
     }
+    const auto* relation = m_settings.find<model::RelationSettings>();
+    if (relation != nullptr && relation->how == model::RelationHow::FromTo &&
+        !m_settings.hasWholeArea()) {
+        picture.arrow = QLineF(m_press.position(), m_current.position());
+    }
     if (m_settings.isReevaluated() && m_settings.followsLine()) {
         picture.gradient = QLineF(m_press.position(), m_current.position());
     }
@@ -68,6 +73,26 @@ void PressedWay::show(ToolPicture& picture, int affected) const
         picture.label = BrushDragsText::tr("%n characters", nullptr, affected);
     }
 }
+
+namespace {
+
+/// From a lasso to a lasso: the first one says from whom, the next one to whom.
+void rememberSources(EditorState& state, BrushKind kind, const model::StrokeOutcome& outcome)
+{
+    BrushSettings brush = state.brush(kind);
+    const auto* relation = brush.find<model::RelationSettings>();
+    const bool isChosen = outcome.reason == model::StrokeReason::SourcesChosen;
+    const bool isUsed = outcome.isCommitted && relation != nullptr && !relation->sources.empty();
+    if (!isChosen && !isUsed) {
+        return;
+    }
+    brush.as<model::RelationSettings>().sources.assign(outcome.chosen.begin(),
+                                                       outcome.chosen.end());
+    state.setBrush(brush);
+    state.selection().set(outcome.chosen);
+}
+
+} // namespace
 
 StrokeDrag::StrokeDrag(const ToolContext& context, const BrushSettings& settings,
                        std::uint64_t seed, const ToolInput& press)
@@ -115,6 +140,7 @@ void StrokeDrag::release(const ToolInput& input)
     if (outcome.isCommitted) {
         m_context.state.noteStroke(kind);
     }
+    rememberSources(m_context.state, kind, outcome);
     m_context.state.showStatus(outcome.isCommitted || outcome.isSent
                                    ? affectedText(kind, outcome.affected)
                                    : outcome.message);

@@ -35,11 +35,14 @@ QString whatItDoes(BrushKind kind)
     return saysAll ? hint : BrushToolText::tr("%1 · Ctrl+click: take it from somebody").arg(hint);
 }
 
-/// What a stroke is painted with that begins now.
+/// What a stroke is painted with that begins now. Ctrl takes relations away.
 BrushSettings pressedSettings(const BrushSettings& settings, Qt::MouseButton button,
-                              const EditorState& state)
+                              Qt::KeyboardModifiers modifiers, const EditorState& state)
 {
     BrushSettings pressed = settingsForButton(settings, button, state.viewOptions().buttons);
+    if (auto* relation = pressed.find<model::RelationSettings>()) {
+        relation->erases |= modifiers.testFlag(Qt::ControlModifier);
+    }
     if (pressed.mask.onlySelected) {
         const auto selected = state.selection().ids();
         pressed.mask.selected.assign(selected.begin(), selected.end());
@@ -140,7 +143,8 @@ DragSessionPtr BrushTool::press(const ToolInput& input)
         return scriptStroke(seed, input);
     }
     return std::make_unique<StrokeDrag>(
-        m_context, pressedSettings(settings(), input.button, m_context.state), seed, input);
+        m_context, pressedSettings(settings(), input.button, input.modifiers, m_context.state),
+        seed, input);
 }
 
 DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& input)
@@ -153,7 +157,7 @@ DragSessionPtr BrushTool::scriptStroke(std::uint64_t seed, const ToolInput& inpu
                               "crowdbrush.register_brush."));
         return nullptr;
     }
-    const BrushSettings chosen = pressedSettings(settings(), input.button, state);
+    const BrushSettings chosen = pressedSettings(settings(), input.button, input.modifiers, state);
     if (!painter->begin(m_context.queries.brushContext(), chosen, seed, input.pointer)) {
         return nullptr;
     }
@@ -185,7 +189,8 @@ void BrushTool::preview(const ToolInput& input, ToolPicture& picture) const
     if (m_kind == BrushKind::Create) {
         picture.ghosts = ghostsAt(m_context, settings(), nextSeed(), input);
     } else if (worksOnPeople(m_kind)) {
-        const BrushSettings pressed = pressedSettings(settings(), Qt::LeftButton, m_context.state);
+        const BrushSettings pressed =
+            pressedSettings(settings(), Qt::LeftButton, input.modifiers, m_context.state);
         picture.candidates = candidatesAt(m_context, pressed, input);
     }
 }

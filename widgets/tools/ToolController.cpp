@@ -308,10 +308,23 @@ bool ToolController::escape()
         m_state.setTool(m_state.previousTool());
         return true;
     }
+    forgetSources();
     m_state.paths().end();
     m_state.paths().select({});
     m_state.selection().clear();
     return true;
+}
+
+/// Those from whom a relation was to go.
+void ToolController::forgetSources()
+{
+    const model::BrushSettings* brush = m_state.activeBrush();
+    const auto* relation = brush != nullptr ? brush->find<model::RelationSettings>() : nullptr;
+    if (relation != nullptr && !relation->sources.empty()) {
+        model::BrushSettings without = *brush;
+        without.as<model::RelationSettings>().sources.clear();
+        m_state.setBrush(without);
+    }
 }
 
 bool ToolController::runShortcut(const KeyInput& input)

@@ -74,6 +74,7 @@ private:
     [[nodiscard]] ToolInput monotonic(ToolInput input);
     bool runShortcut(const KeyInput& input);
     bool escape();
+    void forgetSources();
     void finish();
     void refreshPicture();
     void replacePicture(ToolPicture picture);

@@ -102,6 +102,8 @@ void ViewportWidget::connectScene()
             [this](const model::SceneChange& change) {
                 visitChange(
                     change, [this](const model::PathsChanged&) { redrawPaths(); },
+                    [this](const model::RelationsChanged&) { redraw(); },
+                    [this](const model::RelationKindsChanged&) { redraw(); },
                     [this](const model::StagesChanged&) { redrawPaths(); },
                     [this](const model::SceneReplaced&) {
                         m_isSceneNew = true;
@@ -224,6 +226,8 @@ render::RenderInput ViewportWidget::renderInput()
         m_marks.add(queries.freeSeats());
     }
     input.markers = m_marks.markers();
+    m_arcs.make(m_state, *input.frame);
+    input.lines = m_arcs.lines();
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());
         input.areasVersion = m_paths.version();
@@ -276,7 +280,9 @@ void ViewportWidget::finishFrame()
         return; // only the overlay was painted
     }
     m_isFrameOpen = false;
-    m_overlay->setLegend(m_marks.legend());
+    std::vector<TagLabel> legend = m_marks.legend();
+    legend.insert(legend.end(), m_arcs.legend().begin(), m_arcs.legend().end());
+    m_overlay->setLegend(legend);
     const double frameMs = static_cast<double>(m_sinceDraw.nsecsElapsed()) * 1e-6;
     m_clock.noteFrameTime(frameMs);
     m_frameTimes.add(frameMs);

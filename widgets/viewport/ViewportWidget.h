@@ -15,6 +15,7 @@
 #include "widgets/viewport/FrameStatistics.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
+#include "widgets/viewport/RelationArcs.h"
 #include "widgets/viewport/ViewportInput.h"
 #include "widgets/viewport/WalkableDrawing.h"
 
@@ -117,6 +118,7 @@ private:
     PathDrawing m_paths;
     WalkableDrawing m_walkable;
     PeopleMarks m_marks;
+    RelationArcs m_arcs;
     BrushCursor m_brushCursor;
     QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still
     QPointF m_brushAt{-1.0, -1.0}; ///< at that movement

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/document/SceneEdit.h"
+
+/// Who is related to whom, and what becomes of it where people are copied. Ids ascending, all
+/// present.
+namespace crowd::model {
+
+/// Those to whom one of these is related, by a kind or by any (0); of one that is not mutual, in
+/// its direction. Ascending; these themselves only where another one of them is related to them.
+[[nodiscard]] std::vector<IndividualId>
+relatedTo(const Scene& scene, std::span<const IndividualId> ids, RelationKindId kind);
+/// These, and those who are related to one of them or to whom one of them is related, by a kind or
+/// by any (0). Ascending.
+[[nodiscard]] std::vector<IndividualId>
+withRelated(const Scene& scene, std::span<const IndividualId> ids, RelationKindId kind);
+
+/// Copies of people, `offset` metres away, off their seats; related among each other as the
+/// originals are. Their ids, in the same order.
+std::vector<IndividualId> duplicate(SceneEdit& edit, std::span<const IndividualId> ids,
+                                    const glm::vec3& offset);
+
+} // namespace crowd::model

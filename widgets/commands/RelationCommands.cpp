@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/commands/RelationCommands.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/document/SceneEdit.h"
+#include "model/relations/RelatedPeople.h"
+#include "widgets/state/RelationTexts.h"
+
+namespace crowd::widgets {
+
+using model::IndividualId;
+using model::Relation;
+using model::RelationKind;
+using model::RelationKindId;
+
+using People = std::vector<IndividualId>; // lupdate takes std:: before a function for its context
+using Name = std::string;
+
+namespace {
+
+constexpr std::size_t kMostEachToEach = 500;
+constexpr float kBesideMetres = 1.0F; ///< of a copy
+
+struct RelationText
+{
+    Q_DECLARE_TR_FUNCTIONS(RelationCommands)
+};
+
+bool editRelationKinds(EditorState& state, const QString& text,
+                       const std::function<void(model::RelationKinds&)>& change)
+{
+    model::RelationKinds kinds = state.scene().relationKinds;
+    change(kinds);
+    const auto outcome = state.document().edit(
+        text, [&](model::SceneEdit& edit) { edit.setRelationKinds(std::move(kinds)); });
+    return outcome != model::EditOutcome::Refused;
+}
+
+People chosenPeople(EditorState& state)
+{
+    const auto ids = state.selection().ids();
+    return {ids.begin(), ids.end()};
+}
+
+/// "Relation 6": a name that none of them has.
+Name freeRelationName(const model::RelationKinds& kinds)
+{
+    for (std::size_t number = kinds.size() + 1;; ++number) {
+        std::string name = RelationText::tr("Relation %1").arg(number).toStdString();
+        if (findRelation(kinds, name) == nullptr) {
+            return name;
+        }
+    }
+}
+
+} // namespace
+
+RelationKindId addRelationKind(EditorState& state)
+{
+    RelationKind kind;
+    kind.id = freeRelationId(state.scene().relationKinds);
+    kind.name = freeRelationName(state.scene().relationKinds);
+    if (kind.id == 0) {
+        state.showStatus(RelationText::tr("A scene has at most %1 relations: remove one first.")
+                             .arg(model::kMostRelationKinds));
+        return 0;
+    }
+    const bool isDone = editRelationKinds(
+        state, RelationText::tr("Add a relation"), [&kind](model::RelationKinds& kinds) {
+            kinds.insert(std::ranges::upper_bound(kinds, kind.id, {}, &RelationKind::id), kind);
+        });
+    return isDone ? kind.id : RelationKindId{0};
+}
+
+void removeRelationKind(EditorState& state, RelationKindId kind)
+{
+    editRelationKinds(
+        state, RelationText::tr("Remove a relation"), [kind](model::RelationKinds& kinds) {
+            std::erase_if(kinds, [kind](const RelationKind& each) { return each.id == kind; });
+        });
+}
+
+bool renameRelationKind(EditorState& state, RelationKindId kind, const QString& name)
+{
+    const RelationKind* before = findRelation(state.scene().relationKinds, kind);
+    if (before == nullptr || relationText(before->name) == name) {
+        return before != nullptr;
+    }
+    const std::string wanted = name.simplified().toStdString();
+    if (wanted.empty()) {
+        state.showStatus(RelationText::tr("It needs a name."));
+        return false;
+    }
+    if (findRelation(state.scene().relationKinds, wanted) != nullptr) {
+        state.showStatus(RelationText::tr("There is one of that name already."));
+        return false;
+    }
+    RelationKind renamed = *before;
+    renamed.name = wanted;
+    changeRelationKind(state, renamed);
+    return true;
+}
+
+void changeRelationKind(EditorState& state, const RelationKind& kind)
+{
+    editRelationKinds(
+        state, RelationText::tr("Change a relation"), [&kind](model::RelationKinds& kinds) {
+            std::ranges::replace_if(
+                kinds, [&kind](const RelationKind& each) { return each.id == kind.id; }, kind);
+        });
+}
+
+void relateSelected(EditorState& state, RelationKindId kind)
+{
+    const RelationKind* meant = findRelation(state.scene().relationKinds, kind);
+    const std::vector<IndividualId> people = chosenPeople(state);
+    if (people.size() < 2) {
+        state.showStatus(RelationText::tr("It takes two: select whom to relate."));
+        return;
+    }
+    if (people.size() > kMostEachToEach) {
+        state.showStatus(RelationText::tr("Those are too many: select at most %1 characters.")
+                             .arg(kMostEachToEach));
+        return;
+    }
+    std::vector<Relation> made;
+    const std::size_t froms = meant != nullptr && !meant->isMutual ? 1 : people.size();
+    for (std::size_t from = 0; meant != nullptr && from < froms; ++from) {
+        for (std::size_t to = from + 1; to < people.size(); ++to) {
+            made.push_back({people[from], people[to], 1.0F, kind});
+        }
+    }
+    state.document().edit(
+        RelationText::tr("Relate %n character(s)", nullptr, static_cast<int>(people.size())),
+        [&made](model::SceneEdit& edit) { edit.relate(made); });
+}
+
+void unrelateSelected(EditorState& state, RelationKindId kind)
+{
+    const std::vector<IndividualId> people = chosenPeople(state);
+    std::vector<Relation> gone;
+    for (const IndividualId id : people) {
+        for (const model::RelationLink& link : state.scene().relations.of(id)) {
+            if (link.kind == kind) {
+                gone.push_back(link.isOut ? Relation{id, link.other, link.strength, kind}
+                                          : Relation{link.other, id, link.strength, kind});
+            }
+        }
+    }
+    if (gone.empty()) {
+        state.showStatus(RelationText::tr("None of the selected has such a relation."));
+        return;
+    }
+    state.document().edit(RelationText::tr("Take relations away"),
+                          [&gone](model::SceneEdit& edit) { edit.unrelate(gone); });
+}
+
+void selectThoseRelated(EditorState& state, RelationKindId kind)
+{
+    std::vector<IndividualId> people;
+    for (const Relation& each : state.scene().relations.all()) {
+        if (each.kind == kind) {
+            people.insert(people.end(), {each.from, each.to});
+        }
+    }
+    std::ranges::sort(people);
+    people.erase(std::unique(people.begin(), people.end()), people.end());
+    if (people.empty()) {
+        state.showStatus(RelationText::tr("Nobody has such a relation."));
+    }
+    state.selection().set(people);
+}
+
+void growSelectionToRelated(EditorState& state, RelationKindId kind)
+{
+    const std::vector<IndividualId> people = chosenPeople(state);
+    const std::vector<IndividualId> grown = withRelated(state.scene(), people, kind);
+    if (grown.size() == people.size()) {
+        state.showStatus(people.empty()
+                             ? RelationText::tr("Nobody is selected.")
+                             : RelationText::tr("The selected are related to nobody else."));
+        return;
+    }
+    state.selection().set(grown);
+}
+
+void duplicateSelection(EditorState& state)
+{
+    const std::vector<IndividualId> people = chosenPeople(state);
+    if (people.empty()) {
+        state.showStatus(RelationText::tr("Nobody is selected: there is nobody to duplicate."));
+        return;
+    }
+    // Beside them as they are seen.
+    const glm::vec3 right = state.camera().orientation * glm::vec3(1.0F, 0.0F, 0.0F);
+    const glm::vec3 offset = glm::vec3(right.x, 0.0F, right.z) * kBesideMetres;
+    std::vector<IndividualId> copies;
+    const auto outcome = state.document().edit(
+        RelationText::tr("Duplicate %n character(s)", nullptr, static_cast<int>(people.size())),
+        [&](model::SceneEdit& edit) { copies = duplicate(edit, people, offset); });
+    if (outcome == model::EditOutcome::Committed) {
+        state.selection().set(copies);
+    }
+}
+
+} // namespace crowd::widgets
