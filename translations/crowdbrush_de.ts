@@ -3164,6 +3164,58 @@
         <source>Whoever is related to somebody who is coloured gets the same colour</source>
         <translation>Wer mit jemandem verbunden ist, der gefärbt wird, bekommt dieselbe Farbe</translation>
     </message>
+    <message>
+        <source>As each likes</source>
+        <translation>Wie jeder mag</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Zusammen</translation>
+    </message>
+    <message>
+        <source>Who walk the same path keep beside each other where there is room, and wait for each other</source>
+        <translation>Wer denselben Weg geht, bleibt nebeneinander, wo Platz ist, und wartet aufeinander</translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation>Hinterher</translation>
+    </message>
+    <message>
+        <source>Who has no path of his own follows the one from whom the relation goes</source>
+        <translation>Wer keinen eigenen Weg hat, folgt dem, von dem die Beziehung ausgeht</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Auf Abstand</translation>
+    </message>
+    <message>
+        <source>Who walk give each other a wide berth</source>
+        <translation>Wer geht, macht einen weiten Bogen um den anderen</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>While it plays</source>
+        <translation>Beim Abspielen</translation>
+    </message>
+    <message>
+        <source>Face each other</source>
+        <translation>Einander zuwenden</translation>
+    </message>
+    <message>
+        <source>Who stand near each other turn to each other</source>
+        <translation>Wer nahe beieinander steht, wendet sich einander zu</translation>
+    </message>
+    <message>
+        <source>Pass events on</source>
+        <translation>Ereignisse weitergeben</translation>
+    </message>
+    <message>
+        <source>An event that one hears the others hear a little later, and so on from one to the next</source>
+        <translation>Ein Ereignis, das einer hört, hören die anderen etwas später, und so weiter von einem zum nächsten</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -6553,6 +6605,110 @@
     <message>
         <source>It does nothing yet: choose a feature.</source>
         <translation>Sie tut noch nichts: ein Merkmal wählen.</translation>
+    </message>
+    <message>
+        <source>run {metres} m away from the nearest of their {relation}</source>
+        <translation>{metres} m weit vom Nächsten aus „{relation}“ weglaufen</translation>
+    </message>
+    <message>
+        <source>follow the nearest of their {relation} for {seconds} s</source>
+        <translation>{seconds} s lang dem Nächsten aus „{relation}“ folgen</translation>
+    </message>
+    <message>
+        <source>follow the nearest of their {relation} until something else comes</source>
+        <translation>dem Nächsten aus „{relation}“ folgen, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>go to the nearest of their {relation}</source>
+        <translation>zum Nächsten aus „{relation}“ gehen</translation>
+    </message>
+    <message>
+        <source>look at the nearest of their {relation} for {seconds} s</source>
+        <translation>{seconds} s lang den Nächsten aus „{relation}“ ansehen</translation>
+    </message>
+    <message>
+        <source>look at the nearest of their {relation} until something else comes</source>
+        <translation>den Nächsten aus „{relation}“ ansehen, bis etwas anderes kommt</translation>
+    </message>
+    <message>
+        <source>their</source>
+        <translation>die aus</translation>
+    </message>
+    <message>
+        <source>send “{event}” to their {relation}</source>
+        <translation>„{event}“ an die aus „{relation}“ senden</translation>
+    </message>
+    <message>
+        <source>turn to the nearest of their {relation}</source>
+        <translation>sich zum Nächsten aus „{relation}“ drehen</translation>
+    </message>
+    <message>
+        <source>number of those related</source>
+        <translation>Zahl der Verbundenen</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} below {value}</source>
+        <translation>die Zahl derer aus „{relation}“ unter {value}</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not below {value}</source>
+        <translation>die Zahl derer aus „{relation}“ nicht unter {value}</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} at {value}</source>
+        <translation>die Zahl derer aus „{relation}“ gleich {value}</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not at {value}</source>
+        <translation>die Zahl derer aus „{relation}“ nicht gleich {value}</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} above {value}</source>
+        <translation>die Zahl derer aus „{relation}“ über {value}</translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not above {value}</source>
+        <translation>die Zahl derer aus „{relation}“ nicht über {value}</translation>
+    </message>
+    <message>
+        <source>relations</source>
+        <translation>Beziehungen</translation>
+    </message>
+    <message>
+        <source>the nearest of their</source>
+        <translation>den Nächsten aus</translation>
+    </message>
+    <message>
+        <source>arrives at</source>
+        <translation>kommt an bei</translation>
+    </message>
+    <message>
+        <source>leaves</source>
+        <translation>verlässt</translation>
+    </message>
+    <message>
+        <source>hears</source>
+        <translation>hört</translation>
+    </message>
+    <message>
+        <source>one related does something</source>
+        <translation>ein Verbundener tut etwas</translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} arrives at {place}</source>
+        <translation>Wenn jemand aus „{relation}“ ankommt: {place}</translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} leaves {place}</source>
+        <translation>Wenn jemand aus „{relation}“ weggeht: {place}</translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} hears “{event}”</source>
+        <translation>Wenn jemand aus „{relation}“ hört: „{event}“</translation>
+    </message>
+    <message>
+        <source>The relation is not there any more: choose another one.</source>
+        <translation>Die Beziehung gibt es nicht mehr: eine andere wählen.</translation>
     </message>
 </context>
 <context>

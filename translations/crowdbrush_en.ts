@@ -3164,6 +3164,58 @@
         <source>Whoever is related to somebody who is coloured gets the same colour</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>As each likes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who walk the same path keep beside each other where there is room, and wait for each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who has no path of his own follows the one from whom the relation goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who walk give each other a wide berth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who stand near each other turn to each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass events on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An event that one hears the others hear a little later, and so on from one to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -6552,6 +6604,110 @@
     </message>
     <message>
         <source>It does nothing yet: choose a feature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {metres} m away from the nearest of their {relation}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow the nearest of their {relation} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follow the nearest of their {relation} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the nearest of their {relation}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at the nearest of their {relation} for {seconds} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at the nearest of their {relation} until something else comes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>their</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>send “{event}” to their {relation}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn to the nearest of their {relation}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of those related</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not below {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not at {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of their {relation} not above {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest of their</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrives at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hears</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one related does something</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} arrives at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} leaves {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When one of someone’s {relation} hears “{event}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The relation is not there any more: choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

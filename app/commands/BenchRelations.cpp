@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace {
 using namespace model;
 
 constexpr std::size_t kRelationsEach = 10;
-constexpr std::size_t kDabPeople = 500;
+constexpr std::size_t kDabSide = 23; ///< people: some 500 a dab
 constexpr std::size_t kRelationDabs = 40;
 
 template<class Work>
@@ -56,15 +57,21 @@ double medianDab(SceneDocument& document, RelationHow how)
     brush.as<RelationSettings>().relation = "friends";
     const Population people = document.scene().population;
     const auto ids = people.ids();
-    const std::size_t stride = std::max<std::size_t>(1, ids.size() / kDabPeople);
+    const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(ids.size())));
+    const std::size_t blocks = std::max<std::size_t>(1, side / kDabSide);
     std::vector<double> samples;
     document.edit(QStringLiteral("Relate"), [&](SceneEdit& edit) {
         RelationStroke stroke(brush, 7);
-        for (std::size_t dab = 0; dab < std::min(kRelationDabs, stride); ++dab) {
-            std::vector<IndividualId> touched; // all over the crowd
-            for (std::size_t i = dab; i < ids.size() && touched.size() < kDabPeople; i += stride) {
-                touched.push_back(ids[i]);
+        for (std::size_t dab = 0; dab < std::min(kRelationDabs, blocks * blocks); ++dab) {
+            std::vector<IndividualId> touched; // a square of those who stand in rows
+            for (std::size_t i = 0; i < kDabSide * kDabSide; ++i) {
+                const std::size_t row = dab / blocks * kDabSide + i / kDabSide;
+                const std::size_t at = row * side + dab % blocks * kDabSide + i % kDabSide;
+                if (at < ids.size()) {
+                    touched.push_back(ids[at]);
+                }
             }
+            std::ranges::sort(touched);
             samples.push_back(relationMilliseconds([&] {
                 stroke.add(edit, people, touched);
                 stroke.settle(edit);

@@ -1823,6 +1823,20 @@ class triggers:
         feature: int
         """the id of the one that he bears now; 0: any; begins as 0"""
 
+    class RelatedDid(Trigger):
+        """One to whom he is related, whichever way, arrives at a place, leaves it or hears an event.
+    It comes from that one."""
+        def __init__(self, *, relation: Union[int, RelationKind] = ..., deed: Literal["arrives", "leaves", "hears"] = ..., place: Union[int, Place] = ..., event: str = ...) -> None:
+            ...
+        relation: int
+        """by which; 0: any; begins as 0"""
+        deed: Literal["arrives", "leaves", "hears"]
+        """what that one does; begins as 'arrives'"""
+        place: int
+        """where; 0: any; begins as 0"""
+        event: str
+        """its name, of hears"""
+
     class Every(Trigger):
         """Again and again, for each at other times."""
         def __init__(self, *, seconds: float = ..., jitter: float = ...) -> None:
@@ -1986,6 +2000,19 @@ class conditions:
         not_: bool
         """whether it must not hold; begins as False"""
 
+    class Related(Condition):
+        """How many are related to him, whichever way, and have not left, compared."""
+        def __init__(self, *, relation: Union[int, RelationKind] = ..., compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
+            ...
+        relation: int
+        """by which; 0: any; begins as 0"""
+        compare: Literal["less", "equal", "more"]
+        """how it is compared with the value; begins as 'more'"""
+        value: float
+        """that it is compared with; -1e6 to 1e6; begins as 0.0"""
+        not_: bool
+        """whether it must not hold; begins as False"""
+
     class Property(Condition):
         """A property of his, compared."""
         def __init__(self, *, property: Literal["height", "girth", "playback speed", "walk speed", "clip"] = ..., clip: str = ..., compare: Literal["less", "equal", "more"] = ..., value: float = ..., not_: bool = ...) -> None:
@@ -2020,27 +2047,31 @@ class actions:
 
     class Turn(Action):
         """Turns to somebody or something."""
-        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., depth: int = ...) -> None:
+        def __init__(self, *, aim: Literal["sender", "tagged", "place", "related"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., relation: Union[int, RelationKind] = ..., depth: int = ...) -> None:
             ...
-        aim: Literal["sender", "tagged", "place"]
+        aim: Literal["sender", "tagged", "place", "related"]
         """whom or what it is about; begins as 'sender'"""
         tag: int
         """of whom is meant; 0 to 63; begins as 0"""
         place: int
         """that is meant; begins as 0"""
+        relation: int
+        """by which those are related who are meant; 0: any; begins as 0"""
         depth: int
         """deeper ones belong to the repeat or the one of above them; 0 to 255; begins as 0"""
 
     class LookAt(Action):
         """Keeps facing somebody or something."""
-        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., seconds: float = ..., depth: int = ...) -> None:
+        def __init__(self, *, aim: Literal["sender", "tagged", "place", "related"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., relation: Union[int, RelationKind] = ..., seconds: float = ..., depth: int = ...) -> None:
             ...
-        aim: Literal["sender", "tagged", "place"]
+        aim: Literal["sender", "tagged", "place", "related"]
         """whom or what it is about; begins as 'sender'"""
         tag: int
         """of whom is meant; 0 to 63; begins as 0"""
         place: int
         """that is meant; begins as 0"""
+        relation: int
+        """by which those are related who are meant; 0: any; begins as 0"""
         seconds: float
         """how long; 0: until another rule comes; 0 to 86400 s; begins as 3.0"""
         depth: int
@@ -2086,14 +2117,16 @@ class actions:
 
     class GoToPerson(Action):
         """Goes to somebody, who may walk himself."""
-        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
+        def __init__(self, *, aim: Literal["sender", "tagged", "place", "related"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., relation: Union[int, RelationKind] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
             ...
-        aim: Literal["sender", "tagged", "place"]
+        aim: Literal["sender", "tagged", "place", "related"]
         """whom or what it is about; begins as 'sender'"""
         tag: int
         """of whom is meant; 0 to 63; begins as 0"""
         place: int
         """that is meant; begins as 0"""
+        relation: int
+        """by which those are related who are meant; 0: any; begins as 0"""
         metres: float
         """how near he comes; 0 to 10000 m; begins as 2.0"""
         seconds: float
@@ -2103,14 +2136,16 @@ class actions:
 
     class FollowPerson(Action):
         """Stays near somebody who walks."""
-        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
+        def __init__(self, *, aim: Literal["sender", "tagged", "place", "related"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., relation: Union[int, RelationKind] = ..., metres: float = ..., seconds: float = ..., depth: int = ...) -> None:
             ...
-        aim: Literal["sender", "tagged", "place"]
+        aim: Literal["sender", "tagged", "place", "related"]
         """whom or what it is about; begins as 'sender'"""
         tag: int
         """of whom is meant; 0 to 63; begins as 0"""
         place: int
         """that is meant; begins as 0"""
+        relation: int
+        """by which those are related who are meant; 0: any; begins as 0"""
         metres: float
         """how near he comes; 0 to 10000 m; begins as 2.0"""
         seconds: float
@@ -2120,14 +2155,16 @@ class actions:
 
     class Flee(Action):
         """Goes away from somebody or something."""
-        def __init__(self, *, aim: Literal["sender", "tagged", "place"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., metres: float = ..., depth: int = ...) -> None:
+        def __init__(self, *, aim: Literal["sender", "tagged", "place", "related"] = ..., tag: Union[int, Tag] = ..., place: Union[int, Place] = ..., relation: Union[int, RelationKind] = ..., metres: float = ..., depth: int = ...) -> None:
             ...
-        aim: Literal["sender", "tagged", "place"]
+        aim: Literal["sender", "tagged", "place", "related"]
         """whom or what it is about; begins as 'sender'"""
         tag: int
         """of whom is meant; 0 to 63; begins as 0"""
         place: int
         """that is meant; begins as 0"""
+        relation: int
+        """by which those are related who are meant; 0: any; begins as 0"""
         metres: float
         """how far; 0 to 10000 m; begins as 2.0"""
         depth: int
@@ -2204,16 +2241,18 @@ class actions:
 
     class Send(Action):
         """Sends an event, which arrives in the next step or later."""
-        def __init__(self, *, event: str = ..., reach: Literal["self", "near", "tagged", "group", "everybody"] = ..., metres: float = ..., tag: Union[int, Tag] = ..., seconds_per_metre: float = ..., value: float = ..., depth: int = ...) -> None:
+        def __init__(self, *, event: str = ..., reach: Literal["self", "near", "tagged", "group", "everybody", "related"] = ..., metres: float = ..., tag: Union[int, Tag] = ..., relation: Union[int, RelationKind] = ..., seconds_per_metre: float = ..., value: float = ..., depth: int = ...) -> None:
             ...
         event: str
         """its name"""
-        reach: Literal["self", "near", "tagged", "group", "everybody"]
+        reach: Literal["self", "near", "tagged", "group", "everybody", "related"]
         """whom it reaches; begins as 'near'"""
         metres: float
         """how near those are who are near; 0 to 10000 m; begins as 2.0"""
         tag: int
         """of those tagged; 0 to 63; begins as 0"""
+        relation: int
+        """of those related; 0: any; begins as 0"""
         seconds_per_metre: float
         """how long it takes to get there, s/m; 0 to 86400 s/m; begins as 0.0"""
         value: float
@@ -2438,7 +2477,7 @@ class FeatureKind(Entry):
 
 class RelationKind(Entry):
     """How people can be related to each other."""
-    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., mutual: bool = ..., shares_features: bool = ..., shares_colors: bool = ...) -> None:
+    def __init__(self, *, id: int = ..., name: str = ..., color: Union[str, Sequence[int]] = ..., mutual: bool = ..., walk: Literal["own", "together", "behind", "apart"] = ..., walk_metres: float = ..., faces: bool = ..., face_metres: float = ..., passes_events: bool = ..., pass_seconds: Sequence[float] = ..., shares_features: bool = ..., shares_colors: bool = ...) -> None:
         ...
     id: int
     """what relations and rules have: of no other kind of the scene; 0 to 64; begins as 0"""
@@ -2448,6 +2487,18 @@ class RelationKind(Entry):
     """of its arcs in the picture; begins as '#969696'"""
     mutual: bool
     """it goes both ways; else from one to the other alone; begins as True"""
+    walk: Literal["own", "together", "behind", "apart"]
+    """how those who are related walk; begins as 'own'"""
+    walk_metres: float
+    """behind: how near they come; apart: how far they keep; 0.5 to 100 m; begins as 2.0"""
+    faces: bool
+    """who stand near each other turn to each other; begins as False"""
+    face_metres: float
+    """how near that is; 0.5 to 50 m; begins as 2.5"""
+    passes_events: bool
+    """an event that one hears those related to him hear later; begins as False"""
+    pass_seconds: List[float]
+    """how much later, drawn each time; s"""
     shares_features: bool
     """what is painted of features on one, those related to him get too; begins as False"""
     shares_colors: bool

@@ -23,10 +23,12 @@ public:
         std::uint32_t route = 0;
         std::uint32_t members = 0;
         glm::vec2 middle{0.0F};
-        float pace = 0.0F; ///< mean
+        float pace = 0.0F;    ///< mean
+        bool isClose = false; ///< related: beside each other where there is room
     };
 
-    /// Group of each agent, 0: none. Returns the party of each agent, or kNone.
+    /// Group of each agent, 0: none; from model::kRelatedParty on, related people. Returns the
+    /// party of each agent, or kNone.
     [[nodiscard]] std::vector<std::uint32_t> setGroups(std::span<const std::uint32_t> groups);
     [[nodiscard]] bool isEmpty() const { return m_parties.empty(); }
 
@@ -43,6 +45,7 @@ public:
 
 private:
     std::vector<Party> m_parties;
+    std::vector<char> m_areClose; ///< by party
 };
 
 } // namespace crowd::behavior

@@ -75,6 +75,13 @@ struct ErrandState
     std::uint64_t startedInStep = kNoStep;
 };
 
+/// The latest call of an event that he has heard, by its name.
+struct HeardCall
+{
+    std::uint64_t event = 0; ///< hash of its name
+    double calledAt = -1.0;
+};
+
 /// What rules know of one agent, and what one of them has it do.
 struct AgentRuleState
 {
@@ -89,6 +96,7 @@ struct AgentRuleState
     std::vector<QueuedRule> queue; ///< the next one first
     ErrandState errand;
     model::PlaceId heldPlace = 0; ///< that counts him as its guest; 0: none does
+    std::vector<HeardCall> heard; ///< where related people pass events on
 };
 
 /// What a rule knows of one agent.

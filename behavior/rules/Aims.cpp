@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/rules/Aims.h"
 
+#include "behavior/rules/RelatedAgents.h"
+
 namespace crowd::behavior {
 
 std::optional<Aim> aimOf(const ActionScope& scope, const model::AimChoice& choice)
@@ -17,6 +19,9 @@ std::optional<Aim> aimOf(const ActionScope& scope, const model::AimChoice& choic
         break;
     case model::ActionAim::Tagged:
         whom = scope.state.people.nearestTagged(scope.host, agents, scope.agent, choice.tag);
+        break;
+    case model::ActionAim::Related:
+        whom = nearestRelated(RuleScope{scope.state, scope.host}, scope.agent, choice.relation);
         break;
     case model::ActionAim::Place:
         if (const model::Place* place = scope.state.places.find(choice.place)) {

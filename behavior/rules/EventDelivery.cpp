@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/rules/EventDelivery.h"
 
+#include "behavior/rules/RelatedAgents.h"
 #include "behavior/rules/RuleFiring.h"
 
 namespace crowd::behavior {
@@ -19,6 +20,30 @@ bool isWaitingFor(const RuleState& state, const AgentRuleState& self, const std:
 
 } // namespace
 
+namespace {
+
+/// Those who are related to whoever has heard it.
+void notifyRelated(const RuleScope& scope, std::uint32_t agent, const QueuedEvent& event)
+{
+    RuleState& state = scope.state;
+    for (std::uint32_t rule = 0; rule < state.rules.size(); ++rule) {
+        const auto* trigger = state.rules[rule].data.trigger.as<model::triggers::RelatedDid>();
+        if (trigger == nullptr || trigger->deed != model::RelatedDeed::Hears ||
+            trigger->event != event.name) {
+            continue;
+        }
+        const TriggerContext context{event.payload, scope.host.position(agent), true,
+                                     state.agents.ids()[agent], event.calledAt};
+        for (const std::uint32_t other : relatedAgents(state, agent, trigger->relation)) {
+            if (state.rules[rule].reachesGone || !scope.host.isGone(other)) {
+                fire(scope, rule, other, context);
+            }
+        }
+    }
+}
+
+} // namespace
+
 void deliverEvents(const RuleScope& scope)
 {
     RuleState& state = scope.state;
@@ -31,8 +56,9 @@ void deliverEvents(const RuleScope& scope)
         --state.budget.heard;
         const QueuedEvent event = state.events.take();
         const std::uint32_t agent = state.agents.agentNamed(event.receiver);
-        if (agent != kNoAgent) {
+        if (agent != kNoAgent && hearsFirst(state, agent, event)) {
             notify(scope, agent, event);
+            passOn(scope, agent, event);
         }
     }
 }
@@ -53,6 +79,7 @@ void notify(const RuleScope& scope, std::uint32_t agent, const QueuedEvent& even
             fire(scope, rule, agent, context);
         }
     }
+    notifyRelated(scope, agent, event);
 }
 
 } // namespace crowd::behavior

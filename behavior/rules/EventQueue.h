@@ -22,6 +22,7 @@ struct QueuedEvent
     glm::vec3 origin{0.0F};
     model::IndividualId sender = 0; ///< 0: a brush, a cue or a script
     double calledAt = 0.0;          ///< when the first of those who passed it on was called
+    std::uint32_t passes = 0;       ///< from one related to the next
 };
 
 /// Events under way, taken out by the time at which they arrive; those of the same time in the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "behavior/rules/EventReach.h"
 
+#include "behavior/rules/RelatedAgents.h"
+
 namespace crowd::behavior {
 
 const std::vector<std::uint32_t>* candidatesOf(const RuleScope& scope, std::uint32_t sender,
@@ -16,6 +18,8 @@ const std::vector<std::uint32_t>* candidatesOf(const RuleScope& scope, std::uint
         return &people.withTag(scope.state.agents, action.tag);
     case model::EventReach::Group:
         return &people.inGroup(scope.host, scope.host.group(sender));
+    case model::EventReach::Related:
+        return &people.these(relatedAgents(scope.state, sender, action.relation));
     case model::EventReach::Everybody:
         break;
     }
@@ -42,6 +46,7 @@ bool reaches(const RuleScope& scope, std::uint32_t sender, std::uint32_t other,
         return host.group(other) == host.group(sender);
     case model::EventReach::Self:
     case model::EventReach::Everybody:
+    case model::EventReach::Related: // candidates are no others
         break;
     }
     return true;

@@ -31,6 +31,12 @@ const std::vector<std::uint32_t>& PeopleIndex::only(std::uint32_t agent)
     return m_few;
 }
 
+const std::vector<std::uint32_t>& PeopleIndex::these(std::vector<std::uint32_t> agents)
+{
+    m_few = std::move(agents);
+    return m_few;
+}
+
 const std::vector<std::uint32_t>* PeopleIndex::near(const RuleHost& host, std::uint32_t agent,
                                                     float metres)
 {

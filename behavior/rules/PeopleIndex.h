@@ -21,6 +21,7 @@ public:
     void clear();
     /// That one alone. Valid until the next call, as what near() returns.
     [[nodiscard]] const std::vector<std::uint32_t>& only(std::uint32_t agent);
+    [[nodiscard]] const std::vector<std::uint32_t>& these(std::vector<std::uint32_t> agents);
     /// All who can be within so many metres of him, and some who are not; null: it is shorter to
     /// ask everybody.
     [[nodiscard]] const std::vector<std::uint32_t>* near(const RuleHost& host, std::uint32_t agent,

@@ -8,6 +8,7 @@
 
 #include "behavior/rules/Aims.h"
 #include "behavior/rules/Errands.h"
+#include "behavior/rules/RelatedAgents.h"
 #include "model/base/Random.h"
 
 namespace crowd::behavior {
@@ -40,9 +41,12 @@ std::optional<Aim> partnerOf(const ActionScope& scope, const model::AimChoice& c
     const AgentStates& agents = scope.state.agents;
     model::IndividualId& partner = scope.progress().pursuit.partner;
     const std::uint32_t former = partner != 0 ? agents.agentNamed(partner) : kNoAgent;
-    const bool isStill =
-        former != kNoAgent && !scope.host.isGone(former) &&
-        (choice.aim == model::ActionAim::Sender || agents.hasTag(former, choice.tag));
+    const auto isMeant = [&](std::uint32_t other) {
+        return choice.aim == model::ActionAim::Related
+                   ? areRelated(scope.state, scope.agent, other, choice.relation)
+                   : choice.aim == model::ActionAim::Sender || agents.hasTag(other, choice.tag);
+    };
+    const bool isStill = former != kNoAgent && !scope.host.isGone(former) && isMeant(former);
     if (isStill) {
         return Aim{scope.host.position(former), former};
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "behavior/rules/RelatedAgents.h"
 #include "model/base/Overloaded.h"
 #include "model/base/Random.h"
 
@@ -60,6 +61,12 @@ bool isTrue(const RuleScope& scope, const model::Condition& condition, std::uint
             [&](const IsFull& each) { return countedPlaces(scope).isFull(each.place); },
             [&](const PeopleIn& each) {
                 return compares(static_cast<float>(countedPlaces(scope).inside(each.place)), each);
+            },
+            [&](const Related& each) {
+                const auto others = relatedAgents(state, agent, each.relation);
+                const auto here = std::ranges::count_if(
+                    others, [&host](std::uint32_t other) { return !host.isGone(other); });
+                return compares(static_cast<float>(here), each);
             },
             [&](const Property& each) {
                 return each.isClip() ? host.showsClip(agent, each.clip)

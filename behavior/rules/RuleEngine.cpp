@@ -102,6 +102,8 @@ void RuleEngine::setRules(const model::Scene& scene, bool areNumbersKept)
     m_state.places.setPlaces(scene.places, scene.paths);
     m_state.places.setLines(linesOf(m_state.rules));
     m_state.seed = scene.seed;
+    m_state.relations = scene.relations;
+    m_state.relationKinds = scene.relationKinds;
     m_state.numbers.setNumbers(scene.numbers, scene.seed, areNumbersKept, m_state.agents.ids());
     m_state.problems.clear();
     for (const model::RuleFlaw& flaw : model::flawsOf(scene)) {

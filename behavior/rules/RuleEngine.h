@@ -83,6 +83,12 @@ public:
     {
         return m_state.agents[agent].heldPlace;
     }
+    [[nodiscard]] bool isBusy(std::uint32_t agent) const
+    {
+        return m_state.agents[agent].rule != kNoRule;
+    }
+    /// Wherever he goes next, it is to no place that rules know of.
+    void forgetGoal(std::uint32_t agent) { m_state.agents[agent].errand.goal = 0; }
     /// For whom a rule fired within the last half second: agents, ascending.
     [[nodiscard]] std::vector<std::uint32_t> lit() const { return m_state.log.highlighted(); }
     [[nodiscard]] bool isEmpty() const { return m_state.rules.empty(); }

@@ -16,6 +16,7 @@
 #include "behavior/rules/RuleHost.h"
 #include "behavior/rules/RuleProblems.h"
 #include "model/rules/Rule.h"
+#include "model/scene/Relation.h"
 
 /// What the stages of the rule engine work on: they are free functions over it, so that each can be
 /// tried with a state that a test has made.
@@ -81,6 +82,8 @@ struct RuleState
     EventQueue events;
     FiringLog log;
     RuleProblems problems;
+    model::RelationTable relations;
+    model::RelationKinds relationKinds;
     std::uint32_t seed = 1;
     /// Agent with whom a step begins to run actions: to whom it did not come in the step before.
     std::uint32_t firstToRun = 0;

@@ -110,6 +110,7 @@ void Adoption::run()
     }
     m_parts.population = m_now;
     m_parts.adoptGroups(m_scene);
+    m_parts.companions.read(m_scene);
     m_parts.seating.setStages(m_scene.stages);
     m_parts.shownOverrides = m_parts.overrides.publish();
     m_parts.rules.setRules(m_scene, m_arePosesKept);

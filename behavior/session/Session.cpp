@@ -31,6 +31,7 @@ Session::Session(const model::Scene& scene, const SessionPlan& plan)
         parts.problems.add(std::move(problem));
     }
     parts.walkers.setParties(scene.parties());
+    parts.companions.read(scene);
     if (plan.walkers.empty()) {
         assignWalkers();
     } else {
@@ -187,6 +188,7 @@ void Session::step()
     parts.follower.steer(parts.crowd);
     tellRulesOfRecalls(parts);
     parts.rules.step(*m_ruleHost, parts.clock.steps);
+    parts.companions.step(parts, *m_ruleHost);
     for (const std::uint32_t agent :
          applyPlaceEffects(parts.places, parts.crowd.bodies(), parts.agents.isGone)) {
         parts.leave(agent);

@@ -21,6 +21,7 @@
 #include "behavior/crowd/CrowdSimulation.h"
 #include "behavior/motion/PathFollower.h"
 #include "behavior/rules/RuleEngine.h"
+#include "behavior/session/Companions.h"
 #include "behavior/session/SessionPlan.h"
 #include "behavior/session/SessionProblems.h"
 #include "behavior/surface/WalkSurface.h"
@@ -98,6 +99,7 @@ struct SessionParts
     Seating seating;
     GroundContact ground;
     ParkedDetours detours;
+    Companions companions;
     AgentUpdate update;
     std::vector<RuleRecall> ruleRecalls;   ///< of this step
     std::vector<RuleFeature> ruleFeatures; ///< of this step

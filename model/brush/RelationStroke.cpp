@@ -224,17 +224,20 @@ void RelationStroke::chain(const Population& people, std::span<const IndividualI
                            std::vector<Relation>& made)
 {
     const auto positions = people.column(columns::position);
-    std::vector<IndividualId> left(ids.begin(), ids.end());
+    std::vector<std::pair<IndividualId, glm::vec3>> left; // ascending ids
+    left.reserve(ids.size());
+    for (const IndividualId id : ids) {
+        left.emplace_back(id, positions[people.rowOf(id)]);
+    }
     while (!left.empty()) {
         auto next = left.begin();
         if (m_last != 0) {
             const glm::vec3 at = positions[people.rowOf(m_last)];
-            next = std::ranges::min_element(left, {}, [&](IndividualId id) {
-                return std::pair(glm::distance2(at, positions[people.rowOf(id)]), id);
-            });
-            made.push_back(relation(m_last, *next));
+            next = std::ranges::min_element(
+                left, {}, [&at](const auto& each) { return glm::distance2(at, each.second); });
+            made.push_back(relation(m_last, next->first));
         }
-        m_last = *next;
+        m_last = next->first;
         left.erase(next);
     }
 }

@@ -17,7 +17,7 @@ constexpr const char* kKindExpected =
     QT_TRANSLATE_NOOP("Messages", "the id of a kind of relation, from 1 to 64");
 constexpr const char* kStrengthExpected = QT_TRANSLATE_NOOP("Messages", "a number from 0 to 1");
 
-bool isId(const CellValue& value, std::uint64_t most)
+bool isWholeId(const CellValue& value, std::uint64_t most)
 {
     return value.kind == CellValue::Kind::Unsigned && value.integer > 0 && value.integer <= most;
 }
@@ -61,13 +61,13 @@ const char* LinkParser::put(const CellValue& value)
     switch (m_cell++) {
     case 0:
         m_next.from = static_cast<IndividualId>(value.integer);
-        return isId(value, kMostId) ? nullptr : kIdExpected;
+        return isWholeId(value, kMostId) ? nullptr : kIdExpected;
     case 1:
         m_next.to = static_cast<IndividualId>(value.integer);
-        return isId(value, kMostId) ? nullptr : kIdExpected;
+        return isWholeId(value, kMostId) ? nullptr : kIdExpected;
     case 2:
         m_next.kind = static_cast<RelationKindId>(value.integer);
-        return isId(value, kMostRelationKinds) ? nullptr : kKindExpected;
+        return isWholeId(value, kMostRelationKinds) ? nullptr : kKindExpected;
     default:
         return readStrength(value, m_next.strength) ? nullptr : kStrengthExpected;
     }

@@ -15,6 +15,7 @@
 #include "model/rules/conditions/Payload.h"
 #include "model/rules/conditions/PeopleIn.h"
 #include "model/rules/conditions/Property.h"
+#include "model/rules/conditions/Related.h"
 #include "model/rules/conditions/Speed.h"
 
 namespace crowd::model {
@@ -24,6 +25,7 @@ using ConditionData =
     std::variant<conditions::HasTag, conditions::HasFeature, conditions::OfTemplate,
                  conditions::InPlace, conditions::FollowsPath, conditions::IsSeated,
                  conditions::Chance, conditions::Number, conditions::Speed, conditions::Payload,
-                 conditions::IsFull, conditions::PeopleIn, conditions::Property>;
+                 conditions::IsFull, conditions::PeopleIn, conditions::Related,
+                 conditions::Property>;
 
 } // namespace crowd::model

@@ -82,6 +82,13 @@ namespace crowd::model::rulefields {
     return reference(meta, "feature", FieldRole::Feature);
 }
 
+/// 0: any.
+[[nodiscard]] constexpr FieldMeta relation(FieldMeta meta)
+{
+    meta.zero = QT_TRANSLATE_NOOP("Rules", "relations");
+    return reference(meta, "relation", FieldRole::Relation);
+}
+
 [[nodiscard]] constexpr FieldMeta tag(FieldMeta meta)
 {
     meta.role = FieldRole::Tag;
@@ -114,11 +121,12 @@ inline constexpr std::array kComparisons{FieldChoice{"less", QT_TRANSLATE_NOOP("
 inline constexpr std::array kAims{
     FieldChoice{"sender", QT_TRANSLATE_NOOP("Rules", "whoever it came from")},
     FieldChoice{"tagged", QT_TRANSLATE_NOOP("Rules", "the nearest with")},
-    FieldChoice{"place", QT_TRANSLATE_NOOP("Rules", "a place")}};
+    FieldChoice{"place", QT_TRANSLATE_NOOP("Rules", "a place")},
+    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "the nearest of their")}};
 /// Of what is about people alone. Files may say otherwise.
 inline constexpr std::array kPersonAims{
     kAims[0], kAims[1],
-    FieldChoice{.key = kAims[2].key, .label = kAims[2].label, .isOffered = false}};
+    FieldChoice{.key = kAims[2].key, .label = kAims[2].label, .isOffered = false}, kAims[3]};
 
 /// Whom or what a kind that is an AimChoice is about.
 template<class S>
@@ -132,7 +140,11 @@ template<class S>
             .when([](const S& s, const FieldContext&) { return s.aim == ActionAim::Tagged; }),
         field<S, PlaceId>(&S::place,
                           place({.doc = "that is meant", .isBeside = true, .zero = noPlace}))
-            .when([](const S& s, const FieldContext&) { return s.aim == ActionAim::Place; }));
+            .when([](const S& s, const FieldContext&) { return s.aim == ActionAim::Place; }),
+        field<S, std::uint32_t>(
+            &S::relation,
+            relation({.doc = "by which those are related who are meant; 0: any", .isBeside = true}))
+            .when([](const S& s, const FieldContext&) { return s.aim == ActionAim::Related; }));
 }
 
 template<class S>

@@ -27,14 +27,16 @@ enum class Comparison : std::uint8_t { Less, Equal, More };
 enum class ActionAim : std::uint8_t {
     Sender, ///< who sent the event or came near; where it came from when nobody did
     Tagged, ///< the nearest one with the tag
-    Place
+    Place,
+    Related ///< the nearest one to whom he is related, whichever way
 };
 
 struct AimChoice
 {
     ActionAim aim = ActionAim::Sender;
-    std::uint8_t tag = 0; ///< Tagged
-    PlaceId place = 0;    ///< Place
+    std::uint8_t tag = 0;       ///< Tagged
+    PlaceId place = 0;          ///< Place
+    std::uint32_t relation = 0; ///< Related: RelationKindId, 0: any
     friend bool operator==(const AimChoice&, const AimChoice&) = default;
 };
 

@@ -12,6 +12,7 @@
 #include "model/rules/triggers/FeatureChanged.h"
 #include "model/rules/triggers/Left.h"
 #include "model/rules/triggers/PathEnded.h"
+#include "model/rules/triggers/RelatedDid.h"
 #include "model/rules/triggers/SpeedLimit.h"
 #include "model/rules/triggers/Start.h"
 #include "model/rules/triggers/StateRecalled.h"
@@ -24,7 +25,7 @@ namespace crowd::model {
 using TriggerData =
     std::variant<triggers::Start, triggers::Event, triggers::Arrived, triggers::Entered,
                  triggers::Left, triggers::PathEnded, triggers::ClipEnded, triggers::StateRecalled,
-                 triggers::FeatureChanged, triggers::Every, triggers::TagNear, triggers::SpeedLimit,
-                 triggers::Waited, triggers::AheadFree>;
+                 triggers::FeatureChanged, triggers::RelatedDid, triggers::Every, triggers::TagNear,
+                 triggers::SpeedLimit, triggers::Waited, triggers::AheadFree>;
 
 } // namespace crowd::model

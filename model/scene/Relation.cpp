@@ -7,7 +7,7 @@ namespace crowd::model {
 
 namespace {
 
-RelationKind kindOf(RelationKindId id, const char* name, const PaintColor& color, bool isMutual)
+RelationKind readyKind(RelationKindId id, const char* name, const PaintColor& color, bool isMutual)
 {
     RelationKind kind;
     kind.id = id;
@@ -19,13 +19,23 @@ RelationKind kindOf(RelationKindId id, const char* name, const PaintColor& color
 
 RelationKinds madeReady()
 {
-    RelationKinds kinds{kindOf(1, QT_TRANSLATE_NOOP("Relations", "family"), {240, 180, 60}, true),
-                        kindOf(2, QT_TRANSLATE_NOOP("Relations", "friends"), {90, 190, 110}, true),
-                        kindOf(3, QT_TRANSLATE_NOOP("Relations", "couple"), {235, 110, 160}, true),
-                        kindOf(4, QT_TRANSLATE_NOOP("Relations", "leader"), {90, 160, 235}, false),
-                        kindOf(5, QT_TRANSLATE_NOOP("Relations", "rivals"), {225, 80, 60}, true)};
-    kinds[0].sharesFeatures = true;
-    kinds[2].sharesFeatures = true;
+    RelationKinds kinds{
+        readyKind(1, QT_TRANSLATE_NOOP("Relations", "family"), {240, 180, 60}, true),
+        readyKind(2, QT_TRANSLATE_NOOP("Relations", "friends"), {90, 190, 110}, true),
+        readyKind(3, QT_TRANSLATE_NOOP("Relations", "couple"), {235, 110, 160}, true),
+        readyKind(4, QT_TRANSLATE_NOOP("Relations", "leader"), {90, 160, 235}, false),
+        readyKind(5, QT_TRANSLATE_NOOP("Relations", "rivals"), {225, 80, 60}, true)};
+    for (const std::size_t close : {0U, 2U}) { // family and couple
+        kinds[close].walk = RelationWalk::Together;
+        kinds[close].facesEachOther = true;
+        kinds[close].sharesFeatures = true;
+    }
+    kinds[1].facesEachOther = true;
+    kinds[1].passesEvents = true;
+    kinds[3].walk = RelationWalk::Behind;
+    kinds[3].passesEvents = true;
+    kinds[4].walk = RelationWalk::Apart;
+    kinds[4].walkMetres = 4.0F;
     return kinds;
 }
 

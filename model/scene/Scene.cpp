@@ -2,6 +2,8 @@
 #include "model/scene/Scene.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -64,6 +66,73 @@ bool Scene::isTouchable(std::size_t row) const
     return group == nullptr || !(group->isHidden || group->isLocked);
 }
 
+namespace {
+
+/// Ids of the kinds of which `isMeant` is true; nothing where nobody is related so.
+template<class IsMeant>
+std::vector<char> kindsThat(const Scene& scene, const IsMeant& isMeant)
+{
+    std::vector<char> kinds(kMostRelationKinds + 1, 0);
+    bool isAny = false;
+    for (const RelationKind& kind : scene.relationKinds) {
+        kinds[kind.id] = isMeant(kind) ? 1 : 0;
+        isAny = isAny || kinds[kind.id] != 0;
+    }
+    return isAny && !scene.relations.isEmpty() ? kinds : std::vector<char>();
+}
+
+std::size_t rootOf(std::vector<std::size_t>& roots, std::size_t row)
+{
+    while (roots[row] != row) {
+        roots[row] = roots[roots[row]];
+        row = roots[row];
+    }
+    return row;
+}
+
+/// Whoever is related by a kind that walks together is of one party, however many that are.
+void joinRelated(const Scene& scene, std::vector<GroupId>& parties)
+{
+    const std::vector<char> kinds = kindsThat(
+        scene, [](const RelationKind& kind) { return kind.walk == RelationWalk::Together; });
+    if (kinds.empty()) {
+        return;
+    }
+    const Population& people = scene.population;
+    std::vector<std::size_t> roots(people.size());
+    std::iota(roots.begin(), roots.end(), std::size_t{0});
+    std::vector<char> isRelated(people.size(), 0);
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        for (const RelationLink& link : scene.relations.of(people.ids()[row])) {
+            const std::size_t other = people.rowOf(link.other);
+            if (kinds[link.kind] != 0 && link.isOut && other != Population::npos) {
+                const std::size_t a = rootOf(roots, row);
+                const std::size_t b = rootOf(roots, other);
+                roots[std::max(a, b)] = std::min(a, b);
+                isRelated[row] = isRelated[other] = 1;
+            }
+        }
+    }
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (isRelated[row] != 0) {
+            parties[row] = kRelatedParty + static_cast<GroupId>(rootOf(roots, row));
+        }
+    }
+}
+
+bool doRelatedAct(const Scene& scene)
+{
+    const std::vector<char> kinds = kindsThat(scene, std::mem_fn(&RelationKind::isActive));
+    const auto isMeant = [&](IndividualId id) {
+        return std::ranges::any_of(scene.relations.of(id), [&kinds](const RelationLink& link) {
+            return kinds[link.kind] != 0;
+        });
+    };
+    return !kinds.empty() && std::ranges::any_of(scene.population.ids(), isMeant);
+}
+
+} // namespace
+
 std::vector<GroupId> Scene::parties() const
 {
     const auto column = population.column(columns::group);
@@ -74,13 +143,14 @@ std::vector<GroupId> Scene::parties() const
             party = group == nullptr || group->isParty ? party : 0;
         }
     }
+    joinRelated(*this, parties);
     return parties;
 }
 
 bool Scene::hasBehaviour() const
 {
     const auto followed = population.column(columns::path);
-    return std::ranges::any_of(rules, &Rule::isEnabled) ||
+    return std::ranges::any_of(rules, &Rule::isEnabled) || doRelatedAct(*this) ||
            std::ranges::any_of(followed, [](PathId path) { return path != 0; });
 }
 

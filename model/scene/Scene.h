@@ -102,6 +102,9 @@ struct WorldSeat
 /// How finely time can be divided while a session runs, steps a second; the first is the usual one.
 inline constexpr std::array<std::uint32_t, 3> kStepRates{30, 60, 120};
 
+/// See Scene::parties().
+inline constexpr GroupId kRelatedParty = 0x80000000U;
+
 struct Scene
 {
     std::string name;
@@ -142,9 +145,11 @@ struct Scene
     /// Whether strokes, moves and selections may touch a row: not where its group is hidden or
     /// locked.
     [[nodiscard]] bool isTouchable(std::size_t row) const;
-    /// By row, with whom somebody walks as one party: the group's number; 0: nobody.
+    /// By row, with whom somebody walks as one party: the group's number; from kRelatedParty on,
+    /// those who are related so; 0: nobody.
     [[nodiscard]] std::vector<GroupId> parties() const;
-    /// Whether play has more to do than to run clips: somebody follows a path, or there are rules.
+    /// Whether play has more to do than to run clips: somebody follows a path, there are rules, or
+    /// people who are related do something by themselves.
     [[nodiscard]] bool hasBehaviour() const;
     /// All seats of the loaded stages, ascending by id.
     [[nodiscard]] std::vector<WorldSeat> worldSeats() const;

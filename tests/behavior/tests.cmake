@@ -17,6 +17,7 @@ crowd_add_tests(ROOM behavior LINK crowd_behavior TESTS
     tst_RuleSequences
     tst_RuleSets
     tst_RuleStages
+    tst_Companions
     tst_RuleFeatures
     tst_RuleStates
     tst_RuleStorm

@@ -72,6 +72,36 @@ class Relations(unittest.TestCase):
         with self.assertRaises(KeyError):
             scene.relation_kinds["enemies"]
 
+    def test_they_do_something_while_it_plays(self):
+        scene, ids = street(4)
+        scene.change(ids, heading=0.0)
+        scene.relate(ids[0], ids[1], "friends")  # a metre apart
+        session = crowdbrush.Session(scene)
+        session.step(90)
+        headings = session.column("heading")
+        self.assertGreater(abs(headings[0]), 1.4)
+        self.assertLess(abs(headings[2]), 0.1)
+        kind = scene.relation_kinds["friends"]
+        kind.faces = False
+        kind.walk = "apart"
+        scene.relation_kinds["friends"] = kind
+        self.assertEqual(scene.relation_kinds["friends"].walk, "apart")
+        with self.assertRaisesRegex(Error, "walk"):
+            kind.walk = "backwards"
+
+    def test_rules_speak_of_them(self):
+        scene, ids = street(4)
+        scene.relate(ids[0], ids[1], "family")
+        family = scene.relation_kinds["family"]
+        scene.rules += [crowdbrush.Rule(id=1, when=crowdbrush.triggers.Event(event="go"), do=[
+            crowdbrush.actions.Send(event="psst", reach="related", relation=family)]),
+            crowdbrush.Rule(id=2, when=crowdbrush.triggers.Event(event="psst"),
+                            do=[crowdbrush.actions.Tag(tag=3)])]
+        session = crowdbrush.Session(scene)
+        session.send("go", ids=ids[:1])
+        session.step(6)
+        self.assertEqual((session.column("tags") >> 3 & 1).tolist(), [0, 1, 0, 0])
+
     def test_copies_of_a_family_are_one(self):
         scene, ids = street()
         scene.relate(ids[0], ids[1:3], "family")

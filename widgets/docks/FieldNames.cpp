@@ -38,7 +38,7 @@ void addFeatureKind(FieldForm& form, const Bound& bound)
     addName(form, bound, texts, names);
 }
 
-void addRelationKind(FieldForm& form, const Bound& bound)
+void addRelationName(FieldForm& form, const Bound& bound)
 {
     QStringList texts;
     std::vector<std::string> names;
@@ -186,7 +186,7 @@ bool addNamedControl(FieldForm& form, const Bound& bound)
         field.is<std::vector<model::ClipWeight>>()) {
         addFeatures(form, bound);
     } else if (field.meta.role == model::FieldRole::RelationKind) {
-        addRelationKind(form, bound);
+        addRelationName(form, bound);
     } else if (field.meta.role == model::FieldRole::FeatureKind) {
         addFeatureKind(form, bound);
     } else if (form.context().brush == nullptr && field.is<std::string>() &&

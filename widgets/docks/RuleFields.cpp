@@ -18,6 +18,7 @@
 #include "widgets/docks/RuleTexts.h"
 #include "widgets/docks/WrapRow.h"
 #include "widgets/state/FeatureTexts.h"
+#include "widgets/state/RelationTexts.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -165,6 +166,9 @@ void addReferenceField(QHBoxLayout* row, const model::Scene& scene, model::Field
         break;
     case model::FieldRole::Feature:
         addEntryField(row, featureEntries(scene), id, any, changed);
+        break;
+    case model::FieldRole::Relation:
+        addEntryField(row, relationEntries(scene), id, any, changed);
         break;
     case model::FieldRole::Template:
         addEntryField(row, scene.templates, id, any, changed);

@@ -143,6 +143,7 @@ void PartRows::addInteger(QHBoxLayout* row, const FieldInfo& field, std::int64_t
     case FieldRole::ArtistNumber:
     case FieldRole::State:
     case FieldRole::Feature:
+    case FieldRole::Relation:
         addReferenceField(row, scene, meta.role, static_cast<std::uint32_t>(value),
                           ruleText(meta.zero), set);
         return;

@@ -83,6 +83,9 @@ QString missingText(const Scene& scene, const FieldMeta& meta, const FieldValue&
     if (meta.role == FieldRole::Feature && !isThere(model::allFeatures(scene.features), *id)) {
         return RuleProblemsText::tr("The feature is not there any more: choose another one.");
     }
+    if (meta.role == FieldRole::Relation && !isThere(scene.relationKinds, *id)) {
+        return RuleProblemsText::tr("The relation is not there any more: choose another one.");
+    }
     if (meta.role == FieldRole::Template && !isThere(scene.templates, *id)) {
         return RuleProblemsText::tr(
             "A condition asks for something that is not there: choose again.");

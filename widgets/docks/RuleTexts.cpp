@@ -11,6 +11,7 @@
 #include "model/rules/RuleSequence.h"
 #include "widgets/docks/RuleNames.h"
 #include "widgets/state/FeatureTexts.h"
+#include "widgets/state/RelationTexts.h"
 
 /// Rules as sentences.
 namespace crowd::widgets {
@@ -71,6 +72,8 @@ QString integerText(const Scene& scene, const FieldMeta& meta, std::int64_t valu
         return entryText(scene.states, value, none);
     case FieldRole::Feature:
         return featureName(scene, value, none);
+    case FieldRole::Relation:
+        return entryText(relationEntries(scene), value, none);
     case FieldRole::Template:
         return entryText(scene.templates, value, RuleTextsContext::tr("(gone)"));
     case FieldRole::Tag:

@@ -179,8 +179,8 @@ void RulesDock::connectState()
                     forgetLog(); // it is of another scene
                 }
                 if (isOneOf<model::RulesChanged, model::PathsChanged, model::StatesChanged,
-                            model::FeaturesChanged, model::TemplatesChanged, model::SceneReplaced>(
-                        change)) {
+                            model::FeaturesChanged, model::RelationKindsChanged,
+                            model::TemplatesChanged, model::SceneReplaced>(change)) {
                     m_rebuild.start();
                 }
             });

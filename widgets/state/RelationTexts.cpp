@@ -10,4 +10,13 @@ QString relationText(const std::string& name)
     return QCoreApplication::translate("Relations", name.c_str());
 }
 
+model::RelationKinds relationEntries(const model::Scene& scene)
+{
+    model::RelationKinds entries = scene.relationKinds;
+    for (model::RelationKind& each : entries) {
+        each.name = relationText(each.name).toStdString();
+    }
+    return entries;
+}
+
 } // namespace crowd::widgets

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "behavior/motion/TravelEvents.h"
+
 namespace crowd::behavior {
 
 bool isInPlace(const RuleScope& scope, std::uint32_t agent, model::PlaceId place)
@@ -11,6 +13,16 @@ bool isInPlace(const RuleScope& scope, std::uint32_t agent, model::PlaceId place
     return std::ranges::any_of(scope.state.places.places(), [&](const model::Place& each) {
         return (place == 0 || each.id == place) && flatDistance(each.position, at) <= each.radius;
     });
+}
+
+bool hasArrived(const RuleScope& scope, std::uint32_t agent, model::PlaceId place)
+{
+    const std::uint8_t events = scope.host.travelEvents()[agent];
+    const bool isErrand = (events & kEndedErrand) != 0;
+    const model::PlaceId reached =
+        isErrand ? scope.state.agents[agent].errand.arrived : scope.host.reachedPlace(agent);
+    return (isErrand ? reached != 0 : (events & kReachedPlace) != 0) &&
+           (place == 0 || reached == place);
 }
 
 } // namespace crowd::behavior

@@ -47,6 +47,9 @@ void fireForTravellers(const TriggerScope& scope, const Happened& hasHappened)
     }
 }
 
+/// Whether an errand or a path has brought a traveller to the place, or to any where it is 0.
+[[nodiscard]] bool hasArrived(const RuleScope& scope, std::uint32_t agent, model::PlaceId place);
+
 /// Whether somebody stands in the place, or in any where it is 0.
 [[nodiscard]] bool isInPlace(const RuleScope& scope, std::uint32_t agent, model::PlaceId place);
 

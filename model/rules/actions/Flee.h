@@ -30,6 +30,9 @@ struct Flee : AimChoice
             Sentence<Flee>{
                 QT_TRANSLATE_NOOP("Rules", "run {metres} m away from the nearest one tagged {tag}"),
                 [](const Flee& s) { return s.aim == ActionAim::Tagged; }},
+            Sentence<Flee>{QT_TRANSLATE_NOOP(
+                               "Rules", "run {metres} m away from the nearest of their {relation}"),
+                           [](const Flee& s) { return s.aim == ActionAim::Related; }},
             Sentence<Flee>{QT_TRANSLATE_NOOP("Rules", "run {metres} m away from {place}")}};
     }
     friend bool operator==(const Flee&, const Flee&) = default;

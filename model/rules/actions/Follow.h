@@ -48,6 +48,14 @@ struct Follow : AimChoice
                 QT_TRANSLATE_NOOP("Rules",
                                   "follow the nearest one tagged {tag} until something else comes"),
                 [](const Follow& s) { return s.aim == ActionAim::Tagged; }},
+            Sentence<Follow>{
+                QT_TRANSLATE_NOOP("Rules",
+                                  "follow the nearest of their {relation} for {seconds} s"),
+                [](const Follow& s) { return s.aim == ActionAim::Related && s.seconds > 0.0F; }},
+            Sentence<Follow>{
+                QT_TRANSLATE_NOOP(
+                    "Rules", "follow the nearest of their {relation} until something else comes"),
+                [](const Follow& s) { return s.aim == ActionAim::Related; }},
             Sentence<Follow>{QT_TRANSLATE_NOOP("Rules", "follow {place} for {seconds} s"),
                              [](const Follow& s) { return s.seconds > 0.0F; }},
             Sentence<Follow>{

@@ -38,6 +38,9 @@ struct GoToPerson : AimChoice
                                  [](const GoToPerson& s) { return s.aim == ActionAim::Sender; }},
             Sentence<GoToPerson>{QT_TRANSLATE_NOOP("Rules", "go to the nearest one tagged {tag}"),
                                  [](const GoToPerson& s) { return s.aim == ActionAim::Tagged; }},
+            Sentence<GoToPerson>{
+                QT_TRANSLATE_NOOP("Rules", "go to the nearest of their {relation}"),
+                [](const GoToPerson& s) { return s.aim == ActionAim::Related; }},
             Sentence<GoToPerson>{QT_TRANSLATE_NOOP("Rules", "go to {place}")}};
     }
     void suit()

@@ -40,6 +40,14 @@ struct LookAt : AimChoice
                 QT_TRANSLATE_NOOP(
                     "Rules", "look at the nearest one tagged {tag} until something else comes"),
                 [](const LookAt& s) { return s.aim == ActionAim::Tagged; }},
+            Sentence<LookAt>{
+                QT_TRANSLATE_NOOP("Rules",
+                                  "look at the nearest of their {relation} for {seconds} s"),
+                [](const LookAt& s) { return s.aim == ActionAim::Related && s.seconds > 0.0F; }},
+            Sentence<LookAt>{
+                QT_TRANSLATE_NOOP(
+                    "Rules", "look at the nearest of their {relation} until something else comes"),
+                [](const LookAt& s) { return s.aim == ActionAim::Related; }},
             Sentence<LookAt>{QT_TRANSLATE_NOOP("Rules", "look at {place} for {seconds} s"),
                              [](const LookAt& s) { return s.seconds > 0.0F; }},
             Sentence<LookAt>{

@@ -6,14 +6,15 @@
 namespace crowd::model {
 
 /// Whom a sent event reaches.
-enum class EventReach : std::uint8_t { Self, Near, Tagged, Group, Everybody };
+enum class EventReach : std::uint8_t { Self, Near, Tagged, Group, Everybody, Related };
 
 inline constexpr std::array kEventReaches{
     FieldChoice{"self", QT_TRANSLATE_NOOP("Rules", "themselves")},
     FieldChoice{"near", QT_TRANSLATE_NOOP("Rules", "those near")},
     FieldChoice{"tagged", QT_TRANSLATE_NOOP("Rules", "those tagged")},
     FieldChoice{"group", QT_TRANSLATE_NOOP("Rules", "their group")},
-    FieldChoice{"everybody", QT_TRANSLATE_NOOP("Rules", "everybody")}};
+    FieldChoice{"everybody", QT_TRANSLATE_NOOP("Rules", "everybody")},
+    FieldChoice{"related", QT_TRANSLATE_NOOP("Rules", "their")}};
 
 } // namespace crowd::model
 
@@ -33,6 +34,7 @@ struct SendEvent
     std::uint8_t tag = 0;         ///< Tagged
     float secondsPerMetre = 0.0F; ///< so that a wave runs
     float value = 0.0F;           ///< payload
+    std::uint32_t relation = 0;   ///< Related: RelationKindId, 0: any
 
     static constexpr auto fields()
     {
@@ -53,6 +55,11 @@ struct SendEvent
             field(&SendEvent::tag, rulefields::tag({.doc = "of those tagged"}))
                 .when([](const SendEvent& s, const FieldContext&) {
                     return s.reach == EventReach::Tagged;
+                }),
+            field(&SendEvent::relation,
+                  rulefields::relation({.doc = "of those related; 0: any", .isBeside = true}))
+                .when([](const SendEvent& s, const FieldContext&) {
+                    return s.reach == EventReach::Related;
                 }),
             field(&SendEvent::secondsPerMetre,
                   rulefields::numeric(
@@ -81,6 +88,8 @@ struct SendEvent
                                 [](const SendEvent& s) { return s.reach == EventReach::Tagged; }},
             Sentence<SendEvent>{QT_TRANSLATE_NOOP("Rules", "send “{event}” to their group"),
                                 [](const SendEvent& s) { return s.reach == EventReach::Group; }},
+            Sentence<SendEvent>{QT_TRANSLATE_NOOP("Rules", "send “{event}” to their {relation}"),
+                                [](const SendEvent& s) { return s.reach == EventReach::Related; }},
             Sentence<SendEvent>{QT_TRANSLATE_NOOP("Rules", "send “{event}” to everybody")}};
     }
     friend bool operator==(const SendEvent&, const SendEvent&) = default;

@@ -19,6 +19,8 @@ struct TurnTo : AimChoice
                              [](const TurnTo& s) { return s.aim == ActionAim::Sender; }},
             Sentence<TurnTo>{QT_TRANSLATE_NOOP("Rules", "turn to the nearest one tagged {tag}"),
                              [](const TurnTo& s) { return s.aim == ActionAim::Tagged; }},
+            Sentence<TurnTo>{QT_TRANSLATE_NOOP("Rules", "turn to the nearest of their {relation}"),
+                             [](const TurnTo& s) { return s.aim == ActionAim::Related; }},
             Sentence<TurnTo>{QT_TRANSLATE_NOOP("Rules", "turn to {place}")}};
     }
     friend bool operator==(const TurnTo&, const TurnTo&) = default;
