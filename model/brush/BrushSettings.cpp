@@ -11,6 +11,16 @@ namespace crowd::model {
 
 namespace {
 
+template<class Settings>
+bool doesOperatorFollowLine(const BrushSettings& brush)
+{
+    if constexpr (requires { Settings::kHasOperator; }) {
+        return Settings::kHasOperator && operatorInfo(brush.op).followsLine;
+    } else {
+        return operatorInfo(brush.op).followsLine;
+    }
+}
+
 /// Those of a kind that say nothing of their own have one number in common: the spray's rate.
 template<class Settings>
 BrushType typeOf()
@@ -24,12 +34,9 @@ BrushType typeOf()
                    &rateOf,
                    [](BrushSettings& brush, float value) { brush.ratePerSecond = value; },
                    nullptr,
-                   [](const BrushSettings& brush) { return operatorInfo(brush.op).followsLine; },
+                   &doesOperatorFollowLine<Settings>,
                    [](const BrushSettings& brush) -> const void* { return &brush.as<Settings>(); },
                    [](BrushSettings& brush) -> void* { return &brush.as<Settings>(); }};
-    if constexpr (requires { Settings::kHasOperator; }) {
-        type.followsLine = [](const BrushSettings&) { return Settings::kHasOperator; };
-    }
     if constexpr (requires(BrushSettings & brush) { Settings::prepare(brush); }) {
         type.prepare = [](BrushSettings& brush) { Settings::prepare(brush); };
     }
