@@ -14,6 +14,7 @@
 #include "app/commands/BenchPython.h"
 #include "app/commands/BenchRender.h"
 #include "app/commands/BenchSimulate.h"
+#include "app/commands/CardCommand.h"
 #include "app/commands/EditorCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/RenderCli.h"
@@ -39,6 +40,7 @@ struct CommandLine
     BenchPythonOptions benchPython;
     BenchRenderOptions benchRender;
     BenchSimulateOptions benchSimulate;
+    CardOptions card;
     ScriptOptions script;
     int status = 0;
 };
@@ -86,6 +88,14 @@ void addBenchPython(CLI::App& bench, CommandLine& line)
         ->capture_default_str();
     command->add_flag("--json", line.benchPython.json, "Print one JSON object");
     command->callback([&line] { line.status = runBenchPython(line.benchPython); });
+}
+
+void addCard(CLI::App& cli, CommandLine& line)
+{
+    CLI::App* command =
+        cli.add_subcommand("card", "Write the quick reference card as a page to print");
+    command->add_option("--output", line.card.output, "A .pdf file")->required();
+    command->callback([&line] { line.status = runCard(line.card, line.language); });
 }
 
 void addScript(CLI::App& cli, CommandLine& line)
@@ -155,6 +165,7 @@ void addCommands(CLI::App& cli, CommandLine& line)
         ->check(CLI::Validator(refuseUnknownLanguage, ""));
     addInfo(cli, line);
     addRenderCommand(cli, line.render, line.status);
+    addCard(cli, line);
     addScript(cli, line);
     CLI::App* bench = cli.add_subcommand("bench", "Measure");
     bench->require_subcommand(1);

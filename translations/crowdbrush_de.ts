@@ -388,10 +388,6 @@
         <translation>Das laufende Skript anhalten</translation>
     </message>
     <message>
-        <source>&amp;Mouse and Keys</source>
-        <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
         <source>What mouse buttons and keys do</source>
         <translation>Was Maustasten und Tasten tun</translation>
     </message>
@@ -926,6 +922,10 @@
     <message>
         <source>Relate characters: friends, families, couples, leaders</source>
         <translation>Figuren verbinden: Freunde, Familien, Paare, Anführer</translation>
+    </message>
+    <message>
+        <source>&amp;Quick Reference Card</source>
+        <translation>&amp;Kurzübersicht</translation>
     </message>
 </context>
 <context>
@@ -5032,6 +5032,61 @@
     </message>
 </context>
 <context>
+    <name>QuickCard</name>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>whom the cursor points at</source>
+        <translation>auf wen der Zeiger zeigt</translation>
+    </message>
+    <message>
+        <source>some in the circle, a second</source>
+        <translation>einige im Kreis, je Sekunde</translation>
+    </message>
+    <message>
+        <source>all whom the circle passes</source>
+        <translation>alle, über die der Kreis fährt</translation>
+    </message>
+    <message>
+        <source>all in a rectangle</source>
+        <translation>alle in einem Rechteck</translation>
+    </message>
+    <message>
+        <source>all inside a drawn line</source>
+        <translation>alle in einer gezogenen Linie</translation>
+    </message>
+    <message>
+        <source>the same value for all</source>
+        <translation>für alle derselbe Wert</translation>
+    </message>
+    <message>
+        <source>drawn for each of them</source>
+        <translation>für jeden gezogen</translation>
+    </message>
+    <message>
+        <source>from one end of the line to the other</source>
+        <translation>von einem Ende der Linie zum anderen</translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Crowdbrush at a glance</source>
+        <translation>Crowdbrush auf einen Blick</translation>
+    </message>
+    <message>
+        <source>Editing</source>
+        <translation>Bearbeiten</translation>
+    </message>
+</context>
+<context>
     <name>RelationCommands</name>
     <message>
         <source>A scene has at most %1 relations: remove one first.</source>
@@ -7536,14 +7591,6 @@ Verworfen ist sie fort.</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Mouse and Keys</source>
-        <translation>Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>In the Picture</source>
-        <translation>Im Bild</translation>
-    </message>
-    <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -7710,6 +7757,42 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>paints one character or place</source>
         <translation>malt eine Figur oder einen Ort</translation>
+    </message>
+    <message>
+        <source>At a Glance</source>
+        <translation>Auf einen Blick</translation>
+    </message>
+    <message>
+        <source>Save to &amp;Print…</source>
+        <translation>Zum &amp;Drucken speichern …</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>%1 to 9</source>
+        <translation>%1 bis 9</translation>
+    </message>
+    <message>
+        <source>recall a state of the crowd</source>
+        <translation>ruft einen Zustand der Menge ab</translation>
+    </message>
+    <message>
+        <source>keep it, or who is selected, as that state</source>
+        <translation>merkt sie, oder die Ausgewählten, als diesen Zustand</translation>
+    </message>
+    <message>
+        <source>Save the Card</source>
+        <translation>Übersicht speichern</translation>
+    </message>
+    <message>
+        <source>Pages to print (*.pdf)</source>
+        <translation>Seiten zum Drucken (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Quick Reference Card</source>
+        <translation>Kurzübersicht</translation>
     </message>
 </context>
 <context>
@@ -8354,16 +8437,16 @@ Verworfen ist sie fort.</translation>
         <translation>Noch eine Farbe für Zufall und Verläufe</translation>
     </message>
     <message>
-        <source>Colours of New Characters</source>
-        <translation>Farben neuer Figuren</translation>
-    </message>
-    <message>
         <source>Another colour that new characters may wear</source>
         <translation>Noch eine Farbe, die neue Figuren tragen können</translation>
     </message>
     <message>
         <source>A click brings it to the front, from where it paints; a right click removes it</source>
         <translation>Ein Klick holt sie nach vorn, von wo sie malt; ein Rechtsklick entfernt sie</translation>
+    </message>
+    <message>
+        <source>Colours (New)</source>
+        <translation>Farben (neu)</translation>
     </message>
 </context>
 <context>

@@ -388,10 +388,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Mouse and Keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What mouse buttons and keys do</source>
         <translation type="unfinished"></translation>
     </message>
@@ -925,6 +921,10 @@
     </message>
     <message>
         <source>Relate characters: friends, families, couples, leaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quick Reference Card</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5032,6 +5032,61 @@
     </message>
 </context>
 <context>
+    <name>QuickCard</name>
+    <message>
+        <source>Brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whom the cursor points at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some in the circle, a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all whom the circle passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all in a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all inside a drawn line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same value for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn for each of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from one end of the line to the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowdbrush at a glance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Editing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RelationCommands</name>
     <message>
         <source>A scene has at most %1 relations: remove one first.</source>
@@ -7531,14 +7586,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mouse and Keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In the Picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7704,6 +7751,42 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>paints one character or place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At a Glance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save to &amp;Print…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recall a state of the crowd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep it, or who is selected, as that state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the Card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages to print (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick Reference Card</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8347,15 +8430,15 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours of New Characters</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another colour that new characters may wear</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A click brings it to the front, from where it paints; a right click removes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours (New)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

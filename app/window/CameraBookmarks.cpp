@@ -86,4 +86,9 @@ void CameraBookmarks::keepAs(std::size_t index)
     }
 }
 
+const NumberedKeys& cameraKeyTable()
+{
+    return kBookmarks;
+}
+
 } // namespace crowd::app

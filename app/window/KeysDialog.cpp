@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/KeysDialog.h"
 
+#include <QtGui/QPainter>
+#include <QtGui/QResizeEvent>
 #include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTabWidget>
 #include <QtWidgets/QTextBrowser>
 #include <QtWidgets/QVBoxLayout>
+
+#include "model/base/Translated.h"
 
 namespace crowd::app {
 
@@ -38,71 +46,123 @@ private:
     QString m_html;
 };
 
+/// The page as it is printed, as wide as there is room.
+class CardView : public QWidget
+{
+public:
+    CardView(const std::vector<CardSection>& sections, QWidget* parent)
+        : QWidget(parent), m_card(sections, kPage)
+    {
+        setObjectName(QStringLiteral("cardView"));
+    }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override
+    {
+        return static_cast<int>(width * kPage.height() / kPage.width());
+    }
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        return {kCardWidth, heightForWidth(kCardWidth)};
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        setMinimumHeight(heightForWidth(event->size().width()));
+    }
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        QPainter painter(this);
+        painter.fillRect(rect(), Qt::white);
+        painter.scale(width() / kPage.width(), width() / kPage.width());
+        m_card.paint(painter);
+    }
+
+private:
+    static constexpr QSizeF kPage{2480.0, 3508.0}; ///< A4, 300 dots an inch
+    static constexpr int kCardWidth = 820;         ///< logical pixels
+
+    QuickCard m_card;
+};
+
 } // namespace
 
 KeysDialog::KeysDialog(const widgets::ActionRegistry& actions, widgets::ButtonMapping buttons,
                        QWidget* parent)
-    : QDialog(parent)
+    : QDialog(parent), m_sections(cardSections(actions, buttons))
 {
-    setWindowTitle(tr("Mouse and Keys"));
+    setWindowTitle(tr("Quick Reference Card"));
     auto* pages = new QTabWidget(this);
-    pages->addTab(picturePage(actions, buttons), tr("In the Picture"));
+    pages->addTab(cardPage(), tr("At a Glance"));
     pages->addTab(shortcutPage(actions), tr("Shortcuts"));
     auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    QPushButton* save = close->addButton(tr("Save to &Print…"), QDialogButtonBox::ActionRole);
+    save->setObjectName(QStringLiteral("saveCard"));
+    connect(save, &QPushButton::clicked, this, &KeysDialog::saveCard);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(pages);
     layout->addWidget(close);
-    resize(640, 620);
+    resize(880, 760);
 }
 
-QWidget* KeysDialog::picturePage(const widgets::ActionRegistry& actions,
-                                 widgets::ButtonMapping buttons)
+void KeysDialog::addMouse(CardList& list, widgets::ButtonMapping buttons)
 {
-    const auto keysOf = [&](const char* id) {
-        return actions.action(id)->shortcut().toString(QKeySequence::NativeText);
-    };
-    KeyTable table;
-    table.heading(tr("Painting with a brush"));
+    addPainting(list, buttons);
+    addLooking(list);
+}
+
+void KeysDialog::addPainting(CardList& list, widgets::ButtonMapping buttons)
+{
+    list.heading(tr("Painting with a brush"));
     if (buttons == widgets::ButtonMapping::Paper) {
-        table.row(tr("Left button"), tr("paints one character or place"));
-        table.row(tr("Middle button"), tr("paints in a circle"));
-        table.row(tr("Right button"), tr("paints in a rectangle"));
+        list.row(tr("Left button"), tr("paints one character or place"));
+        list.row(tr("Middle button"), tr("paints in a circle"));
+        list.row(tr("Right button"), tr("paints in a rectangle"));
     } else {
-        table.row(tr("Left button"), tr("paints; Escape takes the stroke back"));
-        table.row(tr("Right button"), tr("opens the brushes at the cursor"));
+        list.row(tr("Left button"), tr("paints; Escape takes the stroke back"));
+        list.row(tr("Right button"), tr("opens the brushes at the cursor"));
     }
-    table.row(tr("%1 and %2, Ctrl + wheel").arg(keysOf("brush-smaller"), keysOf("brush-larger")),
-              tr("smaller and larger brush; dragging with Shift does it too"));
-    table.row(tr("+ and −"), tr("the brush’s main number: how many, how strong"));
-    table.heading(tr("Paths and behaviour"));
-    table.row(tr("Click with the path brush"), tr("adds a place; on the first place: closes it"));
-    table.row(keysOf("path-end"), tr("ends the path; the next click begins another one"));
-    table.row(tr("Drag a place, or its circle"), tr("moves it, or changes its size (selection)"));
-    table.row(tr("%1, %2").arg(keysOf("step"), keysOf("stop")),
-              tr("one step; back to the start, everybody where the scene has them"));
-    table.row(keysOf("keep-pose"), tr("keeps everybody where they are now"));
-    table.heading(tr("Selecting"));
-    table.row(tr("Click, or drag a rectangle"), tr("selects; Shift adds, Ctrl changes"));
-    table.row(tr("Drag somebody"), tr("moves those who are selected, to free seats or the ground"));
-    table.row(tr("Escape"), tr("selects nobody"));
-    table.heading(tr("Looking around"));
-    table.row(tr("Middle button"), tr("orbits; with Shift it pans, with Ctrl it comes nearer"));
-    table.row(tr("Space or Alt held"), tr("left orbits, middle pans, right comes nearer"));
-    table.row(tr("Wheel"), tr("goes to the point under the cursor"));
-    table.row(tr("%1, %2").arg(keysOf("frame-selection"), keysOf("frame-all")),
-              tr("show those who are selected; show everything"));
-    table.row(tr("1 to 9, Ctrl + 1 to 9"), tr("go to a camera; keep this view as that camera"));
-    table.row(tr("%1, %2, %3").arg(keysOf("view-front"), keysOf("view-side"), keysOf("view-top")),
-              tr("from the front, the side, above; also with Alt and the digit"));
-    table.row(keysOf("projection"), tr("perspective or orthographic"));
-    table.row(tr("Shift + F"),
-              tr("flies: W A S D, Q and E, the wheel for the speed, a click lands"));
-    table.heading(tr("Playing and the window"));
-    table.row(tr("Space tapped"), tr("plays and pauses"));
-    table.row(keysOf("hide-panels"), tr("hides the panels, and brings them back"));
-    table.row(keysOf("full-screen"), tr("fills the screen"));
-    return table.browser(this);
+    list.row(tr("%1 and %2, Ctrl + wheel")
+                 .arg(list.keysOf("brush-smaller"), list.keysOf("brush-larger")),
+             tr("smaller and larger brush; dragging with Shift does it too"));
+    list.row(tr("+ and −"), tr("the brush’s main number: how many, how strong"));
+    list.heading(tr("Paths and behaviour"));
+    list.row(tr("Click with the path brush"), tr("adds a place; on the first place: closes it"));
+    list.row(list.keysOf("path-end"), tr("ends the path; the next click begins another one"));
+    list.row(tr("Drag a place, or its circle"), tr("moves it, or changes its size (selection)"));
+    list.row(tr("%1, %2").arg(list.keysOf("step"), list.keysOf("stop")),
+             tr("one step; back to the start, everybody where the scene has them"));
+    list.row(list.keysOf("keep-pose"), tr("keeps everybody where they are now"));
+}
+
+void KeysDialog::addLooking(CardList& list)
+{
+    list.heading(tr("Selecting"));
+    list.row(tr("Click, or drag a rectangle"), tr("selects; Shift adds, Ctrl changes"));
+    list.row(tr("Drag somebody"), tr("moves those who are selected, to free seats or the ground"));
+    list.row(tr("Escape"), tr("selects nobody"));
+    list.heading(tr("Looking around"));
+    list.row(tr("Middle button"), tr("orbits; with Shift it pans, with Ctrl it comes nearer"));
+    list.row(tr("Space or Alt held"), tr("left orbits, middle pans, right comes nearer"));
+    list.row(tr("Wheel"), tr("goes to the point under the cursor"));
+    list.row(tr("%1, %2").arg(list.keysOf("frame-selection"), list.keysOf("frame-all")),
+             tr("show those who are selected; show everything"));
+    list.row(tr("1 to 9, Ctrl + 1 to 9"), tr("go to a camera; keep this view as that camera"));
+    list.row(tr("%1, %2, %3")
+                 .arg(list.keysOf("view-front"), list.keysOf("view-side"), list.keysOf("view-top")),
+             tr("from the front, the side, above; also with Alt and the digit"));
+    list.row(list.keysOf("projection"), tr("perspective or orthographic"));
+    list.row(tr("Shift + F"),
+             tr("flies: W A S D, Q and E, the wheel for the speed, a click lands"));
+    list.heading(tr("States"));
+    list.row(tr("%1 to 9").arg(list.keysOf("state-1")), tr("recall a state of the crowd"));
+    list.row(tr("%1 to 9").arg(list.keysOf("state-keep-1")),
+             tr("keep it, or who is selected, as that state"));
+    list.heading(tr("Playing and the window"));
+    list.row(tr("Space tapped"), tr("plays and pauses"));
+    list.row(list.keysOf("hide-panels"), tr("hides the panels, and brings them back"));
+    list.row(list.keysOf("full-screen"), tr("fills the screen"));
 }
 
 QWidget* KeysDialog::shortcutPage(const widgets::ActionRegistry& actions)
@@ -119,6 +179,32 @@ QWidget* KeysDialog::shortcutPage(const widgets::ActionRegistry& actions)
         }
     }
     return table.browser(this);
+}
+
+QWidget* KeysDialog::cardPage()
+{
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setVerticalScrollBarPolicy(
+        Qt::ScrollBarAlwaysOn); // else width and height chase each other
+    area->setWidget(new CardView(m_sections, area));
+    return area;
+}
+
+void KeysDialog::saveCard()
+{
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the Card"), QStringLiteral("crowdbrush.pdf"), tr("Pages to print (*.pdf)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    path += path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive) ? QString()
+                                                                       : QStringLiteral(".pdf");
+    if (const auto saved = writeCard(m_sections, path); !saved) {
+        QMessageBox::warning(this, tr("Save the Card"), model::translated(saved.error().said));
+    }
 }
 
 } // namespace crowd::app

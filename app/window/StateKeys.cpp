@@ -82,4 +82,9 @@ void StateKeys::keep(std::size_t index)
                                model::usualStateColumns(), reach);
 }
 
+const NumberedKeys& stateKeyTable()
+{
+    return kStateKeys;
+}
+
 } // namespace crowd::app

@@ -31,4 +31,7 @@ private:
     NumberedActions m_numbered;
 };
 
+/// The keys as they come.
+[[nodiscard]] const NumberedKeys& stateKeyTable();
+
 } // namespace crowd::app

@@ -8,8 +8,10 @@
 #include <QtCore/QLocale>
 
 #include "app/console/ConsoleDock.h"
+#include "app/window/CameraBookmarks.h"
 #include "app/window/MainWindow.h"
 #include "app/window/SelectActions.h"
+#include "app/window/StateKeys.h"
 #include "app/window/ViewMemory.h"
 #include "app/window/ViewSwitch.h"
 #include "widgets/commands/RelationCommands.h"
@@ -330,7 +332,7 @@ const WindowAction kOtherActions[] = {
     {{"welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome Page"), "crowdbrush", "Ctrl+F1",
       QT_TRANSLATE_NOOP("Actions", "Ready-made scenes, new scenes, and what was open before")},
      [](MainWindow& w, bool) { w.showWelcome(); }},
-    {{"keys", QT_TRANSLATE_NOOP("Actions", "&Mouse and Keys"), "help", "F1",
+    {{"keys", QT_TRANSLATE_NOOP("Actions", "&Quick Reference Card"), "help", "F1",
       QT_TRANSLATE_NOOP("Actions", "What mouse buttons and keys do")},
      [](MainWindow& w, bool) { w.showShortcuts(); }},
     {{"about", QT_TRANSLATE_NOOP("Actions", "&About Crowdbrush"), "about", "Alt+Shift+F1",
@@ -444,25 +446,48 @@ constexpr const char* kToolBar[] = {
     "seat-grid",   "ground-grid", "look-lit", "frame-all", "",     "stop", "play",
     "step",        "keep-pose",   "",         "rules"};
 
-void addTool(MainWindow& window, widgets::ToolId id, const char* text, const char* tip)
+struct ToolAction
+{
+    widgets::ToolId id;
+    widgets::ActionSpec spec;
+};
+
+ToolAction toolAction(widgets::ToolId id, const char* text, const char* tip)
 {
     const widgets::ToolInfo& info = widgets::toolInfo(id);
-    window.actions().add({info.stableId, text, info.stableId, info.shortcut, tip, true},
-                         [&window, id](bool) { window.state().setTool(id); },
-                         {.inputs = ActionInput::Tool,
-                          .isChecked = [&window, id] { return window.state().tool() == id; }});
+    return {id, {info.stableId, text, info.stableId, info.shortcut, tip, true}};
+}
+
+std::vector<ToolAction> toolActions()
+{
+    std::vector<ToolAction> tools{
+        toolAction(widgets::ToolId::Select, QT_TRANSLATE_NOOP("Actions", "&Select"),
+                   QT_TRANSLATE_NOOP("Actions", "Select characters, move them, delete them")),
+        toolAction(widgets::ToolId::Navigate, QT_TRANSLATE_NOOP("Actions", "&Navigate"),
+                   QT_TRANSLATE_NOOP("Actions", "Turn, shift and zoom the view"))};
+    for (const model::BrushKind kind : model::shownBrushes()) {
+        const model::BrushInfo& info = model::brushType(kind).info;
+        tools.push_back(toolAction(widgets::toolOf(kind), info.menu, info.tip));
+    }
+    return tools;
 }
 
 void addTools(MainWindow& window)
 {
-    addTool(window, widgets::ToolId::Select, QT_TRANSLATE_NOOP("Actions", "&Select"),
-            QT_TRANSLATE_NOOP("Actions", "Select characters, move them, delete them"));
-    addTool(window, widgets::ToolId::Navigate, QT_TRANSLATE_NOOP("Actions", "&Navigate"),
-            QT_TRANSLATE_NOOP("Actions", "Turn, shift and zoom the view"));
-    for (const model::BrushKind kind : model::shownBrushes()) {
-        const model::BrushInfo& info = model::brushType(kind).info;
-        addTool(window, widgets::toolOf(kind), info.menu, info.tip);
+    for (const ToolAction& tool : toolActions()) {
+        window.actions().add(tool.spec,
+                             [&window, id = tool.id](bool) { window.state().setTool(id); },
+                             {.inputs = ActionInput::Tool, .isChecked = [&window, id = tool.id] {
+                                  return window.state().tool() == id;
+                              }});
     }
+}
+
+/// In the order in which they are added.
+std::array<std::span<const WindowAction>, 8> actionTables()
+{
+    return {kFileActions, kEditActions,  selectActions(), kViewActions,
+            kPlayActions, kPanelActions, kScriptActions,  kOtherActions};
 }
 
 /// Of one that asks the window, one that asks this window.
@@ -509,16 +534,30 @@ void connectInputs(MainWindow& window)
 
 void addWindowActions(MainWindow& window)
 {
-    addAll(window, kFileActions);
-    addAll(window, kEditActions);
-    addAll(window, selectActions());
-    addAll(window, kViewActions);
-    addAll(window, kPlayActions);
-    addAll(window, kPanelActions);
-    addAll(window, kScriptActions);
-    addAll(window, kOtherActions);
+    for (const std::span<const WindowAction> table : actionTables()) {
+        addAll(window, table);
+    }
     addTools(window);
     connectInputs(window);
+}
+
+void addActionsAlone(widgets::ActionRegistry& actions)
+{
+    const auto nothing = [](bool) {};
+    for (const std::span<const WindowAction> table : actionTables()) {
+        for (const WindowAction& action : table) {
+            actions.add(action.spec, nothing);
+        }
+    }
+    for (const ToolAction& tool : toolActions()) {
+        actions.add(tool.spec, nothing);
+    }
+    for (const NumberedKeys* keys : {&cameraKeyTable(), &stateKeyTable()}) {
+        for (const NumberedKey& key : *keys) {
+            actions.add({key.go, key.goText, "", key.goKeys, ""}, nothing);
+            actions.add({key.keep, key.keepText, "", key.keepKeys, ""}, nothing);
+        }
+    }
 }
 
 std::span<const MenuSpec> menuTable()

@@ -13,6 +13,10 @@ class MainWindow;
 /// Everything that menus, tool bars and keys of the window can do, put into its registry.
 void addWindowActions(MainWindow& window);
 
+/// All actions that the window has, with their keys as the settings have them, without what they
+/// do: for who only tells of them.
+void addActionsAlone(widgets::ActionRegistry& actions);
+
 /// One menu: its title, to be translated in the context "Menus", and the ids of its actions; an
 /// empty id is a separator, one that begins with @ a menu that the window fills.
 struct MenuSpec

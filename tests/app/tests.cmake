@@ -7,6 +7,7 @@ crowd_add_tests(ROOM app LINK crowd_app TESTS
     tst_MemoryRelease
     tst_Panels
     tst_PictureFormats
+    tst_QuickCard
     tst_SavePicture
     tst_SceneFiles
     tst_StepMenu

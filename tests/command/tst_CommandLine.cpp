@@ -20,6 +20,7 @@ private Q_SLOTS:
     void jsonIsAloneOnStandardOutput_data();
     void jsonIsAloneOnStandardOutput();
     void aFailureIsOneLine();
+    void aCardIsWrittenInEachLanguage();
     void failuresAreEnglishInEveryLanguage();
     void measuresOnlyWhatMakesSense_data();
     void measuresOnlyWhatMakesSense();
@@ -69,6 +70,12 @@ void CommandLineTest::statusAndMessage_data()
     QTest::newRow("a file that is no scene says what it should be")
         << QStringList{QStringLiteral("info"), QStringLiteral(CROWD_PROGRAM)} << 1 << QByteArray()
         << QByteArray("neither a .glb");
+    QTest::newRow("a card without a file is bad usage")
+        << QStringList{QStringLiteral("card")} << 2 << QByteArray() << QByteArray("--output");
+    QTest::newRow("a card that cannot be written is a failure")
+        << QStringList{QStringLiteral("card"), QStringLiteral("--output"),
+                       QStringLiteral("/nowhere/card.pdf")}
+        << 1 << QByteArray() << QByteArray("crowdbrush card: /nowhere/card.pdf");
     QTest::newRow("a scene is described") << QStringList{QStringLiteral("info"), exampleScene()}
                                           << 0 << QByteArray("individuals") << QByteArray();
 }
@@ -155,6 +162,24 @@ void CommandLineTest::aFailureIsOneLine()
     QVERIFY(outcome.output.isEmpty());
     QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
     QVERIFY2(outcome.errors.contains("broken.crowd"), outcome.errors.constData());
+}
+
+void CommandLineTest::aCardIsWrittenInEachLanguage()
+{
+    const QTemporaryDir folder;
+    QByteArray before;
+    for (const char* language : {"en", "de"}) {
+        const QString path = folder.filePath(QLatin1String(language) + QStringLiteral(".pdf"));
+        const Outcome outcome = run({QStringLiteral("--language"), QLatin1String(language),
+                                     QStringLiteral("card"), QStringLiteral("--output"), path});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(outcome.output.isEmpty() && outcome.errors.isEmpty(), outcome.errors.constData());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("%PDF") && bytes != before);
+        before = bytes;
+    }
 }
 
 void CommandLineTest::failuresAreEnglishInEveryLanguage()

@@ -269,7 +269,7 @@ void ColourDock::noteUsed(model::BrushKind kind)
 void ColourDock::refresh()
 {
     const bool isCreation = kind() == model::BrushKind::Create;
-    setWindowTitle(isCreation ? tr("Colours of New Characters") : tr("Colour"));
+    setWindowTitle(isCreation ? tr("Colours (New)") : tr("Colour"));
     toggleViewAction()->setText(tr("Colour"));
     const std::vector<QColor> all = colors();
     m_chosen = paintsFirst() ? 0 : m_chosen;
