@@ -2,15 +2,25 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
+#include <set>
 
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QTabBar>
 #include <QtWidgets/QToolButton>
 
 #include "model/rules/RuleSets.h"
 #include "model/scene/NearestPath.h"
 #include "tests/gui/Editor.h"
 #include "tests/program/WindowTest.h"
+#include "widgets/docks/FieldForm.h"
 #include "widgets/docks/RuleNames.h"
+#include "widgets/docks/ValueSlider.h"
 
 using namespace crowd;
 using namespace crowd::widgets;
@@ -145,6 +155,103 @@ void paintWalkers(Artist& artist)
     }
 }
 
+constexpr int kMostActions = 25;
+
+/// An artist with all panels, each of whose actions counts: a click, a drag, a key, a typed value.
+class CountedArtist
+{
+public:
+    CountedArtist()
+    {
+        QApplication::setActiveWindow(&editor.window);
+        for (QDockWidget* dock : editor.window.docks()) {
+            dock->setVisible(dock->toggleViewAction()->isEnabled());
+        }
+        editor.view().setMinimumSize(200, 200);
+        editor.view().setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+        editor.window.resize(1440, 1000);
+        QTest::qWait(200);
+    }
+
+    void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {})
+    {
+        ++actions;
+        QTest::keyClick(&editor.view(), which, modifiers);
+    }
+    void dragOverEverything()
+    {
+        ++actions;
+        editor.drag({3, 3}, {editor.view().width() - 4, editor.view().height() - 4});
+    }
+    void click(QWidget* widget, QPoint at = {})
+    {
+        ++actions;
+        QVERIFY(widget != nullptr && widget->isVisible() && widget->isEnabled());
+        QTest::mouseClick(widget, Qt::LeftButton, {}, at.isNull() ? widget->rect().center() : at);
+    }
+    /// The tab of a panel that lies behind another one.
+    void raise(const QString& title)
+    {
+        for (auto* tabs : editor.window.findChildren<QTabBar*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
+                if (tabs->isVisible() && tabs->tabText(i) == title) {
+                    click(tabs, tabs->tabRect(i).center());
+                    return;
+                }
+            }
+        }
+        QFAIL(qPrintable(title));
+    }
+    void choose(QComboBox* box, const QString& text)
+    {
+        QVERIFY(box != nullptr && box->isVisible());
+        const int index = box->findText(text);
+        QVERIFY2(index >= 0, qPrintable(text));
+        ++actions;
+        box->showPopup();
+        const QModelIndex item = box->model()->index(index, 0);
+        box->view()->scrollTo(item);
+        click(box->view()->viewport(), box->view()->visualRect(item).center());
+    }
+    void typeInto(ValueSlider* slider, const QString& text)
+    {
+        QVERIFY(slider != nullptr && slider->isVisible());
+        ++actions;
+        QTest::mouseDClick(slider, Qt::LeftButton, {}, slider->rect().center());
+        auto* line = slider->findChild<QLineEdit*>();
+        QVERIFY(line != nullptr);
+        line->selectAll();
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Return);
+    }
+    void chooseRow(const char* list, const QString& text)
+    {
+        auto* rows = editor.window.findChild<QListWidget*>(QLatin1String(list));
+        QVERIFY(rows != nullptr && rows->isVisible());
+        const auto items = rows->findItems(text, Qt::MatchExactly);
+        QVERIFY2(items.size() == 1, qPrintable(text));
+        rows->scrollToItem(items.front());
+        click(rows->viewport(), rows->visualItemRect(items.front()).center());
+    }
+    void press(const char* button)
+    {
+        click(editor.window.findChild<QAbstractButton*>(QLatin1String(button)));
+    }
+    /// How many are shown with each value of the first feature.
+    [[nodiscard]] std::map<model::FeatureId, int> moods()
+    {
+        std::map<model::FeatureId, int> counts;
+        const auto frame = editor.state().frame();
+        for (const model::FeatureId mood : frame->population.column(model::columns::feature(1))) {
+            ++counts[mood];
+        }
+        return counts;
+    }
+
+    Editor editor;
+    int actions = 0;
+};
+
 } // namespace
 
 /// What the manual's page of scenarios tells the artist to do, done.
@@ -155,6 +262,7 @@ class TestScenarios : public QObject
 private Q_SLOTS:
     void pedestriansFromTheBareCity();
     void clappingSpreadsFromWhereItWasSprayed();
+    void anAudienceWithThreePreparedReactions();
 };
 
 void TestScenarios::pedestriansFromTheBareCity()
@@ -252,6 +360,65 @@ void TestScenarios::clappingSpreadsFromWhereItWasSprayed()
     const std::uint64_t sprayed = clapping();
     QVERIFY2(sprayed < 40, qPrintable(QString::number(sprayed)));
     QTRY_VERIFY_WITH_TIMEOUT(clapping() > sprayed + 60, 60000);
+}
+
+/// The audience of the paper: filled, three reactions prepared, and replayed as waves.
+void TestScenarios::anAudienceWithThreePreparedReactions()
+{
+    CountedArtist artist;
+    Editor& editor = artist.editor;
+    const model::Scene& scene = editor.window.document().scene();
+    artist.key(Qt::Key_N, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.templates.size() == 5 && editor.isLoaded(), 60000);
+    QCOMPARE(editor.state().tool(), ToolId::BrushCreate); // as the editor starts
+    artist.key(Qt::Key_2);                                // the overview
+    QTRY_VERIFY(!editor.state().isAnimating() && editor.view().isAtRest());
+    auto* settings = editor.window.findChild<QDockWidget*>(QStringLiteral("brushSettings"));
+    QVERIFY(settings != nullptr);
+    QComboBox* area = nullptr;
+    QTRY_VERIFY((area = settings->findChild<QComboBox*>()) != nullptr && area->isVisible());
+    artist.choose(area, QStringLiteral("Rectangle"));
+    artist.dragOverEverything();
+    QVERIFY2(editor.people() >= 700, qPrintable(QString::number(editor.people())));
+    std::set<model::TemplateId> cast;
+    for (const model::TemplateId each : scene.population.column(model::columns::templateId)) {
+        cast.insert(each);
+    }
+    QCOMPARE(cast.size(), std::size_t{5});
+
+    artist.key(Qt::Key_A, Qt::ControlModifier);
+    artist.raise(QStringLiteral("Features"));
+    constexpr std::array kReactions{"attentive", "excited", "sad"};
+    for (std::size_t i = 0; i < kReactions.size(); ++i) {
+        artist.chooseRow("features", QLatin1String(kReactions[i]));
+        artist.press("giveFeature");
+        artist.key(static_cast<Qt::Key>(Qt::Key_F1 + static_cast<int>(i)),
+                   Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QCOMPARE(scene.states.size(), kReactions.size());
+
+    artist.raise(QStringLiteral("States"));
+    auto* timing = editor.window.findChild<FieldForm*>(QStringLiteral("recallTiming"));
+    const QList<ValueSlider*> seconds = timing->findChildren<ValueSlider*>();
+    artist.typeInto(seconds.at(0), QStringLiteral("0.5"));
+    artist.typeInto(seconds.at(1), QStringLiteral("3"));
+    artist.choose(timing->findChild<QComboBox*>(), QStringLiteral("row by row"));
+    if (!editor.state().transport().isPlaying()) {
+        artist.key(Qt::Key_Space);
+    }
+    const model::FeatureKind& emotion = scene.features.front();
+    for (std::size_t i = 0; i < kReactions.size(); ++i) {
+        const model::FeatureId wanted = emotion.find(kReactions[i])->id;
+        artist.key(static_cast<Qt::Key>(Qt::Key_F1 + static_cast<int>(i)), Qt::ShiftModifier);
+        // a wave: there is a moment when some are there and others are not
+        if (i > 0) {
+            QTRY_VERIFY_WITH_TIMEOUT(artist.moods()[wanted] > 0, 60000);
+            QVERIFY(artist.moods().size() == 2);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(artist.moods()[wanted] == static_cast<int>(editor.people()),
+                                 60000);
+    }
+    QVERIFY2(artist.actions <= kMostActions, qPrintable(QString::number(artist.actions)));
 }
 
 CROWD_WINDOW_TEST(TestScenarios)
