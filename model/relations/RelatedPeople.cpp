@@ -75,7 +75,7 @@ std::vector<IndividualId> duplicate(SceneEdit& edit, std::span<const IndividualI
     for (glm::vec3& at : rows.column(columns::position)) {
         at += offset;
     }
-    const std::vector<IndividualId> copies = edit.addIndividuals(std::move(rows));
+    std::vector<IndividualId> copies = edit.addIndividuals(std::move(rows));
     standUp(edit, copies); // the seats stay the originals'
     copyRelations(edit, ids, copies);
     return copies;
