@@ -127,8 +127,8 @@ void bindRelations(SceneClass& scene)
              "another way. Raises Error for unknown names, dead ids, and lists that do not fit.")
         .def("unrelate", &unrelateGiven, py::arg("from_ids"), py::arg("to_ids") = py::none(),
              py::arg("name") = py::none(),
-             "Takes relations away between from_ids and to_ids, one for one, whichever way they "
-             "go; without to_ids all that from_ids have. name: of that kind alone. One undo step. "
+             "Takes relations away from from_ids to to_ids, one for one; without to_ids all that "
+             "from_ids have, whichever way they go. name: of that kind alone. One undo step. "
              "How many there were.")
         .def("related", &relatedGiven, py::arg("ids"), py::arg("name") = py::none(),
              "Ids of those to whom one of these is related, ascending; of a kind that is not "

@@ -88,6 +88,15 @@ void addLinks(const Scene& scene, IndividualId id, RelationKindId kind,
     }
 }
 
+/// From one to another; of a mutual one, either way.
+bool goes(const Scene& scene, const Relation& relation, IndividualId from, IndividualId to)
+{
+    const RelationKind* kind = findRelation(scene.relationKinds, relation.kind);
+    const bool isMutual = kind != nullptr && kind->isMutual;
+    return (relation.from == from && relation.to == to) ||
+           (isMutual && relation.from == to && relation.to == from);
+}
+
 /// 0 where no name is given.
 Result<RelationKindId> kindNamed(const Scene& scene, const std::optional<std::string>& name)
 {
@@ -164,8 +173,8 @@ Result<std::size_t> unrelate(ScriptScene& script, const std::vector<IndividualId
         for (std::size_t i = 0; to && i < count.value(); ++i) {
             std::vector<Relation> his;
             addLinks(now, itemAt(from, i), kind.value(), his);
-            std::erase_if(his, [other = itemAt(*to, i)](const Relation& each) {
-                return each.from != other && each.to != other;
+            std::erase_if(his, [&](const Relation& each) {
+                return !goes(now, each, itemAt(from, i), itemAt(*to, i));
             });
             leaving.insert(leaving.end(), his.begin(), his.end());
         }

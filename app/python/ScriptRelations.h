@@ -27,8 +27,8 @@ struct GivenRelations
 /// Relates them by the kind of that name; how many relations are another way than before.
 [[nodiscard]] model::Result<std::size_t> relate(ScriptScene& script, const GivenRelations& given,
                                                 const std::string& name);
-/// Takes relations away: from each to each, one for one; no `to`: all that these have. No name: of
-/// any kind. How many there were.
+/// Takes relations away: from each to each, one for one; no `to`: all that these have, whichever
+/// way. No name: of any kind. How many there were.
 [[nodiscard]] model::Result<std::size_t>
 unrelate(ScriptScene& script, const std::vector<model::IndividualId>& from,
          const std::optional<std::vector<model::IndividualId>>& to,

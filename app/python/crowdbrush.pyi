@@ -1460,8 +1460,8 @@ class Scene:
         Who is related so already gets the new strength. How many relations are another way.
         Raises Error for unknown names, dead ids, and lists that do not fit."""
     def unrelate(self, from_ids: Any, to_ids: Any = ..., name: Optional[str] = ...) -> int:
-        """Takes relations away between from_ids and to_ids, one for one, whichever way they go;
-        without to_ids all that from_ids have. name: of that kind alone. One undo step. How
+        """Takes relations away from from_ids to to_ids, one for one; without to_ids all that
+        from_ids have, whichever way they go. name: of that kind alone. One undo step. How
         many there were."""
     def related(self, ids: Any, name: Optional[str] = ...) -> _Array:
         """Ids of those to whom one of these is related, ascending; of a kind that is not mutual

@@ -56,8 +56,14 @@ void deliverEvents(const RuleScope& scope)
         --state.budget.heard;
         const QueuedEvent event = state.events.take();
         const std::uint32_t agent = state.agents.agentNamed(event.receiver);
-        if (agent != kNoAgent && hearsFirst(state, agent, event)) {
+        if (agent == kNoAgent) {
+            continue;
+        }
+        const bool isFirst = hearsFirst(state, agent, event);
+        if (isFirst || event.passes == 0) {
             notify(scope, agent, event);
+        }
+        if (isFirst) {
             passOn(scope, agent, event);
         }
     }

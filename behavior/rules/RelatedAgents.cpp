@@ -85,7 +85,7 @@ bool hearsFirst(RuleState& state, std::uint32_t agent, const QueuedEvent& event)
     } else if (isNew) {
         known->calledAt = callOf(event);
     }
-    return isNew || event.passes == 0;
+    return isNew;
 }
 
 void passOn(const RuleScope& scope, std::uint32_t agent, const QueuedEvent& event)

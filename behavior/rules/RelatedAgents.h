@@ -19,7 +19,7 @@ namespace crowd::behavior {
 [[nodiscard]] bool areRelated(const RuleState& state, std::uint32_t agent, std::uint32_t other,
                               std::uint32_t relation);
 
-/// He hears it. False: it was passed on to him, and he has heard that call of it before.
+/// He hears it. False: he has heard that call of it before, by whatever way.
 [[nodiscard]] bool hearsFirst(RuleState& state, std::uint32_t agent, const QueuedEvent& event);
 /// What he has heard goes on to those to whom a kind of relation passes it, a little later. A call
 /// comes to nobody twice in that way.

@@ -36,6 +36,10 @@ class Relations(unittest.TestCase):
         self.assertEqual(len(scene.relations["from"]), 2)
         scene.undo()
         self.assertEqual(len(scene.relations["from"]), 5)
+        scene.relate(ids[6], ids[0], "leader")  # each leads the other
+        self.assertEqual(scene.unrelate(ids[6], ids[0], "leader"), 1)
+        self.assertEqual(scene.related(ids[0], "leader").tolist(), ids[6:9].tolist())
+        scene.undo(), scene.undo()
         scene.undo(), scene.undo(), scene.undo()
         self.assertEqual(len(scene.relations["from"]), 0)
 
