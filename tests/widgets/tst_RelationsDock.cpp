@@ -244,6 +244,8 @@ void TestRelationsDock::aLassoAfterALasso()
     around(hand.ids[2]);
     QVERIFY2(hand.said.startsWith(QStringLiteral("Now draw")), qPrintable(hand.said));
     QCOMPARE(hand.table().count(), std::size_t{1});
+    hand.document.replaceScene(crowd::testing::smallTheatre(), {}); // who was chosen is gone
+    QVERIFY(hand.state.activeBrush()->as<model::RelationSettings>().sources.empty());
 }
 
 void TestRelationsDock::arcsAreOfTheSelectedOrOfAll()

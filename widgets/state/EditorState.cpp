@@ -62,12 +62,15 @@ void forgetGone(EditorState& state)
     }
 }
 
-/// Masks name what only their scene has.
+/// Masks, and those from whom relations are to go, name what only their scene has.
 void forgetMasks(EditorState& state)
 {
     for (std::size_t kind = 0; kind < model::kBrushCount; ++kind) {
         BrushSettings brush = state.brush(static_cast<BrushKind>(kind));
         brush.mask = {};
+        if (auto* relation = brush.find<model::RelationSettings>()) {
+            relation->sources.clear();
+        }
         state.setBrush(brush);
     }
 }
