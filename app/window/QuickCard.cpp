@@ -46,7 +46,7 @@ struct CardText
     Q_DECLARE_TR_FUNCTIONS(QuickCard)
 };
 
-QString withoutMnemonic(QString text)
+QString plainText(QString text)
 {
     return text.remove(QLatin1Char('&'));
 }
@@ -97,7 +97,7 @@ void addCommands(CardList& list, const widgets::ActionRegistry& actions)
 {
     list.heading(CardText::tr("Editing"));
     for (const char* id : kCommands) {
-        QString text = withoutMnemonic(actions.action(id)->text());
+        QString text = plainText(actions.action(id)->text());
         list.row(list.keysOf(id), text.remove(QChar(0x2026)).trimmed());
     }
 }
@@ -109,7 +109,7 @@ void addBrushes(CardList& list)
         const widgets::ToolInfo& tool = widgets::toolInfo(widgets::toolOf(kind));
         const model::BrushInfo& info = model::brushType(kind).info;
         list.row(list.keysOf(tool.stableId),
-                 withoutMnemonic(QCoreApplication::translate("Actions", info.menu)),
+                 plainText(QCoreApplication::translate("Actions", info.menu)),
                  QLatin1String(tool.stableId));
     }
 }
