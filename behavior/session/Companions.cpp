@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "behavior/rules/PlaceRooms.h"
 #include "behavior/session/SessionParts.h"
 #include "model/base/Random.h"
 
@@ -24,11 +25,6 @@ constexpr float kBerth = 1.5F;            ///< times the own speed, aside
 constexpr float kBack = 0.3F;             ///< of that, straight away
 constexpr float kFollowerTurn = 6.2831853F;
 constexpr std::uint64_t kFollowersPlace = 95; ///< purpose of draws
-
-float flatMetres(const glm::vec3& a, const glm::vec3& b)
-{
-    return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.z - b.z) * (a.z - b.z));
-}
 
 /// Free to do something of his own.
 bool isIdle(const SessionParts& parts, std::uint32_t agent)
@@ -84,7 +80,7 @@ std::uint32_t Companions::leaderOf(const Kept& kept, const RuleHost& host, float
     float best = std::numeric_limits<float>::max();
     for (std::uint32_t i = kept.firstTie; i < kept.firstTie + kept.ties; ++i) {
         const Tie& tie = m_ties[i];
-        const float away = flatMetres(host.position(kept.agent), host.position(tie.other));
+        const float away = flatDistance(host.position(kept.agent), host.position(tie.other));
         if (tie.walk == model::RelationWalk::Behind && !host.isGone(tie.other) && away < best) {
             leader = tie.other;
             best = away;
@@ -103,7 +99,7 @@ void Companions::follow(Kept& kept, SessionParts& parts, RuleHost& host) const
         return;
     }
     const glm::vec3 to = host.position(leader);
-    const float away = flatMetres(host.position(kept.agent), to);
+    const float away = flatDistance(host.position(kept.agent), to);
     if (away > metres + (kept.isFollowing ? 0.0F : kSetsOut)) {
         const float angle =
             kFollowerTurn * model::unitFloat(model::hashKeys(host.id(kept.agent), host.id(leader),
@@ -169,7 +165,7 @@ void Companions::face(const Kept& kept, const SessionParts& parts, RuleHost& hos
     float count = 0.0F;
     for (std::uint32_t i = kept.firstTie; i < kept.firstTie + kept.ties; ++i) {
         const Tie& tie = m_ties[i];
-        if (tie.faceMetres > 0.0F && flatMetres(host.position(tie.other), at) <= tie.faceMetres &&
+        if (tie.faceMetres > 0.0F && flatDistance(host.position(tie.other), at) <= tie.faceMetres &&
             stands(tie.other)) {
             middle += host.position(tie.other);
             count += 1.0F;
