@@ -29,10 +29,9 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kFeatureIcon = 20;   ///< logical pixels
-constexpr int kFeatureSwatch = 14; ///< logical pixels
-constexpr int kFeatureRows = 6;    ///< seen at once
-constexpr int kRoomBelowRows = 6;  ///< logical pixels
+constexpr int kFeatureIcon = 20;  ///< logical pixels
+constexpr int kFeatureRows = 6;   ///< seen at once
+constexpr int kRoomBelowRows = 6; ///< logical pixels
 constexpr int kFeaturesRebuildMs = 30;
 constexpr int kRestMs = 400; ///< of the hand, after which a change comes to the scene
 constexpr int kBearersMs = 300;
@@ -54,11 +53,7 @@ std::span<const model::FieldInfo> formFields()
 
 QIcon featureSwatch(const model::PaintColor& color)
 {
-    QPixmap filled(kFeatureSwatch, kFeatureSwatch);
-    filled.fill(QColor(color[0], color[1], color[2]));
-    QIcon icon(filled);
-    icon.addPixmap(filled, QIcon::Selected); // not tinted
-    return icon;
+    return swatchIcon(QColor(color[0], color[1], color[2]));
 }
 
 QToolButton* buttonOf(QWidget* parent, const char* icon, const QString& tip, const char* name)

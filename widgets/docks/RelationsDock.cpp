@@ -24,9 +24,8 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr int kRelationIcon = 20;   ///< logical pixels
-constexpr int kRelationSwatch = 14; ///< logical pixels
-constexpr int kRelationRows = 8;    ///< seen at once
+constexpr int kRelationIcon = 20; ///< logical pixels
+constexpr int kRelationRows = 8;  ///< seen at once
 constexpr int kRelationsRebuildMs = 30;
 constexpr int kRelationsCountMs = 300;
 constexpr int kRelationIdRole = Qt::UserRole;
@@ -48,11 +47,7 @@ std::span<const model::FieldInfo> relationFields()
 
 QIcon relationSwatch(const model::PaintColor& color)
 {
-    QPixmap filled(kRelationSwatch, kRelationSwatch);
-    filled.fill(QColor(color[0], color[1], color[2]));
-    QIcon icon(filled);
-    icon.addPixmap(filled, QIcon::Selected); // not tinted
-    return icon;
+    return swatchIcon(QColor(color[0], color[1], color[2]));
 }
 
 } // namespace

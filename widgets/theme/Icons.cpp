@@ -98,4 +98,14 @@ QPixmap iconPixmap(const char* name, int size, const QColor& color, qreal device
     return picture;
 }
 
+QIcon swatchIcon(const QColor& color)
+{
+    constexpr int kSide = 14; // logical pixels
+    QPixmap filled(kSide, kSide);
+    filled.fill(color);
+    QIcon icon(filled);
+    icon.addPixmap(filled, QIcon::Selected);
+    return icon;
+}
+
 } // namespace crowd::widgets

@@ -15,4 +15,7 @@ namespace crowd::widgets {
 [[nodiscard]] QPixmap iconPixmap(const char* name, int size, const QColor& color,
                                  qreal devicePixelRatio = 1.0);
 
+/// A square of a colour beside an entry of a list; not tinted where that is chosen.
+[[nodiscard]] QIcon swatchIcon(const QColor& color);
+
 } // namespace crowd::widgets
