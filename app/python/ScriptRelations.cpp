@@ -52,7 +52,7 @@ const Item& itemAt(const std::vector<Item>& items, std::size_t index)
     return items[items.size() == 1 ? 0 : index];
 }
 
-Result<std::vector<Relation>> relationsOf(const RelationKind& kind, const GivenRelations& given)
+Result<std::vector<Relation>> relationsMeant(const RelationKind& kind, const GivenRelations& given)
 {
     const auto count = countOf(given.from.size(), given.to.size(), given.strength.size());
     if (!count) {
@@ -74,18 +74,6 @@ Result<std::vector<Relation>> relationsOf(const RelationKind& kind, const GivenR
         relations.push_back(next);
     }
     return relations;
-}
-
-/// Those of an individual by a kind; 0: any.
-void addLinks(const Scene& scene, IndividualId id, RelationKindId kind,
-              std::vector<Relation>& relations)
-{
-    for (const RelationLink& link : scene.relations.of(id)) {
-        if (kind == 0 || link.kind == kind) {
-            relations.push_back(link.isOut ? Relation{id, link.other, link.strength, link.kind}
-                                           : Relation{link.other, id, link.strength, link.kind});
-        }
-    }
 }
 
 /// From one to another; of a mutual one, either way.
@@ -134,7 +122,7 @@ Result<std::size_t> relate(ScriptScene& script, const GivenRelations& given,
                 return alive;
             }
         }
-        const auto relations = relationsOf(*kind, given);
+        const auto relations = relationsMeant(*kind, given);
         if (!relations) {
             return relations.error();
         }
@@ -165,21 +153,18 @@ Result<std::size_t> unrelate(ScriptScene& script, const std::vector<IndividualId
         if (auto alive = checkThere(now, from); !alive) {
             return alive;
         }
-        std::vector<Relation> leaving;
+        std::vector<Relation> leaving =
+            to ? std::vector<Relation>() : relationsOf(now, from, kind.value());
         const auto count = to ? countOf(from.size(), to->size(), 1) : Result<std::size_t>(0);
         if (!count) {
             return count.error();
         }
         for (std::size_t i = 0; to && i < count.value(); ++i) {
-            std::vector<Relation> his;
-            addLinks(now, itemAt(from, i), kind.value(), his);
-            std::erase_if(his, [&](const Relation& each) {
-                return !goes(now, each, itemAt(from, i), itemAt(*to, i));
-            });
+            const IndividualId& who = itemAt(from, i);
+            std::vector<Relation> his = relationsOf(now, std::span(&who, 1), kind.value());
+            std::erase_if(
+                his, [&](const Relation& each) { return !goes(now, each, who, itemAt(*to, i)); });
             leaving.insert(leaving.end(), his.begin(), his.end());
-        }
-        for (std::size_t i = 0; !to && i < from.size(); ++i) {
-            addLinks(now, from[i], kind.value(), leaving);
         }
         const std::size_t before = now.relations.count();
         return script.edit(stepText(QT_TRANSLATE_NOOP("Script", "Take relations away")),

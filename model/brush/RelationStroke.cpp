@@ -10,6 +10,7 @@
 
 #include "model/base/Random.h"
 #include "model/population/FootCells.h"
+#include "model/relations/RelatedPeople.h"
 
 namespace crowd::model {
 
@@ -324,15 +325,7 @@ void RelationStroke::together(std::span<const IndividualId> ids, std::vector<Rel
 void RelationStroke::erase(SceneEdit& edit, std::span<const IndividualId> ids)
 {
     m_reason = m_changed.empty() ? StrokeReason::NothingToErase : m_reason;
-    std::vector<Relation> gone;
-    for (const IndividualId id : ids) {
-        for (const RelationLink& link : edit.scene().relations.of(id)) {
-            if (link.kind == m_kind) {
-                gone.push_back(link.isOut ? Relation{id, link.other, link.strength, m_kind}
-                                          : Relation{link.other, id, link.strength, m_kind});
-            }
-        }
-    }
+    const std::vector<Relation> gone = relationsOf(edit.scene(), ids, m_kind);
     std::vector<IndividualId> freed;
     for (const Relation& each : gone) {
         freed.insert(freed.end(), {each.from, each.to});

@@ -10,6 +10,7 @@
 
 #include "model/document/EditRecord.h"
 #include "model/document/MemberEntries.h"
+#include "model/relations/RelatedPeople.h"
 
 namespace crowd::model {
 
@@ -219,14 +220,7 @@ void SceneEdit::unrelate(std::span<const Relation> relations)
 
 void SceneEdit::forgetRelations(std::span<const IndividualId> ids)
 {
-    std::vector<Relation> leaving;
-    for (const IndividualId id : ids) {
-        for (const RelationLink& link : scene().relations.of(id)) {
-            leaving.push_back(link.isOut ? Relation{id, link.other, link.strength, link.kind}
-                                         : Relation{link.other, id, link.strength, link.kind});
-        }
-    }
-    changeRelations(leaving, true);
+    changeRelations(relationsOf(scene(), ids, 0), true);
 }
 
 void SceneEdit::changeRelations(std::span<const Relation> relations, bool isGone)

@@ -33,6 +33,21 @@ void copyRelations(SceneEdit& edit, std::span<const IndividualId> originals,
 
 } // namespace
 
+std::vector<Relation> relationsOf(const Scene& scene, std::span<const IndividualId> ids,
+                                  RelationKindId kind)
+{
+    std::vector<Relation> found;
+    for (const IndividualId id : ids) {
+        for (const RelationLink& link : scene.relations.of(id)) {
+            if (kind == 0 || link.kind == kind) {
+                found.push_back(link.isOut ? Relation{id, link.other, link.strength, link.kind}
+                                           : Relation{link.other, id, link.strength, link.kind});
+            }
+        }
+    }
+    return found;
+}
+
 std::vector<IndividualId> relatedTo(const Scene& scene, std::span<const IndividualId> ids,
                                     RelationKindId kind)
 {

@@ -12,6 +12,10 @@
 /// present.
 namespace crowd::model {
 
+/// The relations that these have, whichever way, by a kind or by any (0); one between two of them
+/// comes twice.
+[[nodiscard]] std::vector<Relation>
+relationsOf(const Scene& scene, std::span<const IndividualId> ids, RelationKindId kind);
 /// Those to whom one of these is related, by a kind or by any (0); of one that is not mutual, in
 /// its direction. Ascending; these themselves only where another one of them is related to them.
 [[nodiscard]] std::vector<IndividualId>

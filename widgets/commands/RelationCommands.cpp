@@ -143,16 +143,7 @@ void relateSelected(EditorState& state, RelationKindId kind)
 
 void unrelateSelected(EditorState& state, RelationKindId kind)
 {
-    const std::vector<IndividualId> people = chosenPeople(state);
-    std::vector<Relation> gone;
-    for (const IndividualId id : people) {
-        for (const model::RelationLink& link : state.scene().relations.of(id)) {
-            if (link.kind == kind) {
-                gone.push_back(link.isOut ? Relation{id, link.other, link.strength, kind}
-                                          : Relation{link.other, id, link.strength, kind});
-            }
-        }
-    }
+    const std::vector<Relation> gone = relationsOf(state.scene(), state.selection().ids(), kind);
     if (gone.empty()) {
         state.showStatus(RelationText::tr("None of the selected has such a relation."));
         return;
