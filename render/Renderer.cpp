@@ -130,22 +130,18 @@ model::Result<void> Renderer::Private::draw(const RenderInput& input, const std:
     statistics = {};
     const glm::ivec2 size =
         input.pixelSize.x > 0 ? input.pixelSize : glm::ivec2(input.view.size() + 0.5F);
-    PassContext context{
-        input,     input.view.viewProjection(), LinearLight::from(input.lighting), size, isSoftware,
-        statistics};
+    const PassContext context{
+        input, input.view.viewProjection(), Style::of(input), size, isSoftware, statistics};
     if (auto begun = passes->target.begin(size, input.samples); !begun) {
         return begun;
     }
     beginState(input.isTransparent);
-    model::Result<void> drawn = passes->crowd.prepare(context);
-    if (drawn) {
-        drawn = passes->draw(context);
-    }
-    const bool isHighlighted = passes->crowd.hasHighlighted();
+    model::Result<void> drawn = passes->draw(context);
+    const bool isHighlighted = input.frame && passes->hasHighlighted();
     passes->target.end(target, isHighlighted);
     if (isHighlighted) {
-        passes->outline.draw(context, passes->target.resolved(),
-                             passes->crowd.highlightedPart(context));
+        passes->outline.draw(context, passes->target.resolved(), passes->crowd,
+                             passes->seen.planned());
     }
     endState();
     const std::chrono::duration<double, std::milli> spent =

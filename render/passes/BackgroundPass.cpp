@@ -39,15 +39,13 @@ model::Result<void> BackgroundPass::initialize()
 void BackgroundPass::drawGround(const PassContext& context)
 {
     const glm::vec3 eye = context.input.view.camera().position;
-    ShaderProgram& program = context.input.lighting.showGroundGrid ? m_grid : m_ground;
+    ShaderProgram& program = context.style.hasGrid ? m_grid : m_ground;
     program.use();
     context.setCommon(program);
-    const bool isLit = lookInfo(context.input.look).isLit;
     program.set("center", glm::vec2(eye.x, eye.z));
     program.set("halfSize", kHalfSize);
-    program.set("groundColor",
-                context.light.ground * (isLit ? context.light.onGround() : glm::vec3(1.0F)));
-    program.set("horizon", context.light.horizon);
+    program.set("groundColor", context.style.groundColor);
+    program.set("horizon", context.style.light.horizon);
     const float fade = std::max(kFadeNear, std::abs(eye.y) * kFadePerHeight);
     program.set("fadeDistance", std::min(fade, kHalfSize));
     glBindVertexArray(m_nothing.name());
@@ -64,8 +62,8 @@ void BackgroundPass::drawSky(const PassContext& context)
 {
     m_sky.use();
     m_sky.set("worldFromClip", glm::inverse(context.viewProjection));
-    m_sky.set("zenith", context.light.zenith);
-    m_sky.set("horizon", context.light.horizon);
+    m_sky.set("zenith", context.style.light.zenith);
+    m_sky.set("horizon", context.style.light.horizon);
     glBindVertexArray(m_nothing.name());
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);

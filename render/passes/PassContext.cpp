@@ -1,42 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/PassContext.h"
 
-#include <cmath>
-
-#include "model/base/Color.h"
 #include "render/gl/ShaderProgram.h"
 
 namespace crowd::render {
 
-namespace {
-
-constexpr float kBounce = 0.7F; ///< share of the ambient light that the ground throws back
-
-} // namespace
-
-LinearLight LinearLight::from(const model::Lighting& lighting)
-{
-    LinearLight light;
-    const float level = std::cos(lighting.sunElevationRadians);
-    light.sunDirection = {std::sin(lighting.sunAzimuthRadians) * level,
-                          std::sin(lighting.sunElevationRadians),
-                          std::cos(lighting.sunAzimuthRadians) * level};
-    light.sun = model::linearFromSrgb(lighting.sunColor) * lighting.sunStrength;
-    light.sky = model::linearFromSrgb(lighting.ambientColor) * lighting.ambientStrength;
-    light.ground = model::linearFromSrgb(lighting.ground);
-    light.bounce = light.sky * light.ground * kBounce + light.ground * light.sun * 0.1F;
-    light.zenith = model::linearFromSrgb(lighting.skyZenith);
-    light.horizon = model::linearFromSrgb(lighting.skyHorizon);
-    return light;
-}
-
 void PassContext::setCommon(ShaderProgram& program) const
 {
     program.set("viewProjection", viewProjection);
-    program.set("sunDirection", light.sunDirection);
-    program.set("sunColor", light.sun);
-    program.set("skyColor", light.sky);
-    program.set("bounceColor", light.bounce);
+    program.set("sunDirection", style.light.sunDirection);
+    program.set("sunColor", style.light.sun);
+    program.set("skyColor", style.light.sky);
+    program.set("bounceColor", style.light.bounce);
 }
 
 void PassContext::countDraw(std::int64_t triangles) const

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/Passes.h"
 
+#include <chrono>
 #include <cstdint>
 
 #include <epoxy/gl.h>
 
-#include "model/base/Color.h"
-
 namespace crowd::render {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 /// What the stencil says of the pixels that a pass draws, for areas that are drawn later.
 enum class Mark : std::uint8_t { None, People, Others };
@@ -20,46 +26,49 @@ struct PassInfo
     const char* name;
     model::Result<void> (*draw)(Passes&, const PassContext&);
     Mark mark = Mark::None;
-    bool (*isNeeded)(const RenderInput&) = nullptr; ///< null: always
+    bool (*isNeeded)(const PassContext&) = nullptr; ///< null: always
 };
 
-bool hasSky(const RenderInput& input)
+bool hasPeople(const PassContext& context)
 {
-    return input.background.w <= 0.0F && !input.isTransparent;
+    return context.input.frame != nullptr;
 }
 
 /// In the order in which they are drawn. People first: they hide more of the stage than it hides of
 /// them; what is seen through comes after what is not.
 constexpr PassInfo kPasses[] = {
-    {"people", [](Passes& p, const PassContext& c) { return p.crowd.drawPeople(c); }, Mark::People},
+    {"people", [](Passes& p, const PassContext& c) { return p.people.draw(c, p.crowd, p.seen); },
+     Mark::People, &hasPeople},
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others},
     {"ground",
      [](Passes& p, const PassContext& c) {
          p.background.drawGround(c);
          return model::Result<void>();
      },
-     Mark::Others,
-     [](const RenderInput& input) { return input.showGround && !input.isTransparent; }},
+     Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
     {"sky",
      [](Passes& p, const PassContext& c) {
          p.background.drawSky(c);
          return model::Result<void>();
      },
-     Mark::None, &hasSky},
+     Mark::None, [](const PassContext& c) { return c.style.hasSky; }},
     {"shadows",
      [](Passes& p, const PassContext& c) {
-         p.crowd.drawShadows(c);
+         p.blobs.draw(c, p.crowd.rows(), p.seen);
          return model::Result<void>();
-     }},
+     },
+     Mark::None,
+     [](const PassContext& c) { return hasPeople(c) && c.style.shadowStrength > 0.0F; }},
     {"see-through stage", [](Passes& p, const PassContext& c) { return p.stage.drawBlended(c); }},
     {"see-through people",
-     [](Passes& p, const PassContext& c) { return p.crowd.drawSeeThrough(c); }},
+     [](Passes& p, const PassContext& c) { return p.people.drawSeeThrough(c, p.crowd, p.seen); },
+     Mark::None, &hasPeople},
     {"overlay",
      [](Passes& p, const PassContext& c) {
          p.overlay.draw(c);
          return model::Result<void>();
      }},
-    {"ghosts", [](Passes& p, const PassContext& c) { return p.crowd.drawGhosts(c); }}};
+    {"ghosts", [](Passes& p, const PassContext& c) { return p.ghosts.draw(c, p.crowd); }}};
 
 /// Nothing to do where no areas are drawn.
 void setMark(const RenderInput& input, Mark mark)
@@ -75,14 +84,9 @@ void setMark(const RenderInput& input, Mark mark)
 
 void clear(const PassContext& context)
 {
-    if (context.input.isTransparent) {
-        glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    } else {
-        const glm::vec3 color = hasSky(context.input)
-                                    ? context.light.horizon
-                                    : model::linearFromSrgb(glm::vec3(context.input.background));
-        glClearColor(color.x, color.y, color.z, 1.0F);
-    }
+    const glm::vec4 color(context.style.clearColor, 1.0F);
+    const glm::vec4 used = context.input.isTransparent ? glm::vec4(0.0F) : color;
+    glClearColor(used.x, used.y, used.z, used.w);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
@@ -90,17 +94,44 @@ void clear(const PassContext& context)
 
 model::Result<void> Passes::initialize()
 {
-    auto ready = crowd.initialize();
+    crowd.initialize();
+    seen.initialize();
+    ghosts.initialize();
+    auto ready = blobs.initialize();
     ready = ready ? background.initialize() : ready;
     ready = ready ? overlay.initialize() : ready;
     return ready ? outline.initialize() : ready;
 }
 
+void Passes::prepare(const PassContext& context)
+{
+    const RenderInput& input = context.input;
+    RenderStatistics& statistics = context.statistics;
+    auto start = Clock::now();
+    crowd.update(input);
+    if (!input.frame) {
+        return;
+    }
+    statistics.recordsMs = millisecondsSince(start);
+    start = Clock::now();
+    const float ratio = static_cast<float>(context.pixelSize.y) / input.view.size().y;
+    seen.plan({*input.frame, input.view, ratio, input.levels, input.selected, input.hovered},
+              crowd);
+    statistics.planMs = millisecondsSince(start);
+    crowd.upload(statistics);
+    seen.upload(input.view.camera(), crowd);
+    statistics.individuals = static_cast<int>(input.frame->population.size());
+    statistics.visible = static_cast<int>(seen.planned().instances().size());
+    statistics.byLevel = seen.planned().byLevel();
+    statistics.areKeyframesMissing = seen.planned().areKeyframesMissing();
+}
+
 model::Result<void> Passes::draw(const PassContext& context)
 {
+    prepare(context);
     clear(context);
     for (const PassInfo& pass : kPasses) {
-        if (pass.isNeeded != nullptr && !pass.isNeeded(context.input)) {
+        if (pass.isNeeded != nullptr && !pass.isNeeded(context)) {
             continue;
         }
         setMark(context.input, pass.mark);

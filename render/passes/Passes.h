@@ -2,11 +2,16 @@
 #pragma once
 
 #include "model/base/Result.h"
+#include "render/crowd/CrowdGpu.h"
+#include "render/crowd/CrowdView.h"
 #include "render/gl/PictureTarget.h"
 #include "render/passes/BackgroundPass.h"
-#include "render/passes/CrowdPass.h"
+#include "render/passes/BlobPass.h"
+#include "render/passes/GhostPass.h"
 #include "render/passes/OutlinePass.h"
 #include "render/passes/OverlayPass.h"
+#include "render/passes/PeopleDrawing.h"
+#include "render/passes/PeoplePass.h"
 #include "render/passes/StagePass.h"
 
 namespace crowd::render {
@@ -16,7 +21,12 @@ namespace crowd::render {
 struct Passes
 {
     PictureTarget target;
-    CrowdPass crowd;
+    CrowdGpu crowd;   ///< whoever looks
+    CrowdView seen{}; ///< by the camera
+    PeopleDrawing peopleDrawing;
+    PeoplePass people{peopleDrawing};
+    GhostPass ghosts{peopleDrawing};
+    BlobPass blobs;
     StagePass stage;
     BackgroundPass background;
     OverlayPass overlay;
@@ -24,8 +34,13 @@ struct Passes
 
     /// Builds the shaders of those that have some from the start.
     [[nodiscard]] model::Result<void> initialize();
-    /// Into the target, which has begun; the crowd is prepared.
+    /// Into the target, which has begun.
     [[nodiscard]] model::Result<void> draw(const PassContext& context);
+    /// Whether somebody in the picture is selected or hovered.
+    [[nodiscard]] bool hasHighlighted() const { return !seen.planned().highlighted().empty(); }
+
+private:
+    void prepare(const PassContext& context);
 };
 
 } // namespace crowd::render

@@ -82,9 +82,9 @@ void pointAttributes()
     }
 }
 
-std::string definesOf(const MaterialChoice& material, Look look)
+std::string definesOf(const MaterialChoice& material, const Style& style)
 {
-    std::string defines = lookInfo(look).defines;
+    std::string defines = style.surfaceDefines;
     defines += material.image >= 0 || material.emissiveImage >= 0 ? "TEXTURED " : "";
     defines += material.emissiveImage >= 0 ? "GLOWING " : "";
     defines += material.alphaMode == AlphaMode::Mask ? "CUTOUT " : "";
@@ -175,7 +175,7 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
 {
     const auto index = static_cast<std::size_t>(batch.material);
     const MaterialChoice& material = gpu.asset->materials[index];
-    auto built = program(definesOf(material, context.input.look));
+    auto built = program(definesOf(material, context.style));
     if (!built) {
         return built.error();
     }

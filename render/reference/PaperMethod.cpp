@@ -11,7 +11,7 @@
 #include "model/bake/KeyframeTime.h"
 #include "model/base/Color.h"
 #include "render/gl/TextureUpload.h"
-#include "render/passes/PassContext.h"
+#include "render/style/LinearLight.h"
 
 namespace crowd::render {
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/base/Result.h"
+#include "render/crowd/CrowdGpu.h"
+#include "render/crowd/CrowdPlan.h"
+#include "render/crowd/MeshGroups.h"
+#include "render/crowd/TemplateGpu.h"
+#include "render/gl/GlObjects.h"
+#include "render/gl/ShaderProgram.h"
+#include "render/passes/PassContext.h"
+
+namespace crowd::render {
+
+inline constexpr int kPlacementUnit = 0; ///< texture unit of CrowdRows::placement
+inline constexpr int kAppearanceUnit = 1;
+
+/// Draws runs of people of any view: the shaders, which are compiled when somebody needs them, and
+/// the state of each group of triangles.
+class PeopleDrawing
+{
+public:
+    struct CrowdDraw
+    {
+        const CrowdRows& rows;
+        const GlBuffer& instances;
+        std::string defines{}; ///< added to those of the group
+        float opacity = 1.0F;
+        Surface surface = Surface::Solid;
+    };
+    [[nodiscard]] model::Result<void> draw(const PassContext& context, const CrowdDraw& drawing,
+                                           const TemplateGpu& gpu, const InstanceRun& run);
+
+private:
+    [[nodiscard]] model::Result<ShaderProgram*> program(const std::string& defines);
+    void setUniforms(const PassContext& context, const CrowdDraw& drawing, const TemplateGpu& gpu,
+                     std::uint32_t verticesPerKeyframe, ShaderProgram& shader) const;
+    void drawGroup(const PassContext& context, const MeshGroup& group,
+                   const InstanceRun& run) const;
+
+    std::map<std::string, ShaderProgram> m_programs;
+};
+
+} // namespace crowd::render

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "render/RenderInput.h"
+#include "render/style/LinearLight.h"
+
+namespace crowd::render {
+
+/// What a look comes to in one picture: passes read this, not the look. Colours linear unless said
+/// otherwise.
+struct Style
+{
+    std::string surfaceDefines; ///< that shaders of people and stages are compiled with
+    LinearLight light;
+    glm::vec3 clearColor{0.0F}; ///< where nothing is drawn
+    bool hasSky = true;
+    bool hasGround = true;
+    bool hasGrid = true;
+    glm::vec3 groundColor{0.5F};                  ///< of the plane as it is drawn
+    float shadowStrength = 0.42F;                 ///< of the soft dark under people; 0: none
+    glm::vec3 selectionColor{1.0F, 0.62F, 0.10F}; ///< sRGB, of outlines
+    glm::vec3 hoverColor{1.0F};                   ///< likewise
+    float outlinePixels = 2.0F;                   ///< logical
+
+    [[nodiscard]] static Style of(const RenderInput& input);
+};
+
+} // namespace crowd::render
