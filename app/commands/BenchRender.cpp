@@ -19,6 +19,7 @@
 #include "app/pictures/PictureFile.h"
 #include "model/bake/ClipBaker.h"
 #include "model/project/LocateAssets.h"
+#include "model/scene/ReadyLight.h"
 #include "render/OffscreenContext.h"
 #include "render/Renderer.h"
 #include "render/reference/PaperMethod.h"
@@ -105,7 +106,8 @@ public:
 
 private:
     [[nodiscard]] render::RenderInput inputAt(double seconds);
-    [[nodiscard]] model::Result<double> timeOurs(double seconds);
+    [[nodiscard]] model::Result<double> timeOurs(double seconds, render::Look look);
+    [[nodiscard]] model::Result<void> timePlain(double seconds, bool isWarm);
     [[nodiscard]] model::Result<double> timeReference(double seconds);
 
     const BenchRenderOptions& m_options;
@@ -120,6 +122,7 @@ private:
     render::PaperMethod m_paper;
     std::vector<double> m_ours;
     std::vector<double> m_reference;
+    std::vector<double> m_plain; ///< ours without light, where a look is asked for
     std::vector<double> m_plan; ///< of ours: phase, cull, level, sort
     std::vector<double> m_cpu;  ///< the same and static records
 };
@@ -170,10 +173,11 @@ render::RenderInput Comparison::inputAt(double seconds)
     return input;
 }
 
-model::Result<double> Comparison::timeOurs(double seconds)
+model::Result<double> Comparison::timeOurs(double seconds, render::Look look)
 {
     (void)m_core->makeCurrent();
-    const render::RenderInput input = inputAt(seconds);
+    render::RenderInput input = inputAt(seconds);
+    input.look = look;
     const double start = now(m_options.clock == "cpu");
     if (auto drawn = m_renderer.draw(input); !drawn) {
         return drawn.error();
@@ -194,11 +198,27 @@ model::Result<double> Comparison::timeReference(double seconds)
     return now(m_options.clock == "cpu") - start;
 }
 
+model::Result<void> Comparison::timePlain(double seconds, bool isWarm)
+{
+    auto plain = timeOurs(seconds, render::Look::Plain);
+    if (!plain) {
+        return plain.error();
+    }
+    if (isWarm) {
+        m_plain.push_back(plain.value());
+    }
+    return {};
+}
+
 model::Result<void> Comparison::run()
 {
+    const auto look = render::lookOfKey(m_options.look).value_or(render::Look::Lit);
     for (int i = 0; i < kWarmUpFrames + m_options.frames; ++i) {
         const double seconds = i * kFrameSeconds;
-        auto ours = timeOurs(seconds);
+        if (auto plain = timePlain(seconds, i >= kWarmUpFrames); !plain) {
+            return plain.error();
+        }
+        auto ours = timeOurs(seconds, look); // last: whose picture is written
         if (!ours) {
             return ours.error();
         }
@@ -256,6 +276,9 @@ QJsonObject Comparison::report() const
     json[QStringLiteral("triangles_drawn")] = static_cast<qint64>(drawn.triangles);
     json[QStringLiteral("bytes_per_keyframe")] = static_cast<qint64>(
         mesh != nullptr ? mesh->positions.size() * sizeof(model::PackedVertex) : 0);
+    json[QStringLiteral("look")] = QString::fromStdString(m_options.look);
+    json[QStringLiteral("plain_ms")] = timingOf(m_plain).median;
+    json[QStringLiteral("to_plain")] = ours.median / timingOf(m_plain).median;
     json[QStringLiteral("plan_ms")] = timingOf(m_plan).median;
     json[QStringLiteral("cpu_ms")] = timingOf(m_cpu).median;
     json[QStringLiteral("reference")] =
@@ -282,7 +305,8 @@ void printComparison(const QJsonObject& report, bool isJson)
     std::printf(
         "%d characters of %d triangles, %d by %d pixels, detail %s\n"
         "ours       %8.2f ms median, %.2f ms at the 95th percentile, %d draws, %.0f "
-        "triangles\nreference  %8.2f ms median (%s)\nratio      %8.2f\n",
+        "triangles\nreference  %8.2f ms median (%s)\nratio      %8.2f\n"
+        "plain      %8.2f ms median; look %s takes %.2f of it\n",
         report[QStringLiteral("count")].toInt(), report[QStringLiteral("triangles")].toInt(),
         report[QStringLiteral("width")].toInt(), report[QStringLiteral("height")].toInt(),
         qPrintable(report[QStringLiteral("detail")].toString()),
@@ -291,7 +315,9 @@ void printComparison(const QJsonObject& report, bool isJson)
         report[QStringLiteral("triangles_drawn")].toDouble(),
         reference[QStringLiteral("median_ms")].toDouble(),
         qPrintable(reference[QStringLiteral("method")].toString()),
-        report[QStringLiteral("ratio")].toDouble());
+        report[QStringLiteral("ratio")].toDouble(), report[QStringLiteral("plain_ms")].toDouble(),
+        qPrintable(report[QStringLiteral("look")].toString()),
+        report[QStringLiteral("to_plain")].toDouble());
 }
 
 } // namespace
@@ -307,6 +333,13 @@ int runBenchRender(const BenchRenderOptions& options)
     auto scene = loadWorkload(options);
     if (!scene) {
         return failBench(scene.error());
+    }
+    if (!options.light.empty()) {
+        const model::ReadyLight* ready = model::findReadyLight(options.light);
+        if (ready == nullptr) {
+            return failBench({"There is no ready-made light " + options.light + "."});
+        }
+        scene.value().lighting = model::litAs(*ready, scene.value().lighting);
     }
     Comparison comparison(options, *size, std::move(scene).value());
     if (auto opened = comparison.open(); !opened) {

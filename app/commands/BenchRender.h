@@ -17,6 +17,8 @@ struct BenchRenderOptions
     int frames = 40;
     int samples = 4;            ///< per pixel
     std::string clock = "wall"; ///< "wall" or "cpu": processor time of all threads
+    std::string look = "lit";   ///< of ours; plain frames are timed beside it
+    std::string light;          ///< a ready-made one; empty: the scene's
     bool json = false;
 };
 

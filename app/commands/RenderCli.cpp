@@ -77,6 +77,13 @@ void addBenchRenderCommand(CLI::App& bench, BenchRenderOptions& options, int& st
         ->capture_default_str();
     command->add_option("--scene", options.scene,
                         "Draw this scene instead of a field of characters");
+    command->add_option("--look", options.look, render::lookKeys())
+        ->check([](const std::string& key) {
+            return render::lookOfKey(key) ? std::string() : "one of: " + render::lookKeys();
+        })
+        ->capture_default_str();
+    command->add_option("--light", options.light,
+                        "A ready-made light instead of that of the scene, as noon or dusk");
     command->add_option("--frames", options.frames, "Frames timed")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

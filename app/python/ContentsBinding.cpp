@@ -4,10 +4,11 @@
 #include <set>
 
 #include "app/python/Binding.h"
+#include "app/python/FieldBinding.h"
 #include "app/python/ScriptAssets.h"
 #include "app/python/ScriptEnvironment.h"
 #include "model/describe/FieldChecks.h"
-#include "model/scene/LightFields.h"
+#include "model/scene/ReadyLight.h"
 
 namespace crowd::app {
 
@@ -273,71 +274,32 @@ Point3 toPoint(const glm::vec3& vector)
     return {vector.x, vector.y, vector.z};
 }
 
-auto colorGetter(glm::vec3 Lighting::*member)
+std::string readyLightKeys()
 {
-    return [member](const Lighting& light) { return toPoint(light.*member); };
-}
-
-/// "sun_azimuth" of "sunAzimuth".
-std::string argumentOf(std::string_view key)
-{
-    std::string name;
-    for (const char letter : key) {
-        const bool isUpper = letter >= 'A' && letter <= 'Z';
-        name += isUpper ? "_" : "";
-        name += static_cast<char>(isUpper ? letter - 'A' + 'a' : letter);
+    std::string all;
+    for (const ReadyLight& each : readyLights()) {
+        all += (all.empty() ? "" : ", ") + std::string(each.key);
     }
-    return name;
-}
-
-Lighting makeLighting(float sunAzimuth, float sunElevation, const Point3& sunColor,
-                      float sunStrength, const Point3& ambientColor, float ambientStrength,
-                      const Point3& skyZenith, const Point3& skyHorizon, const Point3& ground,
-                      bool groundGrid)
-{
-    Lighting light;
-    light.sunAzimuthRadians = sunAzimuth;
-    light.sunElevationRadians = sunElevation;
-    light.sunColor = toVector(sunColor, "sun_color");
-    light.sunStrength = sunStrength;
-    light.ambientColor = toVector(ambientColor, "ambient_color");
-    light.ambientStrength = ambientStrength;
-    light.skyZenith = toVector(skyZenith, "sky_zenith");
-    light.skyHorizon = toVector(skyHorizon, "sky_horizon");
-    light.ground = toVector(ground, "ground");
-    light.showGroundGrid = groundGrid;
-    for (const FieldInfo& field : lightFields()) {
-        valueOrRaise(checkField(field, field.get(&light), argumentOf(field.meta.key)));
-    }
-    return light;
+    return all;
 }
 
 void bindLighting(py::module_& module)
 {
-    const Lighting usual;
-    py::class_<Lighting>(module, "Lighting",
-                         "Sun, sky and ground. Angles in radians, colours sRGB 0–1.")
-        .def(py::init(&makeLighting), py::kw_only(),
-             py::arg("sun_azimuth") = usual.sunAzimuthRadians,
-             py::arg("sun_elevation") = usual.sunElevationRadians,
-             py::arg("sun_color") = toPoint(usual.sunColor),
-             py::arg("sun_strength") = usual.sunStrength,
-             py::arg("ambient_color") = toPoint(usual.ambientColor),
-             py::arg("ambient_strength") = usual.ambientStrength,
-             py::arg("sky_zenith") = toPoint(usual.skyZenith),
-             py::arg("sky_horizon") = toPoint(usual.skyHorizon),
-             py::arg("ground") = toPoint(usual.ground),
-             py::arg("ground_grid") = usual.showGroundGrid)
-        .def_readonly("sun_azimuth", &Lighting::sunAzimuthRadians, "From +Z towards +X.")
-        .def_readonly("sun_elevation", &Lighting::sunElevationRadians)
-        .def_property_readonly("sun_color", colorGetter(&Lighting::sunColor))
-        .def_readonly("sun_strength", &Lighting::sunStrength)
-        .def_property_readonly("ambient_color", colorGetter(&Lighting::ambientColor))
-        .def_readonly("ambient_strength", &Lighting::ambientStrength)
-        .def_property_readonly("sky_zenith", colorGetter(&Lighting::skyZenith))
-        .def_property_readonly("sky_horizon", colorGetter(&Lighting::skyHorizon))
-        .def_property_readonly("ground", colorGetter(&Lighting::ground))
-        .def_readonly("ground_grid", &Lighting::showGroundGrid);
+    bindNamed<Lighting>(module, "Lighting",
+                        "Sun, sky and ground. Angles in radians, colours sRGB 0–1.",
+                        fieldsOf<Lighting>())
+        .def_static(
+            "ready",
+            [](const std::string& key) {
+                const ReadyLight* found = findReadyLight(key);
+                if (found == nullptr) {
+                    throw ScriptError("There is no ready-made light \"" + key + "\"; there are " +
+                                      readyLightKeys() + ".");
+                }
+                return found->light;
+            },
+            py::arg("key"),
+            "A ready-made one: \"noon\", \"afternoon\", \"dusk\", \"overcast\" or \"night\".");
 }
 
 void bindStage(py::module_& module)
@@ -437,10 +399,13 @@ void bindCameraCalls(SceneClass& scene)
              "All of them, as pairs of name and Camera, in this order.")
         .def_property_readonly(
             "lighting", [](const ScenePtr& s) { return s->scene()->lighting; },
-            "As it is now; changed with set_lighting.")
+            "A copy of how it is now; changed with set_lighting.")
         .def(
             "set_lighting",
-            [](const ScenePtr& s, const Lighting& light) { valueOrRaise(setLighting(*s, light)); },
+            [](const ScenePtr& s, const Lighting& light) {
+                needLegal(fieldsOf<Lighting>(), &light);
+                valueOrRaise(setLighting(*s, light));
+            },
             py::arg("lighting"), "Sun, sky and ground as given.");
 }
 

@@ -27,7 +27,7 @@ void define(py::object& type, const char* name, const char* doc, const py::objec
 
 void define(py::object& type, const FieldInfo& field, const py::object& get, const py::object& set)
 {
-    define(type, field.meta.key, field.meta.doc, get, set);
+    define(type, attributeOf(field.meta.key).c_str(), field.meta.doc, get, set);
 }
 
 bool isFinite(const FieldValue& value)
@@ -48,7 +48,7 @@ bool isFinite(const FieldValue& value)
 
 std::string nameIn(const py::object& type, const FieldInfo& field)
 {
-    return py::str(type.attr("__name__")).cast<std::string>() + "." + field.meta.key;
+    return py::str(type.attr("__name__")).cast<std::string>() + "." + attributeOf(field.meta.key);
 }
 
 /// T: the type that scripts see; `toPython` and `fromPython` lead from and to the field's own.
@@ -426,6 +426,40 @@ void bindField(py::object& type, const FieldInfo& field, const StructOf& structO
         tintAttribute(type, field, structOf);
     } else {
         listAttribute(type, field, structOf);
+    }
+}
+
+std::string signatureOf(const char* type, std::span<const FieldInfo> fields)
+{
+    std::string text = "__init__(self: crowdbrush." + std::string(type) + ", *";
+    for (const FieldInfo& field : fields) {
+        const char* name = field.is<bool>()        ? "bool"
+                           : field.is<glm::vec3>() ? "Sequence[float]"
+                           : field.is<float>()     ? "float"
+                                                   : "Any";
+        text += ", " + attributeOf(field.meta.key) + ": " + name + " = ...";
+    }
+    return text + ") -> None";
+}
+
+void needLegal(std::span<const FieldInfo> fields, const void* object)
+{
+    for (const FieldInfo& field : fields) {
+        valueOrRaise(checkField(field, field.get(object), attributeOf(field.meta.key)));
+    }
+}
+
+void setFields(const py::object& self, const py::kwargs& given, std::span<const FieldInfo> fields)
+{
+    for (const auto& [name, value] : given) {
+        const auto isIt = [&](const FieldInfo& field) {
+            return attributeOf(field.meta.key) == py::str(name).cast<std::string>();
+        };
+        if (std::ranges::none_of(fields, isIt)) {
+            throw py::type_error(py::str(self.get_type().attr("__name__")).cast<std::string>() +
+                                 "() has no argument " + py::repr(name).cast<std::string>());
+        }
+        py::setattr(self, name, value);
     }
 }
 

@@ -24,6 +24,15 @@ void bindField(py::object& type, const model::FieldInfo& field, const StructOf& 
 void bindFields(py::object& type, std::span<const model::FieldInfo> fields,
                 const StructOf& structOf);
 
+/// The signature of a constructor that takes fields by name, for the manual and the stubs.
+[[nodiscard]] std::string signatureOf(const char* type, std::span<const model::FieldInfo> fields);
+/// Sets attributes by name; raises for names that there are none of and values that a field may not
+/// have.
+void setFields(const py::object& self, const py::kwargs& given,
+               std::span<const model::FieldInfo> fields);
+/// Raises where a value is none that its field may have.
+void needLegal(std::span<const model::FieldInfo> fields, const void* object);
+
 /// An attribute that is a reference to something of a bound type inside the object. `assign` copies
 /// from the second to the first.
 struct __attribute__((visibility("hidden"))) PartInfo // as pybind11's own
@@ -67,6 +76,25 @@ py::class_<Owner> bindStruct(py::module_& module, const char* name, const char* 
     type.def("__copy__", [](const Owner& given) { return Owner(given); });
     type.def("__deepcopy__",
              [](const Owner& given, const py::dict& /*made*/) { return Owner(given); });
+    return type;
+}
+
+/// The same, made with `Name(attribute=value, …)`. Owner can be copied.
+template<class Owner>
+py::class_<Owner> bindNamed(py::module_& module, const char* name, const char* doc,
+                            std::span<const model::FieldInfo> fields)
+{
+    py::class_<Owner> type = bindStruct<Owner, Owner>(module, name, doc, fields);
+    const std::string signature = signatureOf(name, fields);
+    py::options options;
+    options.disable_function_signatures();
+    type.def(py::init([fields](const py::kwargs& given) {
+                 const py::object made = py::cast(Owner());
+                 setFields(made, given, fields);
+                 needLegal(fields, &made.cast<const Owner&>());
+                 return made.cast<Owner>();
+             }),
+             signature.c_str());
     return type;
 }
 

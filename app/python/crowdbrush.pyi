@@ -1409,7 +1409,7 @@ class Scene:
         """All of them, as pairs of name and Camera, in this order."""
     @property
     def lighting(self) -> Lighting:
-        """As it is now; changed with set_lighting."""
+        """A copy of how it is now; changed with set_lighting."""
     def set_lighting(self, lighting: Lighting) -> None:
         """Sun, sky and ground as given."""
     @property
@@ -1578,38 +1578,83 @@ class Picture(numpy.ndarray[Any, Any]):
 
 class Lighting:
     """Sun, sky and ground. Angles in radians, colours sRGB 0–1."""
-    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ...) -> None:
+    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ...) -> None:
         ...
     @property
     def sun_azimuth(self) -> float:
-        """From +Z towards +X."""
+        """where the sun stands, from +Z towards +X"""
+    @sun_azimuth.setter
+    def sun_azimuth(self, value: float) -> None:
+        ...
     @property
     def sun_elevation(self) -> float:
+        """how high it stands over the horizon"""
+    @sun_elevation.setter
+    def sun_elevation(self, value: float) -> None:
         ...
     @property
     def sun_color(self) -> Sequence[float]:
+        """of the sun"""
+    @sun_color.setter
+    def sun_color(self, value: Sequence[float]) -> None:
         ...
     @property
     def sun_strength(self) -> float:
+        """of the sun; 1: as on a clear day"""
+    @sun_strength.setter
+    def sun_strength(self, value: float) -> None:
+        ...
+    @property
+    def shadow_strength(self) -> float:
+        """how dark the shadows are that people and stages cast; 0: none are cast"""
+    @shadow_strength.setter
+    def shadow_strength(self, value: float) -> None:
+        ...
+    @property
+    def shadow_softness(self) -> float:
+        """the angle that the sun takes in the sky: the larger, the softer its shadows"""
+    @shadow_softness.setter
+    def shadow_softness(self, value: float) -> None:
         ...
     @property
     def ambient_color(self) -> Sequence[float]:
+        """of the light that comes from all of the sky"""
+    @ambient_color.setter
+    def ambient_color(self, value: Sequence[float]) -> None:
         ...
     @property
     def ambient_strength(self) -> float:
+        """of the sky's light"""
+    @ambient_strength.setter
+    def ambient_strength(self, value: float) -> None:
         ...
     @property
     def sky_zenith(self) -> Sequence[float]:
+        """the sky overhead"""
+    @sky_zenith.setter
+    def sky_zenith(self, value: Sequence[float]) -> None:
         ...
     @property
     def sky_horizon(self) -> Sequence[float]:
+        """the sky at the horizon, and the ground far away"""
+    @sky_horizon.setter
+    def sky_horizon(self, value: Sequence[float]) -> None:
         ...
     @property
     def ground(self) -> Sequence[float]:
+        """of the ground"""
+    @ground.setter
+    def ground(self, value: Sequence[float]) -> None:
         ...
     @property
     def ground_grid(self) -> bool:
+        """lines a metre apart"""
+    @ground_grid.setter
+    def ground_grid(self, value: bool) -> None:
         ...
+    @staticmethod
+    def ready(key: str) -> Lighting:
+        """A ready-made one: "noon", "afternoon", "dusk", "overcast" or "night"."""
 
 
 class Stage:

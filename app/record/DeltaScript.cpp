@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 
+#include "app/record/FieldScript.h"
 #include "app/record/RelationScript.h"
 #include "app/record/ScriptText.h"
 #include "app/record/StateScript.h"
@@ -333,18 +334,11 @@ std::string cameras(const std::vector<NamedCamera>& all)
 
 std::string lightingCall(const Lighting& now)
 {
-    Call call("light = crowdbrush.Lighting");
-    call.add("sun_azimuth", pythonText(now.sunAzimuthRadians));
-    call.add("sun_elevation", pythonText(now.sunElevationRadians));
-    call.add("sun_color", pythonText(now.sunColor));
-    call.add("sun_strength", pythonText(now.sunStrength));
-    call.add("ambient_color", pythonText(now.ambientColor));
-    call.add("ambient_strength", pythonText(now.ambientStrength));
-    call.add("sky_zenith", pythonText(now.skyZenith));
-    call.add("sky_horizon", pythonText(now.skyHorizon));
-    call.add("ground", pythonText(now.ground));
-    call.add("ground_grid", pythonText(now.showGroundGrid));
-    return call.line() + Call("scene.set_lighting", "light").line();
+    const Lighting usual;
+    const std::string indent(kIndent, ' ');
+    return indent + "light = crowdbrush.Lighting()\n" +
+           fieldChanges(fieldsOf<Lighting>(), &usual, &now, indent + "light") +
+           Call("scene.set_lighting", "light").line();
 }
 
 std::string environment(const SceneDelta& delta, const Scene& after)

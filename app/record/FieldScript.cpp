@@ -5,6 +5,7 @@
 
 #include "app/record/ScriptText.h"
 #include "model/brush/BrushSettings.h"
+#include "model/describe/FieldChecks.h"
 
 namespace crowd::app {
 
@@ -121,7 +122,7 @@ std::string fieldChanges(std::span<const FieldInfo> fields, const void* was, con
         if (!field.meta.isStored) {
             continue;
         }
-        const std::string attribute = name + '.' + field.meta.key;
+        const std::string attribute = name + '.' + attributeOf(field.meta.key);
         if (field.isGroup()) {
             // What is inside is only read.
             text += fieldChanges(field.children, field.childOf(const_cast<void*>(was)),

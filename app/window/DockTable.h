@@ -38,6 +38,7 @@ enum class DockId : std::uint8_t {
     States,
     Features,
     Relations,
+    Light,
     Console,
     Count
 };

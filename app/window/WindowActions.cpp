@@ -83,6 +83,30 @@ QString redoText(MainWindow& window)
                : QCoreApplication::translate("Actions", "&Redo");
 }
 
+/// What is on screen may not show it.
+void undoSaying(MainWindow& window)
+{
+    QUndoStack& stack = window.document().undoStack();
+    const QString text = stack.undoText();
+    const int before = stack.index();
+    stack.undo();
+    if (stack.index() != before) { // else something else was said
+        window.state().showStatus(QCoreApplication::translate("Actions", "Undone: %1").arg(text));
+    }
+}
+
+void redoSaying(MainWindow& window)
+{
+    QUndoStack& stack = window.document().undoStack();
+    const QString text = stack.redoText();
+    const int before = stack.index();
+    stack.redo();
+    if (stack.index() != before) {
+        window.state().showStatus(
+            QCoreApplication::translate("Actions", "Done again: %1").arg(text));
+    }
+}
+
 const WindowAction kFileActions[] = {
     {{"new-theatre", QT_TRANSLATE_NOOP("Actions", "New &Theatre"), "new-theatre", "Ctrl+N",
       QT_TRANSLATE_NOOP("Actions", "Start with the empty theatre")},
@@ -122,13 +146,13 @@ const WindowAction kFileActions[] = {
 const WindowAction kEditActions[] = {
     {{"undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", "Ctrl+Z",
       QT_TRANSLATE_NOOP("Actions", "Take the last change back")},
-     [](MainWindow& w, bool) { w.document().undoStack().undo(); },
+     [](MainWindow& w, bool) { undoSaying(w); },
      {.inputs = ActionInput::History,
       .isEnabled = [](MainWindow& w) { return w.document().undoStack().canUndo(); },
       .text = undoText}},
     {{"redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
       QT_TRANSLATE_NOOP("Actions", "Do again what was taken back")},
-     [](MainWindow& w, bool) { w.document().undoStack().redo(); },
+     [](MainWindow& w, bool) { redoSaying(w); },
      {.inputs = ActionInput::History,
       .isEnabled = [](MainWindow& w) { return w.document().undoStack().canRedo(); },
       .text = redoText}},
@@ -213,7 +237,7 @@ const WindowAction kViewActions[] = {
          QT_TRANSLATE_NOOP("Actions", "Show a grid of metres on the ground"), true}),
     viewSwitch<&ViewOptions::showShadows>(
         {"shadows", QT_TRANSLATE_NOOP("Actions", "Sha&dows"), "shadows", "Ctrl+H",
-         QT_TRANSLATE_NOOP("Actions", "Show a soft shadow under everybody"), true}),
+         QT_TRANSLATE_NOOP("Actions", "Show the shadows of people and stages"), true}),
     viewSwitch<&ViewOptions::showPaths>(
         {"paths", QT_TRANSLATE_NOOP("Actions", "Pat&hs"), "brush-path", "Ctrl+Shift+H",
          QT_TRANSLATE_NOOP("Actions", "Show places and paths"), true}),

@@ -80,6 +80,17 @@ Result<void> checkWeights(const std::vector<Weighted>& all, const std::string& n
 
 } // namespace
 
+std::string attributeOf(std::string_view key)
+{
+    std::string name;
+    for (const char letter : key) {
+        const bool isUpper = letter >= 'A' && letter <= 'Z';
+        name += isUpper ? "_" : "";
+        name += static_cast<char>(isUpper ? letter - 'A' + 'a' : letter);
+    }
+    return name;
+}
+
 std::string shortNumber(double value)
 {
     std::ostringstream text;

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "model/base/Result.h"
 #include "model/describe/Field.h"
@@ -19,6 +20,9 @@ namespace crowd::model {
 /// their keys ("brush.create.").
 [[nodiscard]] Result<void> checkFields(std::span<const FieldInfo> fields, const void* object,
                                        const std::string& prefix);
+
+/// The name that scripts have for a key: "sun_azimuth" for "sunAzimuth".
+[[nodiscard]] std::string attributeOf(std::string_view key);
 
 /// A short decimal text of a number, for messages.
 [[nodiscard]] std::string shortNumber(double value);

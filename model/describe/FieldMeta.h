@@ -23,6 +23,7 @@ enum class FieldRole : std::uint8_t {
     ArtistNumber, ///< NumberId
     Template,     ///< TemplateId
     Point,        ///< glm::vec3 of the scene, metres
+    Color,        ///< glm::vec3, sRGB 0..1
     WalkingClips, ///< of clips those that move over ground alone
     SeatNumbers,  ///< rows or wedges of seats
     Material,     ///< a name of a slot's materials; empty: any

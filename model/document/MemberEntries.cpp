@@ -63,16 +63,6 @@ bool isSame(const NamedCamera& a, const NamedCamera& b)
     return a.name == b.name && isSame(a.camera, b.camera) && a.unknownMembers == b.unknownMembers;
 }
 
-bool isSame(const Lighting& a, const Lighting& b)
-{
-    return isSame(a.sunAzimuthRadians, b.sunAzimuthRadians) &&
-           isSame(a.sunElevationRadians, b.sunElevationRadians) && isSame(a.sunColor, b.sunColor) &&
-           isSame(a.sunStrength, b.sunStrength) && isSame(a.ambientColor, b.ambientColor) &&
-           isSame(a.ambientStrength, b.ambientStrength) && isSame(a.skyZenith, b.skyZenith) &&
-           isSame(a.skyHorizon, b.skyHorizon) && isSame(a.ground, b.ground) &&
-           a.showGroundGrid == b.showGroundGrid && a.unknownMembers == b.unknownMembers;
-}
-
 bool isSame(const Place& a, const Place& b)
 {
     return a.name == b.name && isSame(a.position, b.position) && isSame(a.radius, b.radius) &&
@@ -278,11 +268,6 @@ std::size_t bytesOf(const StageEntry& entry)
 std::size_t bytesOf(const NamedCamera& camera)
 {
     return sizeof(camera) + camera.name.size() + camera.unknownMembers.size();
-}
-
-std::size_t bytesOf(const Lighting& lighting)
-{
-    return sizeof(lighting) + lighting.unknownMembers.size();
 }
 
 std::size_t bytesOf(const Place& place)

@@ -21,7 +21,6 @@ namespace crowd::model {
 [[nodiscard]] bool isSame(const TemplateEntry& a, const TemplateEntry& b);
 [[nodiscard]] bool isSame(const StageEntry& a, const StageEntry& b);
 [[nodiscard]] bool isSame(const NamedCamera& a, const NamedCamera& b);
-[[nodiscard]] bool isSame(const Lighting& a, const Lighting& b);
 [[nodiscard]] bool isSame(const Place& a, const Place& b);
 [[nodiscard]] bool isSame(const Path& a, const Path& b);
 [[nodiscard]] bool isSame(const Rule& a, const Rule& b);
@@ -53,7 +52,6 @@ template<class Entry>
 [[nodiscard]] std::size_t bytesOf(const TemplateEntry& entry);
 [[nodiscard]] std::size_t bytesOf(const StageEntry& entry);
 [[nodiscard]] std::size_t bytesOf(const NamedCamera& camera);
-[[nodiscard]] std::size_t bytesOf(const Lighting& lighting);
 [[nodiscard]] std::size_t bytesOf(const Place& place);
 [[nodiscard]] std::size_t bytesOf(const Path& path);
 [[nodiscard]] std::size_t bytesOf(const Rule& rule);

@@ -5,7 +5,6 @@
 
 #include "model/describe/FieldJson.h"
 #include "model/project/JsonWriting.h"
-#include "model/scene/LightFields.h"
 
 namespace crowd::model {
 
@@ -29,7 +28,7 @@ json toJson(const NamedCamera& named)
 json toJson(const Lighting& light)
 {
     json object = withUnknown(light.unknownMembers, json::object());
-    addFields(object, lightFields(), &light);
+    addFields(object, fieldsOf<Lighting>(), &light);
     return object;
 }
 
@@ -60,7 +59,7 @@ NamedCamera cameraFrom(JsonFields fields)
 Lighting lightingFrom(JsonFields fields)
 {
     Lighting light;
-    readFields(fields, lightFields(), &light);
+    readFields(fields, fieldsOf<Lighting>(), &light);
     light.unknownMembers = fields.unknown();
     return light;
 }
@@ -90,9 +89,9 @@ json memberJson(members::Light, const Scene& scene)
 
 void readMember(members::Light, JsonFields& top, Scene& scene, Message&)
 {
-    if (const json* lighting = top.find("lighting")) {
-        scene.lighting = lightingFrom(top.part(*lighting, "lighting"));
-    }
+    const json* lighting = top.find("lighting");
+    scene.lighting = lighting != nullptr ? lightingFrom(top.part(*lighting, "lighting"))
+                                         : Lighting(); // as files that say nothing always were
 }
 
 } // namespace crowd::model

@@ -16,6 +16,7 @@
 #include "model/rules/Rule.h"
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
+#include "model/scene/Lighting.h"
 #include "model/scene/Path.h"
 #include "model/scene/Relation.h"
 #include "model/scene/Stage.h"
@@ -75,23 +76,6 @@ struct NamedCamera
     std::string unknownMembers{}; ///< see Scene::unknownMembers
 };
 
-/// A directional light, an ambient light, a sky; colours sRGB 0..1.
-struct Lighting
-{
-    float sunAzimuthRadians = 0.6F; ///< from +Z towards +X, where the sun stands
-    float sunElevationRadians = 0.9F;
-    glm::vec3 sunColor{1.0F, 0.96F, 0.88F};
-    float sunStrength = 1.0F;
-    glm::vec3 ambientColor{0.62F, 0.70F, 0.82F};
-    float ambientStrength = 0.6F;
-    glm::vec3 skyZenith{0.35F, 0.53F, 0.78F};
-    glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
-    glm::vec3 ground{0.58F, 0.57F, 0.53F};
-    bool showGroundGrid = true;
-    std::string unknownMembers; ///< see Scene::unknownMembers
-    friend bool operator==(const Lighting&, const Lighting&) = default;
-};
-
 /// A seat in the world, with the name individuals know it by.
 struct WorldSeat
 {
@@ -113,7 +97,7 @@ struct Scene
     std::vector<TemplateEntry> templates; ///< ascending ids
     std::vector<StageEntry> stages;       ///< ascending ids
     std::vector<NamedCamera> cameras;
-    Lighting lighting;
+    Lighting lighting = newLighting();
     std::vector<Place> places;       ///< ascending ids
     std::vector<Path> paths;         ///< ascending ids; their places are there
     std::vector<Group> groups;       ///< ascending ids

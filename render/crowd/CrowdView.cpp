@@ -32,9 +32,14 @@ void CrowdView::plan(const Request& request, const CrowdGpu& crowd)
                  request.pixelRatio, request.levels, request.selected, request.hovered});
 }
 
-void CrowdView::upload(const Camera& camera, CrowdGpu& crowd)
+void CrowdView::uploadSolid()
 {
     sendInstances(m_instances, m_plan.instances());
+}
+
+void CrowdView::upload(const Camera& camera, CrowdGpu& crowd)
+{
+    uploadSolid();
     collectSeeThrough(camera, crowd);
 }
 

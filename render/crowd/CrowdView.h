@@ -29,6 +29,8 @@ public:
     void initialize();
     void plan(const Request& request, const CrowdGpu& crowd);
     void upload(const model::Camera& camera, CrowdGpu& crowd);
+    /// Without an order of what is seen through.
+    void uploadSolid();
 
     [[nodiscard]] std::span<const InstanceRun> runs() const { return m_plan.runs(); }
     [[nodiscard]] const GlBuffer& instances() const { return m_instances; }

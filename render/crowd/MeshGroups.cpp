@@ -97,6 +97,10 @@ std::string definesOf(const GroupState& state, Surface surface)
         }
     };
     const bool hasAlpha = state.alphaMode != AlphaMode::Opaque;
+    if (surface == Surface::Caster && !hasAlpha) {
+        return "CASTER ";
+    }
+    define(surface == Surface::Caster, "CASTER");
     define(state.isTextured, "TEXTURED");
     define(state.isMasked, "TINT_IN_TEXTURE");
     define(state.isTextured && hasAlpha, "SEPARATE_MASK");

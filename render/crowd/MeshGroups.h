@@ -33,7 +33,8 @@ struct GroupState
 
 /// Which of a group's fragments are drawn. Those of blended materials that are solid hide what is
 /// behind them as others do; the rest is blended over it when all that is solid has been drawn.
-enum class Surface : std::uint8_t { Solid, SeeThrough };
+/// Caster: depth alone, of what is solid.
+enum class Surface : std::uint8_t { Solid, SeeThrough, Caster };
 
 /// Words for ShaderProgram::build.
 [[nodiscard]] std::string definesOf(const GroupState& state, Surface surface);

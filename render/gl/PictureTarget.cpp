@@ -52,9 +52,14 @@ model::Result<void> PictureTarget::begin(glm::ivec2 size, int samples)
             return made;
         }
     }
+    bind();
+    return {};
+}
+
+void PictureTarget::bind() const
+{
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn.name());
     glViewport(0, 0, m_size.x, m_size.y);
-    return {};
 }
 
 model::Result<void> PictureTarget::make()

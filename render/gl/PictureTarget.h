@@ -19,6 +19,8 @@ public:
     /// Makes the framebuffers anew if size or samples differ from the last call's; binds the one
     /// that is drawn into.
     [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples);
+    /// Draws into it again.
+    void bind() const;
     /// Resolves; then copies to `framebuffer`'s origin unless it is null. Leaves that one (or the
     /// resolved one) bound. Where something more is drawn from resolved(), the copy is needed and
     /// goes to a framebuffer of its own instead of none.

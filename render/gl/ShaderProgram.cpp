@@ -20,9 +20,7 @@ std::string fullText(const std::string& file, std::string_view defines)
     for (std::string word; words >> word;) {
         text += "#define " + word + "\n";
     }
-    if (file.ends_with(".vert")) {
-        text += shaderSource("lighting.glsl");
-    }
+    text += shaderSource(file.ends_with(".vert") ? "lighting.glsl" : "shadow.glsl");
     return text.append(shaderSource(file));
 }
 

@@ -21,25 +21,20 @@ model::Result<void> BackgroundPass::initialize()
     if (!sky) {
         return sky.error();
     }
-    auto ground = ShaderProgram::build("ground");
-    if (!ground) {
-        return ground.error();
-    }
-    auto grid = ShaderProgram::build("ground", "GRID");
-    if (!grid) {
-        return grid.error();
-    }
     m_sky = std::move(sky).value();
-    m_ground = std::move(ground).value();
-    m_grid = std::move(grid).value();
     m_nothing = GlVertexArray::create();
     return {};
 }
 
-void BackgroundPass::drawGround(const PassContext& context)
+model::Result<void> BackgroundPass::drawGround(const PassContext& context)
 {
+    auto built =
+        m_ground.get((context.style.hasGrid ? "GRID " : "") + context.style.surfaceDefines);
+    if (!built) {
+        return built.error();
+    }
+    ShaderProgram& program = *built.value();
     const glm::vec3 eye = context.input.view.camera().position;
-    ShaderProgram& program = context.style.hasGrid ? m_grid : m_ground;
     program.use();
     context.setCommon(program);
     program.set("center", glm::vec2(eye.x, eye.z));
@@ -56,6 +51,7 @@ void BackgroundPass::drawGround(const PassContext& context)
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glDisable(GL_POLYGON_OFFSET_FILL);
     context.countDraw(2);
+    return {};
 }
 
 void BackgroundPass::drawSky(const PassContext& context)

@@ -4,6 +4,7 @@
 #include "model/base/Result.h"
 #include "render/gl/GlObjects.h"
 #include "render/gl/ShaderProgram.h"
+#include "render/gl/ShaderVariants.h"
 #include "render/passes/PassContext.h"
 
 namespace crowd::render {
@@ -14,13 +15,12 @@ class BackgroundPass
 public:
     [[nodiscard]] model::Result<void> initialize();
     /// Where nothing opaque was drawn before.
-    void drawGround(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawGround(const PassContext& context);
     void drawSky(const PassContext& context);
 
 private:
     ShaderProgram m_sky;
-    ShaderProgram m_ground;
-    ShaderProgram m_grid;
+    ShaderVariants m_ground{"ground"};
     GlVertexArray m_nothing; ///< both make their corners themselves
 };
 

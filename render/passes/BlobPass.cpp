@@ -59,7 +59,7 @@ void BlobPass::draw(const PassContext& context, const CrowdRows& rows, const Cro
     context.setCommon(m_program);
     m_program.set("placement", kPlacementUnit);
     m_program.set("appearance", kAppearanceUnit);
-    m_program.set("strength", context.style.shadowStrength);
+    m_program.set("strength", context.style.blobStrength);
     rows.placement.bind(kPlacementUnit);
     rows.appearance.bind(kAppearanceUnit);
     glBindVertexArray(m_array.name());

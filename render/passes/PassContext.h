@@ -13,6 +13,16 @@ namespace crowd::render {
 
 class ShaderProgram;
 
+/// Shadows that surfaces receive: what they need to look at the sun's map.
+struct ReceivedShadows
+{
+    glm::mat4 mapFromWorld{1.0F};
+    glm::vec2 spread{0.0F}; ///< half the width of soft edges, on the map
+    float offset = 0.0F;    ///< metres along the normal at which they look
+};
+
+inline constexpr int kShadowUnit = 12; ///< texture unit of the sun's map
+
 /// What every pass of a picture shares; lives for one draw().
 struct PassContext
 {
@@ -22,6 +32,7 @@ struct PassContext
     glm::ivec2 pixelSize;
     bool isSoftware = false; ///< llvmpipe: work is handed over in small pieces
     RenderStatistics& statistics;
+    ReceivedShadows shadows{}; ///< where style.castsShadows()
 
     /// Camera and light of a program in use.
     void setCommon(ShaderProgram& program) const;

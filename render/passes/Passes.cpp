@@ -40,11 +40,7 @@ constexpr PassInfo kPasses[] = {
     {"people", [](Passes& p, const PassContext& c) { return p.people.draw(c, p.crowd, p.seen); },
      Mark::People, &hasPeople},
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others},
-    {"ground",
-     [](Passes& p, const PassContext& c) {
-         p.background.drawGround(c);
-         return model::Result<void>();
-     },
+    {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },
      Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
     {"sky",
      [](Passes& p, const PassContext& c) {
@@ -57,8 +53,7 @@ constexpr PassInfo kPasses[] = {
          p.blobs.draw(c, p.crowd.rows(), p.seen);
          return model::Result<void>();
      },
-     Mark::None,
-     [](const PassContext& c) { return hasPeople(c) && c.style.shadowStrength > 0.0F; }},
+     Mark::None, [](const PassContext& c) { return hasPeople(c) && c.style.blobStrength > 0.0F; }},
     {"see-through stage", [](Passes& p, const PassContext& c) { return p.stage.drawBlended(c); }},
     {"see-through people",
      [](Passes& p, const PassContext& c) { return p.people.drawSeeThrough(c, p.crowd, p.seen); },
@@ -97,6 +92,7 @@ model::Result<void> Passes::initialize()
     crowd.initialize();
     seen.initialize();
     ghosts.initialize();
+    shadows.initialize();
     auto ready = blobs.initialize();
     ready = ready ? background.initialize() : ready;
     ready = ready ? overlay.initialize() : ready;
@@ -126,9 +122,15 @@ void Passes::prepare(const PassContext& context)
     statistics.areKeyframesMissing = seen.planned().areKeyframesMissing();
 }
 
-model::Result<void> Passes::draw(const PassContext& context)
+model::Result<void> Passes::draw(PassContext context)
 {
     prepare(context);
+    if (context.style.castsShadows()) {
+        if (auto drawn = shadows.draw(context, crowd); !drawn) {
+            return drawn;
+        }
+        target.bind();
+    }
     clear(context);
     for (const PassInfo& pass : kPasses) {
         if (pass.isNeeded != nullptr && !pass.isNeeded(context)) {

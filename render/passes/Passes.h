@@ -12,6 +12,7 @@
 #include "render/passes/OverlayPass.h"
 #include "render/passes/PeopleDrawing.h"
 #include "render/passes/PeoplePass.h"
+#include "render/passes/ShadowPass.h"
 #include "render/passes/StagePass.h"
 
 namespace crowd::render {
@@ -28,6 +29,7 @@ struct Passes
     GhostPass ghosts{peopleDrawing};
     BlobPass blobs;
     StagePass stage;
+    ShadowPass shadows{peopleDrawing, stage};
     BackgroundPass background;
     OverlayPass overlay;
     OutlinePass outline;
@@ -35,7 +37,7 @@ struct Passes
     /// Builds the shaders of those that have some from the start.
     [[nodiscard]] model::Result<void> initialize();
     /// Into the target, which has begun.
-    [[nodiscard]] model::Result<void> draw(const PassContext& context);
+    [[nodiscard]] model::Result<void> draw(PassContext context);
     /// Whether somebody in the picture is selected or hovered.
     [[nodiscard]] bool hasHighlighted() const { return !seen.planned().highlighted().empty(); }
 

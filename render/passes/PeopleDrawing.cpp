@@ -19,25 +19,16 @@ constexpr std::size_t kSoftwarePiece = 100;
 
 } // namespace
 
-Result<ShaderProgram*> PeopleDrawing::program(const std::string& defines)
+PeopleDrawing::PeopleDrawing()
+    : m_programs("crowd", [](ShaderProgram& program) {
+          program.set("placement", kPlacementUnit);
+          program.set("appearance", kAppearanceUnit);
+          program.set("keyframes", kTemplateUnit);
+          program.set("clipBoxes", kTemplateUnit + 1);
+          program.set("materials", kTemplateUnit + 2);
+          program.set("images", kPicturesUnit);
+      })
 {
-    const auto found = m_programs.find(defines);
-    if (found != m_programs.end()) {
-        return &found->second;
-    }
-    auto built = ShaderProgram::build("crowd", defines);
-    if (!built) {
-        return built.error();
-    }
-    ShaderProgram& program = m_programs.emplace(defines, std::move(built).value()).first->second;
-    program.use();
-    program.set("placement", kPlacementUnit);
-    program.set("appearance", kAppearanceUnit);
-    program.set("keyframes", kTemplateUnit);
-    program.set("clipBoxes", kTemplateUnit + 1);
-    program.set("materials", kTemplateUnit + 2);
-    program.set("images", kPicturesUnit);
-    return &program;
 }
 
 void PeopleDrawing::setUniforms(const PassContext& context, const CrowdDraw& drawing,
@@ -86,7 +77,7 @@ Result<void> PeopleDrawing::draw(const PassContext& context, const CrowdDraw& dr
         if (isSeeThrough && group.state.alphaMode != AlphaMode::Blend) {
             continue;
         }
-        auto shader = program(drawing.defines + definesOf(group.state, drawing.surface));
+        auto shader = m_programs.get(drawing.defines + definesOf(group.state, drawing.surface));
         if (!shader) {
             return shader.error();
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "model/base/Result.h"
@@ -11,6 +10,7 @@
 #include "render/crowd/TemplateGpu.h"
 #include "render/gl/GlObjects.h"
 #include "render/gl/ShaderProgram.h"
+#include "render/gl/ShaderVariants.h"
 #include "render/passes/PassContext.h"
 
 namespace crowd::render {
@@ -23,6 +23,8 @@ inline constexpr int kAppearanceUnit = 1;
 class PeopleDrawing
 {
 public:
+    PeopleDrawing();
+
     struct CrowdDraw
     {
         const CrowdRows& rows;
@@ -35,13 +37,12 @@ public:
                                            const TemplateGpu& gpu, const InstanceRun& run);
 
 private:
-    [[nodiscard]] model::Result<ShaderProgram*> program(const std::string& defines);
     void setUniforms(const PassContext& context, const CrowdDraw& drawing, const TemplateGpu& gpu,
                      std::uint32_t verticesPerKeyframe, ShaderProgram& shader) const;
     void drawGroup(const PassContext& context, const MeshGroup& group,
                    const InstanceRun& run) const;
 
-    std::map<std::string, ShaderProgram> m_programs;
+    ShaderVariants m_programs;
 };
 
 } // namespace crowd::render

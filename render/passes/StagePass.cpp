@@ -157,17 +157,18 @@ StagePass::Gpu& StagePass::gpuOf(const StagePtr& asset)
     return *gpu;
 }
 
-Result<ShaderProgram*> StagePass::program(const std::string& defines)
+/// What its colour and its holes are made of.
+void StagePass::setSurface(ShaderProgram& shader, const Gpu& gpu, std::size_t index)
 {
-    const auto found = m_programs.find(defines);
-    if (found != m_programs.end()) {
-        return &found->second;
+    const MaterialChoice& material = gpu.asset->materials[index];
+    shader.set("baseColor", material.baseColor);
+    shader.set("alphaCutoff", material.alphaCutoff);
+    const std::array<float, 6>& uv = material.uvTransform;
+    shader.set("uvRowU", glm::vec3(uv[0], uv[1], uv[2]));
+    shader.set("uvRowV", glm::vec3(uv[3], uv[4], uv[5]));
+    if (material.image >= 0 || material.emissiveImage >= 0) {
+        bindPicture(shader, "image", 0, gpu.textures[index]);
     }
-    auto built = ShaderProgram::build("stage", defines);
-    if (!built) {
-        return built.error();
-    }
-    return &m_programs.emplace(defines, std::move(built).value()).first->second;
 }
 
 Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, const Batch& batch,
@@ -175,7 +176,7 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
 {
     const auto index = static_cast<std::size_t>(batch.material);
     const MaterialChoice& material = gpu.asset->materials[index];
-    auto built = program(definesOf(material, context.style));
+    auto built = m_programs.get(definesOf(material, context.style));
     if (!built) {
         return built.error();
     }
@@ -183,21 +184,14 @@ Result<void> StagePass::drawBatch(const PassContext& context, const Gpu& gpu, co
     shader.use();
     context.setCommon(shader);
     shader.set("worldFromStage", matrix);
-    shader.set("baseColor", material.baseColor);
     shader.set("emissive", material.emissive);
     shader.set("unlit", material.unlit ? 1.0F : 0.0F);
-    shader.set("alphaCutoff", material.alphaCutoff);
-    const std::array<float, 6>& uv = material.uvTransform;
-    shader.set("uvRowU", glm::vec3(uv[0], uv[1], uv[2]));
-    shader.set("uvRowV", glm::vec3(uv[3], uv[4], uv[5]));
+    setSurface(shader, gpu, index);
     if (material.emissiveImage >= 0) {
         const std::array<float, 6>& glow = material.emissiveUvTransform;
         shader.set("glowRowU", glm::vec3(glow[0], glow[1], glow[2]));
         shader.set("glowRowV", glm::vec3(glow[3], glow[4], glow[5]));
         bindPicture(shader, "glowImage", 1, gpu.glows[index]);
-    }
-    if (material.image >= 0 || material.emissiveImage >= 0) {
-        bindPicture(shader, "image", 0, gpu.textures[index]);
     }
     (material.doubleSided ? glDisable : glEnable)(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,
@@ -239,6 +233,55 @@ Result<void> StagePass::draw(const PassContext& context)
 void StagePass::releaseUnused()
 {
     std::erase_if(m_gpu, [](const auto& item) { return item.second->unusedFrames > 0; });
+}
+
+/// Both sides: a wall keeps the sun out from wherever it comes.
+Result<void> StagePass::drawCasters(const PassContext& context)
+{
+    for (const StageEntry& entry : context.input.stages) {
+        if (!entry.asset) {
+            continue;
+        }
+        const Gpu& gpu = gpuOf(entry.asset);
+        glBindVertexArray(gpu.array.name());
+        for (const Batch& batch : gpu.batches) {
+            const auto& material = entry.asset->materials[static_cast<std::size_t>(batch.material)];
+            if (material.alphaMode == AlphaMode::Blend) {
+                continue;
+            }
+            auto drawn = drawCaster(context, gpu, batch, entry.worldFromStage());
+            if (!drawn) {
+                return drawn;
+            }
+        }
+    }
+    return {};
+}
+
+Result<void> StagePass::drawCaster(const PassContext& context, const Gpu& gpu, const Batch& batch,
+                                   const glm::mat4& matrix)
+{
+    const auto index = static_cast<std::size_t>(batch.material);
+    const MaterialChoice& material = gpu.asset->materials[index];
+    const bool isCut = material.alphaMode == AlphaMode::Mask;
+    auto built = m_programs.get(!isCut                ? "CASTER "
+                                : material.image >= 0 ? "CASTER TEXTURED CUTOUT "
+                                                      : "CASTER CUTOUT ");
+    if (!built) {
+        return built.error();
+    }
+    ShaderProgram& shader = *built.value();
+    shader.use();
+    shader.set("viewProjection", context.viewProjection);
+    shader.set("worldFromStage", matrix);
+    if (isCut) {
+        setSurface(shader, gpu, index);
+    }
+    glDisable(GL_CULL_FACE);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indexCount), GL_UNSIGNED_INT,
+                   bufferOffset(batch.firstIndex * sizeof(std::uint32_t)));
+    context.countDraw(batch.indexCount / 3);
+    return {};
 }
 
 Result<void> StagePass::drawBlended(const PassContext& context)

@@ -3,13 +3,13 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "model/base/Result.h"
 #include "model/scene/Scene.h"
 #include "render/gl/GlObjects.h"
 #include "render/gl/ShaderProgram.h"
+#include "render/gl/ShaderVariants.h"
 #include "render/passes/PassContext.h"
 
 namespace crowd::render {
@@ -21,6 +21,8 @@ public:
     /// Opaque and cut-out materials; blended ones follow in drawBlended().
     [[nodiscard]] model::Result<void> draw(const PassContext& context);
     [[nodiscard]] model::Result<void> drawBlended(const PassContext& context);
+    /// Depth alone, of what is solid, from both sides.
+    [[nodiscard]] model::Result<void> drawCasters(const PassContext& context);
     /// Stages that the last picture did not show go at once.
     void releaseUnused();
 
@@ -47,10 +49,12 @@ private:
     [[nodiscard]] model::Result<void> drawEntries(const PassContext& context, bool isBlended);
     [[nodiscard]] model::Result<void> drawBatch(const PassContext& context, const Gpu& gpu,
                                                 const Batch& batch, const glm::mat4& matrix);
-    [[nodiscard]] model::Result<ShaderProgram*> program(const std::string& defines);
+    [[nodiscard]] model::Result<void> drawCaster(const PassContext& context, const Gpu& gpu,
+                                                 const Batch& batch, const glm::mat4& matrix);
+    static void setSurface(ShaderProgram& shader, const Gpu& gpu, std::size_t index);
 
     std::map<const model::StageAsset*, std::unique_ptr<Gpu>> m_gpu;
-    std::map<std::string, ShaderProgram> m_programs;
+    ShaderVariants m_programs{"stage"};
 };
 
 } // namespace crowd::render

@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "render/style/Style.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
 #include "model/base/Color.h"
 
 namespace crowd::render {
+
+namespace {
+
+/// Where the sun stands too low, shadows would reach to the end of the world.
+bool isCasting(const model::Lighting& light)
+{
+    constexpr float kLowest = 0.02F; // sine
+    return light.shadowStrength > 0.0F && light.sunStrength > 0.0F &&
+           std::sin(light.sunElevationRadians) > kLowest;
+}
+
+} // namespace
 
 Style Style::of(const RenderInput& input)
 {
@@ -18,9 +35,22 @@ Style Style::of(const RenderInput& input)
         style.hasSky ? style.light.horizon : model::linearFromSrgb(glm::vec3(input.background));
     style.groundColor =
         style.light.ground * (look.isLit ? style.light.onGround() : glm::vec3(1.0F));
-    style.shadowStrength = input.showShadows ? style.shadowStrength : 0.0F;
+    style.blobStrength = input.showShadows ? style.blobStrength : 0.0F;
+    if (look.isLit && input.showShadows && isCasting(input.lighting)) {
+        style.shadowStrength = input.lighting.shadowStrength;
+        style.shadowSoftness = input.lighting.shadowSoftnessRadians;
+    }
     style.selectionColor = input.selectionColor;
     return style;
+}
+
+glm::vec3 Style::shadowTint() const
+{
+    constexpr glm::vec3 kLuminance(0.2126F, 0.7152F, 0.0722F);
+    const auto hue = [&](const glm::vec3& color) {
+        return color / std::max(glm::dot(color, kLuminance), 1e-4F);
+    };
+    return hue(light.sky) / glm::max(hue(light.onGround()), glm::vec3(1e-4F));
 }
 
 } // namespace crowd::render

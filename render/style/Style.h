@@ -21,11 +21,16 @@ struct Style
     bool hasGround = true;
     bool hasGrid = true;
     glm::vec3 groundColor{0.5F};                  ///< of the plane as it is drawn
-    float shadowStrength = 0.42F;                 ///< of the soft dark under people; 0: none
+    float blobStrength = 0.42F;                   ///< of the soft dark under people; 0: none
+    float shadowStrength = 0.0F;                  ///< of what the sun casts; 0: nothing
+    float shadowSoftness = 0.0F;                  ///< radians that the sun takes in the sky
     glm::vec3 selectionColor{1.0F, 0.62F, 0.10F}; ///< sRGB, of outlines
     glm::vec3 hoverColor{1.0F};                   ///< likewise
     float outlinePixels = 2.0F;                   ///< logical
 
+    [[nodiscard]] bool castsShadows() const { return shadowStrength > 0.0F; }
+    /// The hue of what the sky alone lights against that of what the sun lights too.
+    [[nodiscard]] glm::vec3 shadowTint() const;
     [[nodiscard]] static Style of(const RenderInput& input);
 };
 

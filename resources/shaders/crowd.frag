@@ -1,4 +1,7 @@
 in vec4 color;
+#ifdef SHADOWED
+in vec4 shadowed;
+#endif
 #if defined(TEXTURED) || defined(GLOWING)
 uniform sampler2DArray images; // alpha holds the tint mask where the material is opaque
 #endif
@@ -44,7 +47,13 @@ vec3 srgbToLinear(vec3 c)
 
 void main()
 {
+#if defined(CASTER) && !defined(CUTOUT)
+    return;
+#endif
     vec4 result = color;
+#ifdef SHADOWED
+    result.rgb *= shadowedLight(shadowed);
+#endif
 #ifdef TEXTURED
     vec4 texel = texture(images, textureUv);
     result.rgb *= srgbToLinear(texel.rgb);

@@ -23,6 +23,9 @@ const uint kNoPart = 255u;
 const uint kModesMask = 255u; // in the lowest bits of the radius: slots whose colour is replaced
 
 out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
+#ifdef SHADOWED
+out vec4 shadowed;
+#endif
 #ifdef TEXTURED
 out vec3 textureUv; // and the layer: one interpolated vector less
 #endif
@@ -121,6 +124,10 @@ void main()
     n = normalize(vec3(turn.x * n.x + turn.y * n.z, n.y, turn.x * n.z - turn.y * n.x));
     gl_Position = viewProjection * vec4(world, 1.0);
 
+#if defined(CASTER) && !defined(CUTOUT)
+    return;
+#endif
+
     int choice = slot < 8u ? int(choices[slot >> 2] >> ((slot & 3u) * 8u) & 255u) : 0;
     int material = (int(slot) * choicesPerSlot + min(choice, choicesPerSlot - 1)) * 7;
 #ifdef BLENDED
@@ -131,11 +138,17 @@ void main()
 #endif
     vec4 base = texelFetch(materials, material) * vertexColor;
     vec3 light = lightAt(n);
+#ifdef SHADOWED
+    shadowed = shadowedOf(world, n, 0.0);
+#endif
 #if defined(TEXTURED) || defined(SPECIAL) || defined(CUTOUT)
     vec4 properties = texelFetch(materials, material + 1); // layer, mask layer, cutoff, unlit
 #endif
 #ifdef SPECIAL
     light = mix(light, vec3(1.0), properties.w);
+#ifdef SHADOWED
+    shadowed.w = mix(shadowed.w, 1.0, properties.w);
+#endif
     vec4 emission = texelFetch(materials, material + 4); // layer in w
     emissive = emission.rgb;
 #endif

@@ -2,6 +2,9 @@ in vec2 place;
 uniform vec2 center;
 uniform vec3 groundColor; // lit, linear
 uniform vec3 horizon;
+#ifdef SHADOWED
+in vec4 shadowed;
+#endif
 uniform float fadeDistance;
 out vec4 fragment;
 
@@ -20,6 +23,9 @@ float lines(vec2 metres, float spacing)
 void main()
 {
     vec3 result = groundColor;
+#ifdef SHADOWED
+    result *= shadowedLight(shadowed);
+#endif
 #ifdef GRID
     vec2 metres = place + center;
     result *= 1.0 - 0.16 * lines(metres, 1.0) - 0.22 * lines(metres, 10.0);

@@ -1,4 +1,7 @@
 in vec4 color;
+#ifdef SHADOWED
+in vec4 shadowed;
+#endif
 #ifdef TEXTURED
 in vec2 textureUv;
 in vec3 glow;
@@ -14,6 +17,9 @@ out vec4 fragment;
 void main()
 {
     vec4 result = color;
+#ifdef SHADOWED
+    result.rgb *= shadowedLight(shadowed);
+#endif
 #ifdef TEXTURED
     result *= texture(image, textureUv);
 #ifdef GLOWING

@@ -13,6 +13,9 @@ uniform vec3 uvRowU;
 uniform vec3 uvRowV;
 
 out vec4 color;
+#ifdef SHADOWED
+out vec4 shadowed;
+#endif
 #ifdef TEXTURED
 out vec2 textureUv;
 out vec3 glow;
@@ -25,9 +28,14 @@ out vec2 glowUv;
 
 void main()
 {
-    gl_Position = viewProjection * (worldFromStage * vec4(position, 1.0));
-    vec3 light = mix(lightAt(normalize(mat3(worldFromStage) * normal)), vec3(1.0), unlit);
+    vec4 world = worldFromStage * vec4(position, 1.0);
+    gl_Position = viewProjection * world;
+    vec3 n = normalize(mat3(worldFromStage) * normal);
     vec4 base = baseColor * vertexColor;
+    vec3 light = mix(lightAt(n), vec3(1.0), unlit);
+#ifdef SHADOWED
+    shadowed = shadowedOf(world.xyz, n, unlit);
+#endif
     color = vec4(base.rgb * light, base.a);
 #ifdef TEXTURED
     textureUv = vec2(dot(uvRowU, vec3(uv, 1.0)), dot(uvRowV, vec3(uv, 1.0)));

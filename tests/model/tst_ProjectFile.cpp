@@ -87,6 +87,7 @@ class tst_ProjectFile : public QObject
 
 private Q_SLOTS:
     void readsWhatItWrote();
+    void filesOfBeforeHaveTheirLight();
     void keepsWhatItDoesNotKnow();
     void keepsUnknownMembersWhereTheyStood();
     void refusesBadInputWithItsPlace_data();
@@ -124,6 +125,21 @@ void tst_ProjectFile::readsWhatItWrote()
     QCOMPARE(read.value().cameras.front().camera, scene.cameras.front().camera);
     QCOMPARE(read.value().lighting, scene.lighting);
     QCOMPARE(projectToText(read.value()).value(), text);
+}
+
+/// New scenes have shadows; what was painted without them stays so.
+void tst_ProjectFile::filesOfBeforeHaveTheirLight()
+{
+    QVERIFY(Scene().lighting.shadowStrength > 0.0F);
+    auto nothing = projectFromText(kSmall);
+    QVERIFY(nothing.isOk());
+    QCOMPARE(nothing.value().lighting, Lighting());
+    QCOMPARE(nothing.value().lighting.shadowStrength, 0.0F);
+    auto some = projectFromText(
+        changed("\"templates\":", "\"lighting\": {\"sunStrength\": 2}, \"templates\":"));
+    QVERIFY(some.isOk());
+    QCOMPARE(some.value().lighting.sunStrength, 2.0F);
+    QCOMPARE(some.value().lighting.shadowStrength, 0.0F);
 }
 
 void tst_ProjectFile::keepsWhatItDoesNotKnow()

@@ -91,6 +91,26 @@ class Contents(unittest.TestCase):
         with self.assertRaisesRegex(crowdbrush.Error, "sun_azimuth is 1e.30; it must lie from -1e.06 to 1e.06"):
             crowdbrush.Lighting(sun_azimuth=1e30)
 
+    def test_light_is_what_is_described_of_it(self):
+        scene = crowdbrush.Scene()
+        light = scene.lighting
+        self.assertGreater(light.shadow_strength, 0)  # as new scenes are
+        light.sun_strength = 0.5  # a copy
+        self.assertNotEqual(scene.lighting.sun_strength, 0.5)
+        scene.set_lighting(light)
+        self.assertEqual(scene.lighting.sun_strength, 0.5)
+        self.assertEqual(crowdbrush.Lighting().shadow_strength, 0)  # as files without it are
+        with self.assertRaisesRegex(TypeError, "no argument 'moon'"):
+            crowdbrush.Lighting(moon=1)
+        light.shadow_strength = 1.5
+        with self.assertRaisesRegex(crowdbrush.Error, "shadow_strength is 1.5; it must lie from 0 to 1"):
+            scene.set_lighting(light)
+        self.assertEqual(scene.lighting.shadow_strength, crowdbrush.Scene().lighting.shadow_strength)
+        for key in ("noon", "afternoon", "dusk", "overcast", "night"):
+            self.undone_and_redone(scene, lambda: scene.set_lighting(crowdbrush.Lighting.ready(key)))
+        with self.assertRaisesRegex(crowdbrush.Error, "noon, afternoon, dusk, overcast, night"):
+            crowdbrush.Lighting.ready("dawn")
+
     def test_places_paths_tags_and_rules(self):
         scene = crowdbrush.Scene()
         man = scene.add_template(MAN)

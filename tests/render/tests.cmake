@@ -4,4 +4,5 @@ crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
     tst_DrawnMaterials
     tst_OddFiles
     tst_Renderer
+    tst_Shadows
 )

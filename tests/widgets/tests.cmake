@@ -10,6 +10,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_EnvironmentMenu
     tst_GroundTools
     tst_FeaturesDock
+    tst_LightDock
     tst_RelationsDock
     tst_GroupsDock
     tst_IndividualDock

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QColorDialog>
 #include <QtWidgets/QComboBox>
@@ -10,6 +12,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QToolButton>
 
+#include "widgets/docks/ColourRow.h"
 #include "widgets/docks/CurveEditor.h"
 #include "widgets/docks/FieldReferences.h"
 #include "widgets/docks/NumberList.h"
@@ -175,29 +178,71 @@ void addRange(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
-void addColour(FieldForm& form, const Bound& bound)
+/// Opens the dialog of colours; `get` and `set` are of the field.
+void addColourButton(FieldForm& form, const Bound& bound, std::function<QColor()> get,
+                     std::function<void(const QColor&)> set)
 {
     auto* button = new QToolButton(&form);
     const QString label = labelOf(bound);
     button->setAccessibleName(label);
-    QObject::connect(button, &QToolButton::clicked, &form, [&form, label, bound] {
-        const auto now = form.valueOf<model::PaintColor>(bound);
-        const QColor chosen = QColorDialog::getColor(QColor(now[0], now[1], now[2]), &form, label,
-                                                     QColorDialog::DontUseNativeDialog);
+    button->setToolTip(tipTextOf(bound));
+    QObject::connect(button, &QToolButton::clicked, &form, [&form, label, get, set] {
+        const QColor chosen =
+            QColorDialog::getColor(get(), &form, label, QColorDialog::DontUseNativeDialog);
         if (chosen.isValid()) {
-            form.setValue(bound, model::PaintColor{static_cast<std::uint8_t>(chosen.red()),
-                                                   static_cast<std::uint8_t>(chosen.green()),
-                                                   static_cast<std::uint8_t>(chosen.blue())});
+            set(chosen);
         }
     });
     form.addLabelled(
         label, button,
-        [&form, button, bound] {
-            const auto now = form.valueOf<model::PaintColor>(bound);
+        [button, get] {
             QPixmap swatch(32, 14);
-            swatch.fill(QColor(now[0], now[1], now[2]));
+            swatch.fill(get());
             button->setIconSize(swatch.size());
             button->setIcon(swatch);
+        },
+        bound.isShown);
+}
+
+void addColour(FieldForm& form, const Bound& bound)
+{
+    addColourButton(
+        form, bound,
+        [&form, bound] {
+            const auto now = form.valueOf<model::PaintColor>(bound);
+            return QColor(now[0], now[1], now[2]);
+        },
+        [&form, bound](const QColor& chosen) {
+            form.setValue(bound, model::PaintColor{static_cast<std::uint8_t>(chosen.red()),
+                                                   static_cast<std::uint8_t>(chosen.green()),
+                                                   static_cast<std::uint8_t>(chosen.blue())});
+        });
+}
+
+/// Of floats.
+void addFineColour(FieldForm& form, const Bound& bound)
+{
+    addColourButton(
+        form, bound,
+        [&form, bound] {
+            const auto now = glm::clamp(form.valueOf<glm::vec3>(bound), 0.0F, 1.0F);
+            return QColor::fromRgbF(now.x, now.y, now.z);
+        },
+        [&form, bound](const QColor& chosen) {
+            form.setValue(bound, glm::vec3(chosen.redF(), chosen.greenF(), chosen.blueF()));
+        });
+}
+
+void addColours(FieldForm& form, const Bound& bound)
+{
+    auto* row = new ColourRow(labelOf(bound), &form);
+    row->setToolTip(tipTextOf(bound));
+    QObject::connect(row, &ColourRow::edited, &form,
+                     [&form, bound](const ColourRow::Colours& all) { form.setValue(bound, all); });
+    form.addLabelled(
+        labelOf(bound), row,
+        [&form, row, bound] {
+            row->setColours(form.valueOf<std::vector<model::PaintColor>>(bound));
         },
         bound.isShown);
 }
@@ -254,6 +299,10 @@ void addControl(FieldForm& form, const Bound& bound)
         addText(form, bound);
     } else if (field.is<PaintColor>()) {
         addColour(form, bound);
+    } else if (field.meta.role == FieldRole::Color) {
+        addFineColour(form, bound);
+    } else if (field.is<std::vector<PaintColor>>()) {
+        addColours(form, bound);
     } else if (field.is<DistributionCurve>()) {
         addCurve(form, bound);
     } else if (field.is<std::vector<int>>()) {

@@ -194,6 +194,7 @@ void FieldForm::addSlider(const QString& label, const ValueSlider::Range& range,
 {
     auto* slider = new ValueSlider(label, range, this);
     connect(slider, &ValueSlider::valueEdited, this, std::move(set));
+    connect(slider, &ValueSlider::held, this, &FieldForm::held);
     bind(
         slider, [slider, get = std::move(get)] { slider->setValue(get()); }, std::move(isShown));
 }

@@ -59,6 +59,11 @@ public:
     void finish();
     void refresh();
 
+Q_SIGNALS:
+    void
+    held(bool isHeld); ///< a slider is dragged, and no longer: what is set meanwhile is one change
+
+public:
     // For the controls, which have files of their own.
 
     /// A field in a form: where its object is, and when it is shown.

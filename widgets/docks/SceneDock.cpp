@@ -14,7 +14,6 @@
 #include "model/base/Translated.h"
 #include "model/document/SceneEdit.h"
 #include "widgets/commands/ViewCommands.h"
-#include "widgets/docks/LightForm.h"
 #include "widgets/theme/Icons.h"
 
 namespace crowd::widgets {
@@ -57,26 +56,6 @@ QTreeWidgetItem* heading(QTreeWidget* tree, const char* icon, const QString& tex
 
 } // namespace
 
-/// Folded: set once, and the list of what is in the scene needs the room.
-void SceneDock::addLight(QWidget& content)
-{
-    auto* fold = new QToolButton(&content);
-    fold->setObjectName(QStringLiteral("foldLight"));
-    fold->setText(tr("Light"));
-    fold->setCheckable(true);
-    fold->setAutoRaise(true);
-    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    fold->setArrowType(Qt::RightArrow);
-    auto* form = new LightForm(m_state, &content);
-    form->hide();
-    content.layout()->addWidget(fold);
-    content.layout()->addWidget(form);
-    connect(fold, &QToolButton::toggled, form, [fold, form](bool isOpen) {
-        fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        form->setVisible(isOpen);
-    });
-}
-
 SceneDock::SceneDock(EditorState& state, QWidget* parent)
     : DockBase(tr("Scene"), "scene", parent), m_state(state), m_tree(new QTreeWidget(this))
 {
@@ -85,7 +64,6 @@ SceneDock::SceneDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(m_tree, 1);
-    addLight(*content);
     setWidget(content);
 
     m_rebuild.setSingleShot(true);

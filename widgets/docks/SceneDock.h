@@ -46,7 +46,6 @@ private:
     void fillStageMenu(QMenu& menu, std::uint8_t id);
     void fillTemplateMenu(QMenu& menu, model::TemplateId id);
     void fillCameraMenu(QMenu& menu, const QString& name);
-    void addLight(QWidget& content);
     void removeStage(std::uint8_t id);
 
     EditorState& m_state;

@@ -187,6 +187,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event)
     m_pressValue = m_value;
     const bool isFine = event->modifiers().testFlag(Qt::ShiftModifier);
     m_pressShare = isFine ? share() : event->position().x() / width();
+    Q_EMIT held(true);
     edit(valueAt(m_pressShare));
 }
 
@@ -197,6 +198,13 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event)
     }
     const double rate = event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0;
     edit(valueAt(m_pressShare + rate * (event->position().x() - m_pressAt.x()) / width()));
+}
+
+void ValueSlider::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) {
+        Q_EMIT held(false);
+    }
 }
 
 void ValueSlider::mouseDoubleClickEvent(QMouseEvent*)

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "model/scene/Lighting.h"
+
+namespace crowd::model {
+
+Lighting newLighting()
+{
+    Lighting light;
+    light.shadowStrength = 0.8F;
+    return light;
+}
+
+} // namespace crowd::model

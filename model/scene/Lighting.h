@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <tuple>
+
+#include <glm/vec3.hpp>
+
+#include "model/describe/Field.h"
+
+namespace crowd::model {
+
+/// The light that is everywhere: a sun, the sky, and the ground that throws light back. Colours
+/// sRGB 0..1.
+struct Lighting
+{
+    float sunAzimuthRadians = 0.6F; ///< from +Z towards +X, where the sun stands
+    float sunElevationRadians = 0.9F;
+    glm::vec3 sunColor{1.0F, 0.96F, 0.88F};
+    float sunStrength = 1.0F;
+    float shadowStrength = 0.0F;         ///< of what the sun casts; 0: none is cast
+    float shadowSoftnessRadians = 0.02F; ///< angle that the sun takes in the sky
+    glm::vec3 ambientColor{0.62F, 0.70F, 0.82F};
+    float ambientStrength = 0.6F;
+    glm::vec3 skyZenith{0.35F, 0.53F, 0.78F};
+    glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
+    glm::vec3 ground{0.58F, 0.57F, 0.53F};
+    bool showGroundGrid = true;
+    std::string unknownMembers; ///< see Scene::unknownMembers
+
+    static constexpr auto fields();
+    friend bool operator==(const Lighting&, const Lighting&) = default;
+};
+
+/// As a new scene is lit, with shadows; what files and scripts leave out is as Lighting begins.
+[[nodiscard]] Lighting newLighting();
+
+constexpr auto Lighting::fields()
+{
+    using S = Lighting;
+    using C = FieldContext;
+    constexpr double kMostTurned = 1e6; // radians
+    constexpr double kBrightest = 1000.0;
+    constexpr double kDegrees = 57.29577951308232;
+    return std::tuple(
+        field(&S::sunAzimuthRadians, {.key = "sunAzimuth",
+                                      .label = QT_TRANSLATE_NOOP("Fields", "Direction"),
+                                      .tip = QT_TRANSLATE_NOOP("Fields", "Where the sun stands"),
+                                      .doc = "where the sun stands, from +Z towards +X",
+                                      .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+                                      .low = -kMostTurned,
+                                      .high = kMostTurned,
+                                      .sliderLow = -180.0,
+                                      .sliderHigh = 180.0,
+                                      .step = 1.0,
+                                      .decimals = 0,
+                                      .shownScale = kDegrees,
+                                      .role = FieldRole::Angle,
+                                      .section = QT_TRANSLATE_NOOP("Fields", "Sun")}),
+        field(&S::sunElevationRadians,
+              {.key = "sunElevation",
+               .label = QT_TRANSLATE_NOOP("Fields", "Height"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "How high the sun stands over the horizon"),
+               .doc = "how high it stands over the horizon",
+               .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+               .low = -kMostTurned,
+               .high = kMostTurned,
+               .sliderLow = 0.0,
+               .sliderHigh = 90.0,
+               .step = 1.0,
+               .decimals = 0,
+               .shownScale = kDegrees,
+               .role = FieldRole::Angle}),
+        field(&S::sunColor, {.key = "sunColor",
+                             .label = QT_TRANSLATE_NOOP("Fields", "Colour"),
+                             .doc = "of the sun",
+                             .role = FieldRole::Color}),
+        field(&S::sunStrength, {.key = "sunStrength",
+                                .label = QT_TRANSLATE_NOOP("Fields", "Strength"),
+                                .doc = "of the sun; 1: as on a clear day",
+                                .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+                                .high = kBrightest,
+                                .sliderLow = 0.0,
+                                .sliderHigh = 300.0,
+                                .step = 5.0,
+                                .decimals = 0,
+                                .shownScale = 100.0}),
+        field(&S::shadowStrength,
+              {.key = "shadowStrength",
+               .label = QT_TRANSLATE_NOOP("Fields", "Shadows"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "How dark the shadows are that people and stages "
+                                                  "cast; 0: none"),
+               .doc = "how dark the shadows are that people and stages cast; 0: none are cast",
+               .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+               .step = 5.0,
+               .decimals = 0,
+               .shownScale = 100.0}),
+        field(
+            &S::shadowSoftnessRadians,
+            {.key = "shadowSoftness",
+             .label = QT_TRANSLATE_NOOP("Fields", "Softness"),
+             .tip = QT_TRANSLATE_NOOP("Fields", "How large the sun is in the sky: the larger, the "
+                                                "softer the edges of shadows"),
+             .doc = "the angle that the sun takes in the sky: the larger, the softer its shadows",
+             .unit = QT_TRANSLATE_NOOP("Fields", "°"),
+             .high = 0.5,
+             .sliderLow = 0.0,
+             .sliderHigh = 10.0,
+             .step = 0.1,
+             .decimals = 1,
+             .shownScale = kDegrees})
+            .when([](const S& s, const C&) { return s.shadowStrength > 0.0F; }),
+        field(&S::ambientColor, {.key = "ambientColor",
+                                 .label = QT_TRANSLATE_NOOP("Fields", "Light"),
+                                 .tip = QT_TRANSLATE_NOOP("Fields", "The colour of the light that "
+                                                                    "comes from all of the sky"),
+                                 .doc = "of the light that comes from all of the sky",
+                                 .role = FieldRole::Color,
+                                 .section = QT_TRANSLATE_NOOP("Fields", "Sky")}),
+        field(&S::ambientStrength, {.key = "ambientStrength",
+                                    .label = QT_TRANSLATE_NOOP("Fields", "Strength"),
+                                    .doc = "of the sky's light",
+                                    .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+                                    .high = kBrightest,
+                                    .sliderLow = 0.0,
+                                    .sliderHigh = 300.0,
+                                    .step = 5.0,
+                                    .decimals = 0,
+                                    .shownScale = 100.0}),
+        field(&S::skyZenith, {.key = "skyZenith",
+                              .label = QT_TRANSLATE_NOOP("Fields", "Above"),
+                              .tip = QT_TRANSLATE_NOOP("Fields", "The sky overhead"),
+                              .doc = "the sky overhead",
+                              .role = FieldRole::Color}),
+        field(&S::skyHorizon, {.key = "skyHorizon",
+                               .label = QT_TRANSLATE_NOOP("Fields", "Horizon"),
+                               .tip = QT_TRANSLATE_NOOP("Fields", "The sky at the horizon, and the "
+                                                                  "ground far away"),
+                               .doc = "the sky at the horizon, and the ground far away",
+                               .role = FieldRole::Color}),
+        field(&S::ground, {.key = "ground",
+                           .label = QT_TRANSLATE_NOOP("Fields", "Colour"),
+                           .doc = "of the ground",
+                           .role = FieldRole::Color,
+                           .section = QT_TRANSLATE_NOOP("Fields", "Ground")}),
+        field(&S::showGroundGrid, {.key = "groundGrid",
+                                   .label = QT_TRANSLATE_NOOP("Fields", "Grid"),
+                                   .tip = QT_TRANSLATE_NOOP("Fields", "Lines a metre apart"),
+                                   .doc = "lines a metre apart"}));
+}
+
+} // namespace crowd::model

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/ShadowPass.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace crowd::render {
+
+namespace {
+
+using namespace model;
+
+constexpr int kFewestPixels = 512;
+constexpr int kMostPixels = 4096;
+/// Nobody of this size looks at a shadow.
+constexpr float kLeastPixelsPerMetre = 8.0F;
+/// How far shadows of people reach beyond them.
+constexpr float kShadowMetres = 6.0F;
+/// Soft edges are as wide as if what casts them were so far away.
+constexpr float kCasterMetres = 2.0F;
+constexpr float kOffsetTexels = 1.5F;
+/// From here on soft edges take more taps.
+constexpr float kSoftTexels = 1.5F;
+/// Texels of the map in which people are as tall as the levels' thresholds want.
+constexpr LevelThresholds kShadowLevels{{90.0F, 45.0F, 22.0F}, 0.0F};
+
+Bounds boundsOf(const PassContext& context)
+{
+    Bounds bounds;
+    for (const StageEntry& entry : context.input.stages) {
+        if (entry.asset && !entry.asset->bounds.isEmpty()) {
+            const glm::mat4 matrix = entry.worldFromStage();
+            const Bounds& box = entry.asset->bounds;
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                const glm::vec3 point((corner & 1U) != 0 ? box.high.x : box.low.x,
+                                      (corner & 2U) != 0 ? box.high.y : box.low.y,
+                                      (corner & 4U) != 0 ? box.high.z : box.low.z);
+                bounds.addPlace(glm::vec3(matrix * glm::vec4(point, 1.0F)));
+            }
+        }
+    }
+    return bounds;
+}
+
+Bounds boundsOfPeople(const PassContext& context)
+{
+    Bounds bounds;
+    if (context.input.frame) {
+        for (const glm::vec3& place : context.input.frame->population.column(columns::position)) {
+            bounds.addPlace(place);
+        }
+    }
+    if (!bounds.isEmpty()) {
+        bounds.low -= glm::vec3(kShadowMetres, 1.0F, kShadowMetres);
+        bounds.high += glm::vec3(kShadowMetres, 3.0F, kShadowMetres);
+    }
+    return bounds;
+}
+
+int mapPixels(glm::ivec2 picture)
+{
+    const auto longest = static_cast<unsigned>(std::max(picture.x, picture.y));
+    return std::clamp(static_cast<int>(std::bit_ceil(longest + longest / 4)), kFewestPixels,
+                      kMostPixels);
+}
+
+} // namespace
+
+void ShadowPass::initialize()
+{
+    m_seen.initialize();
+}
+
+std::optional<SunView> ShadowPass::sunView(const PassContext& context) const
+{
+    const View& view = context.input.view;
+    const Bounds people = boundsOfPeople(context);
+    Bounds all = boundsOf(context);
+    all.add(people);
+    if (all.isEmpty()) {
+        return std::nullopt;
+    }
+    // As far as a metre is some pixels high, and so far behind the nearest of them.
+    const Bounds& subject = people.isEmpty() ? all : people;
+    const glm::vec3 eye = view.camera().position;
+    const float away = glm::length(glm::max(glm::max(subject.low - eye, eye - subject.high), 0.0F));
+    const float reach = view.pixelsPerMetre(1.0F) / kLeastPixelsPerMetre;
+    return fitSunView(view, away + reach, all, context.style.light.sunDirection,
+                      mapPixels(context.pixelSize));
+}
+
+/// Into the map, which begins with it.
+Result<void> ShadowPass::drawStages(const PassContext& context, const SunView& sun, int pixels)
+{
+    StillStages now{sun.clipFromWorld, pixels, {}};
+    for (const StageEntry& entry : context.input.stages) {
+        if (entry.asset) {
+            now.stages.push_back({entry.asset, entry.worldFromStage()});
+        }
+    }
+    const bool isStill = now == m_last;
+    m_isKept = m_isKept && isStill;
+    m_last = std::move(now);
+    if (isStill && !m_isKept) {
+        if (auto begun = m_kept.begin(pixels); !begun) {
+            return begun;
+        }
+        if (auto drawn = m_stage.drawCasters(context); !drawn) {
+            return drawn;
+        }
+        m_isKept = true;
+    }
+    if (auto begun = m_target.begin(pixels, m_isKept ? &m_kept : nullptr); !begun) {
+        return begun;
+    }
+    return m_isKept ? Result<void>() : m_stage.drawCasters(context);
+}
+
+Result<void> ShadowPass::drawPeople(const PassContext& context, CrowdGpu& crowd, const SunView& sun)
+{
+    if (!context.input.frame) {
+        return {};
+    }
+    m_seen.plan({*context.input.frame, sun.view, 1.0F, kShadowLevels}, crowd);
+    m_seen.uploadSolid();
+    const PeopleDrawing::CrowdDraw drawing{crowd.rows(), m_seen.instances(), "", 1.0F,
+                                           Surface::Caster};
+    for (const InstanceRun& run : m_seen.runs()) {
+        if (auto drawn = m_people.draw(context, drawing, crowd.gpuOf(run.entry), run); !drawn) {
+            return drawn;
+        }
+    }
+    return {};
+}
+
+Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
+{
+    const auto sun = sunView(context);
+    if (!sun) {
+        context.style.shadowStrength = 0.0F;
+        return {};
+    }
+    PassContext casting = context;
+    casting.viewProjection = sun->clipFromWorld;
+    casting.style.shadowStrength = 0.0F;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4.0F);
+    auto drawn = drawStages(casting, *sun, mapPixels(context.pixelSize));
+    drawn = drawn ? drawPeople(casting, crowd, *sun) : drawn;
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    m_target.bindTexture(kShadowUnit);
+    glActiveTexture(GL_TEXTURE0);
+    const float metres = std::tan(context.style.shadowSoftness * 0.5F) * kCasterMetres;
+    const float texels = std::max(metres / sun->texelMetres, 0.5F);
+    context.shadows = {sun->mapFromWorld, texels * sun->texelMetres / sun->metres,
+                       sun->texelMetres * kOffsetTexels};
+    // Without anti-aliasing a hard edge is as good as its texels.
+    const bool isQuick = context.isSoftware && context.input.samples == 0;
+    const bool isSoft = texels > kSoftTexels;
+    context.style.surfaceDefines += isQuick && !isSoft  ? "SHADOWED "
+                                    : isQuick == isSoft ? "SHADOWED TAPS4 "
+                                                        : "SHADOWED TAPS8 ";
+    return drawn;
+}
+
+} // namespace crowd::render
