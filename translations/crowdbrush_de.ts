@@ -188,10 +188,6 @@
         <translation>Sc&amp;hatten</translation>
     </message>
     <message>
-        <source>Show a soft shadow under everybody</source>
-        <translation>Unter jedem einen weichen Schatten zeigen</translation>
-    </message>
-    <message>
         <source>&amp;Lighting</source>
         <translation>Be&amp;leuchtung</translation>
     </message>
@@ -927,12 +923,17 @@
         <source>&amp;Quick Reference Card</source>
         <translation>&amp;Kurzübersicht</translation>
     </message>
-</context>
-<context>
-    <name>AssetController</name>
     <message>
-        <source>Reading %1…</source>
-        <translation>%1 wird gelesen …</translation>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Show the shadows of people and stages</source>
+        <translation>Die Schatten von Figuren und Bühnen zeigen</translation>
     </message>
 </context>
 <context>
@@ -1400,13 +1401,6 @@
         <source>Drag: paint what characters are like · Ctrl+click: take it</source>
         <translation>Ziehen: malen, wie Figuren sind · Strg+Klick: übernehmen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n characters are like that</source>
-        <translation>
-            <numerusform>%n Figur ist nun so</numerusform>
-            <numerusform>%n Figuren sind nun so</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Drag: dress characters · Ctrl+click: take the outfit</source>
         <translation>Ziehen: Figuren einkleiden · Strg+Klick: Kleidung übernehmen</translation>
@@ -1423,10 +1417,17 @@
         <translation>Von einer Figur zur anderen ziehen: sie verbinden · Strg+Ziehen: Verbindung lösen</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters related</source>
+        <source>Feature of %n characters changed</source>
         <translation>
-            <numerusform>%n Figur verbunden</numerusform>
-            <numerusform>%n Figuren verbunden</numerusform>
+            <numerusform>Merkmal von %n Figur geändert</numerusform>
+            <numerusform>Merkmal von %n Figuren geändert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Relations of %n characters changed</source>
+        <translation>
+            <numerusform>Beziehungen von %n Figur geändert</numerusform>
+            <numerusform>Beziehungen von %n Figuren geändert</numerusform>
         </translation>
     </message>
 </context>
@@ -1791,17 +1792,6 @@
         <source>The scene has no such feature: choose another kind or value</source>
         <translation>Die Szene hat kein solches Merkmal: ein anderes Merkmal oder einen anderen Wert wählen</translation>
     </message>
-    <message numerus="yes">
-        <source>Relate %n character(s)</source>
-        <translation>
-            <numerusform>%n Figur verbinden</numerusform>
-            <numerusform>%n Figuren verbinden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>All of them already are related like that</source>
-        <translation>Alle sind schon so verbunden</translation>
-    </message>
     <message>
         <source>The scene has no relation of that name: choose another one</source>
         <translation>Die Szene hat keine Beziehung dieses Namens: eine andere wählen</translation>
@@ -1821,6 +1811,17 @@
     <message>
         <source>Now draw around those to whom they are related (Esc: no)</source>
         <translation>Jetzt die umfahren, mit denen sie verbunden werden (Esc: nicht)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change relations of %n character(s)</source>
+        <translation>
+            <numerusform>Beziehungen von %n Figur ändern</numerusform>
+            <numerusform>Beziehungen von %n Figuren ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their relations are like that already</source>
+        <translation>Ihre Beziehungen sind schon so</translation>
     </message>
 </context>
 <context>
@@ -1947,14 +1948,6 @@
         <source>Change a feature</source>
         <translation>Merkmal ändern</translation>
     </message>
-    <message>
-        <source>Nobody is selected.</source>
-        <translation>Niemand ist ausgewählt.</translation>
-    </message>
-    <message>
-        <source>Give a feature</source>
-        <translation>Merkmal geben</translation>
-    </message>
     <message numerus="yes">
         <source>“%1”: %n characters changed</source>
         <translation>
@@ -1981,6 +1974,21 @@
     <message>
         <source>Add a feature</source>
         <translation>Merkmal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Nobody is there yet.</source>
+        <translation>Es ist noch niemand da.</translation>
+    </message>
+    <message>
+        <source>Give “%1”</source>
+        <translation>„%1“ geben</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is gone; %n characters had it</source>
+        <translation>
+            <numerusform>„%1“ ist entfernt; %n Figur hatte es</numerusform>
+            <numerusform>„%1“ ist entfernt; %n Figuren hatten es</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3215,6 +3223,102 @@
     <message>
         <source>An event that one hears the others hear a little later, and so on from one to the next</source>
         <translation>Ein Ereignis, das einer hört, hören die anderen etwas später, und so weiter von einem zum nächsten</translation>
+    </message>
+    <message>
+        <source>Where the sun stands</source>
+        <translation>Wo die Sonne steht</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>How high the sun stands over the horizon</source>
+        <translation>Wie hoch die Sonne über dem Horizont steht</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>How dark the shadows are that people and stages cast; 0: none</source>
+        <translation>Wie dunkel die Schatten sind, die Figuren und Bühnen werfen; 0: keine</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>How large the sun is in the sky: the larger, the softer the edges of shadows</source>
+        <translation>Wie groß die Sonne am Himmel ist: je größer, desto weicher die Ränder der Schatten</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>The colour of the light that comes from all of the sky</source>
+        <translation>Die Farbe des Lichts, das vom ganzen Himmel kommt</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>The sky overhead</source>
+        <translation>Der Himmel über den Köpfen</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>Horizont</translation>
+    </message>
+    <message>
+        <source>The sky at the horizon, and the ground far away</source>
+        <translation>Der Himmel am Horizont und der Boden in der Ferne</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Lines a metre apart</source>
+        <translation>Linien im Abstand von einem Meter</translation>
+    </message>
+    <message>
+        <source>Noon</source>
+        <translation>Mittag</translation>
+    </message>
+    <message>
+        <source>Afternoon</source>
+        <translation>Nachmittag</translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <translation>Abenddämmerung</translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation>Bedeckt</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Nacht</translation>
     </message>
 </context>
 <context>
@@ -4855,61 +4959,9 @@
         <source>%1 must be an object with columns and rows</source>
         <translation>%1 muss ein Objekt mit „columns“ und „rows“ sein</translation>
     </message>
-</context>
-<context>
-    <name>Names</name>
     <message>
-        <source>Applause</source>
-        <translation>Beifall</translation>
-    </message>
-    <message>
-        <source>Cheers</source>
-        <translation>Jubel</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Winken</translation>
-    </message>
-    <message>
-        <source>Sad</source>
-        <translation>Traurig</translation>
-    </message>
-    <message>
-        <source>Bored</source>
-        <translation>Gelangweilt</translation>
-    </message>
-    <message>
-        <source>Angry</source>
-        <translation>Wütend</translation>
-    </message>
-    <message>
-        <source>Calm</source>
-        <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Laufen</translation>
-    </message>
-    <message>
-        <source>Walk</source>
-        <translation>Gehen</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Panic</source>
-        <translation>Panik</translation>
-    </message>
-    <message>
-        <source>Startle</source>
-        <translation>Erschrecken</translation>
-    </message>
-    <message>
-        <source>Line up</source>
-        <comment>cue</comment>
-        <translation>Anstellen</translation>
+        <source>The graphics driver offers no shadows. Set those of the light to 0 %.</source>
+        <translation>Der Grafiktreiber bietet keine Schatten. Setzen Sie die des Lichts auf 0 %.</translation>
     </message>
 </context>
 <context>
@@ -5162,6 +5214,13 @@
         <source>Relation %1</source>
         <translation>Beziehung %1</translation>
     </message>
+    <message numerus="yes">
+        <source>“%1” is gone, and %n relations of that kind with it</source>
+        <translation>
+            <numerusform>„%1“ ist entfernt, mit %n Beziehung dieser Art</numerusform>
+            <numerusform>„%1“ ist entfernt, mit %n Beziehungen dieser Art</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Relations</name>
@@ -5318,6 +5377,59 @@
     <message>
         <source>Anger spreads</source>
         <translation>Wut breitet sich aus</translation>
+    </message>
+    <message>
+        <source>Applause</source>
+        <translation>Beifall</translation>
+    </message>
+    <message>
+        <source>Cheers</source>
+        <translation>Jubel</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Winken</translation>
+    </message>
+    <message>
+        <source>Sad</source>
+        <translation>Traurig</translation>
+    </message>
+    <message>
+        <source>Bored</source>
+        <translation>Gelangweilt</translation>
+    </message>
+    <message>
+        <source>Angry</source>
+        <translation>Wütend</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Panic</source>
+        <translation>Panik</translation>
+    </message>
+    <message>
+        <source>Startle</source>
+        <translation>Erschrecken</translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <comment>cue</comment>
+        <translation>Anstellen</translation>
     </message>
 </context>
 <context>
@@ -6955,20 +7067,12 @@
         <source>Nobody is there yet whose state could be kept.</source>
         <translation>Es ist noch niemand da, dessen Zustand gemerkt werden könnte.</translation>
     </message>
-    <message>
-        <source>Keep a state</source>
-        <translation>Einen Zustand merken</translation>
-    </message>
     <message numerus="yes">
         <source>“%1” keeps how %n characters are now</source>
         <translation>
             <numerusform>„%1“ merkt sich, wie %n Figur jetzt ist</numerusform>
             <numerusform>„%1“ merkt sich, wie %n Figuren jetzt sind</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Keep a state anew</source>
-        <translation>Einen Zustand neu merken</translation>
     </message>
     <message>
         <source>Recall “%1”</source>
@@ -7020,6 +7124,14 @@
     <message>
         <source>Change what a state holds</source>
         <translation>Ändern, was ein Zustand enthält</translation>
+    </message>
+    <message>
+        <source>Keep “%1”</source>
+        <translation>„%1“ merken</translation>
+    </message>
+    <message>
+        <source>Keep “%1” anew</source>
+        <translation>„%1“ neu merken</translation>
     </message>
 </context>
 <context>
@@ -8152,6 +8264,10 @@ Verworfen ist sie fort.</translation>
         <source>New State</source>
         <translation>Neuer Zustand</translation>
     </message>
+    <message>
+        <source>“%1” keeps how they are now; it is number %2 of the states: %3 recalls it</source>
+        <translation>„%1“ merkt sich, wie sie jetzt sind; es ist Nummer %2 der Zustände: %3 ruft ihn ab</translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StatusPanel</name>
@@ -8447,6 +8563,21 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Colours (New)</source>
         <translation>Farben (neu)</translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ColourRow</name>
+    <message>
+        <source>Add a colour</source>
+        <translation>Eine Farbe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Click: change the colour. Right button: take it out.</source>
+        <translation>Klick: die Farbe ändern. Rechte Taste: herausnehmen.</translation>
+    </message>
+    <message>
+        <source>Take Out</source>
+        <translation>Herausnehmen</translation>
     </message>
 </context>
 <context>
@@ -8845,10 +8976,6 @@ Verworfen ist sie fort.</translation>
         <translation>Den gewählten Wert duplizieren</translation>
     </message>
     <message>
-        <source>Give the chosen value to who is selected</source>
-        <translation>Den gewählten Wert den Ausgewählten geben</translation>
-    </message>
-    <message>
         <source>Select who bears the chosen value</source>
         <translation>Auswählen, wer den gewählten Wert trägt</translation>
     </message>
@@ -8954,6 +9081,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Down</source>
         <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Give the chosen value to who is selected, or to all where nobody is</source>
+        <translation>Den gewählten Wert allen Ausgewählten geben, oder allen, wo niemand ausgewählt ist</translation>
     </message>
 </context>
 <context>
@@ -9335,22 +9466,18 @@ Verworfen ist sie fort.</translation>
     </message>
 </context>
 <context>
-    <name>crowd::widgets::LightForm</name>
+    <name>crowd::widgets::LightDock</name>
     <message>
-        <source>Sun from</source>
-        <translation>Sonne von</translation>
+        <source>Light</source>
+        <translation>Licht</translation>
     </message>
     <message>
-        <source>Sun height</source>
-        <translation>Sonnenhöhe</translation>
+        <source>Ready-Made</source>
+        <translation>Fertiges Licht</translation>
     </message>
     <message>
-        <source>Sun</source>
-        <translation>Sonne</translation>
-    </message>
-    <message>
-        <source>Sky</source>
-        <translation>Himmel</translation>
+        <source>Sun, sky and colours of a time of day; the ground stays</source>
+        <translation>Sonne, Himmel und Farben einer Tageszeit; der Boden bleibt</translation>
     </message>
     <message>
         <source>Change light</source>
@@ -9991,10 +10118,6 @@ Verworfen ist sie fort.</translation>
         <translation>Bühne entfernen</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Licht</translation>
-    </message>
-    <message>
         <source>Characters</source>
         <translation>Figuren</translation>
     </message>
@@ -10133,6 +10256,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Holds</source>
         <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Nobody whom it keeps is there any more.</source>
+        <translation>Niemand, den er sich merkt, ist noch da.</translation>
     </message>
 </context>
 <context>

@@ -188,10 +188,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show a soft shadow under everybody</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Lighting</source>
         <translation type="unfinished"></translation>
     </message>
@@ -927,11 +923,16 @@
         <source>&amp;Quick Reference Card</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>AssetController</name>
     <message>
-        <source>Reading %1…</source>
+        <source>Undone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the shadows of people and stages</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1400,13 +1401,6 @@
         <source>Drag: paint what characters are like · Ctrl+click: take it</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n characters are like that</source>
-        <translation>
-            <numerusform>%n character is like that</numerusform>
-            <numerusform>%n characters are like that</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Drag: dress characters · Ctrl+click: take the outfit</source>
         <translation type="unfinished"></translation>
@@ -1423,10 +1417,17 @@
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n characters related</source>
+        <source>Feature of %n characters changed</source>
         <translation>
-            <numerusform>%n character related</numerusform>
-            <numerusform>%n characters related</numerusform>
+            <numerusform>Feature of %n character changed</numerusform>
+            <numerusform>Feature of %n characters changed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Relations of %n characters changed</source>
+        <translation>
+            <numerusform>Relations of %n character changed</numerusform>
+            <numerusform>Relations of %n characters changed</numerusform>
         </translation>
     </message>
 </context>
@@ -1791,17 +1792,6 @@
         <source>The scene has no such feature: choose another kind or value</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Relate %n character(s)</source>
-        <translation>
-            <numerusform>Relate %n character</numerusform>
-            <numerusform>Relate %n characters</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>All of them already are related like that</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>The scene has no relation of that name: choose another one</source>
         <translation type="unfinished"></translation>
@@ -1820,6 +1810,17 @@
     </message>
     <message>
         <source>Now draw around those to whom they are related (Esc: no)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change relations of %n character(s)</source>
+        <translation>
+            <numerusform>Change relations of %n character</numerusform>
+            <numerusform>Change relations of %n characters</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their relations are like that already</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1947,14 +1948,6 @@
         <source>Change a feature</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nobody is selected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give a feature</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>“%1”: %n characters changed</source>
         <translation>
@@ -1981,6 +1974,21 @@
     <message>
         <source>Add a feature</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is there yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is gone; %n characters had it</source>
+        <translation>
+            <numerusform>“%1” is gone; %n character had it</numerusform>
+            <numerusform>“%1” is gone; %n characters had it</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3214,6 +3222,102 @@
     </message>
     <message>
         <source>An event that one hears the others hear a little later, and so on from one to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the sun stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How high the sun stands over the horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How dark the shadows are that people and stages cast; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How large the sun is in the sky: the larger, the softer the edges of shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour of the light that comes from all of the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sky overhead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sky at the horizon, and the ground far away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines a metre apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Afternoon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Night</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4855,60 +4959,8 @@
         <source>%1 must be an object with columns and rows</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>Names</name>
     <message>
-        <source>Applause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cheers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sad</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bored</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Angry</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Calm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Panic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Startle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Line up</source>
-        <comment>cue</comment>
+        <source>The graphics driver offers no shadows. Set those of the light to 0 %.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5162,6 +5214,13 @@
         <source>Relation %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>“%1” is gone, and %n relations of that kind with it</source>
+        <translation>
+            <numerusform>“%1” is gone, and %n relation of that kind with it</numerusform>
+            <numerusform>“%1” is gone, and %n relations of that kind with it</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Relations</name>
@@ -5317,6 +5376,59 @@
     </message>
     <message>
         <source>Anger spreads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cheers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Startle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line up</source>
+        <comment>cue</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6955,20 +7067,12 @@
         <source>Nobody is there yet whose state could be kept.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Keep a state</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>“%1” keeps how %n characters are now</source>
         <translation>
             <numerusform>“%1” keeps how one character is now</numerusform>
             <numerusform>“%1” keeps how %n characters are now</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Keep a state anew</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Recall “%1”</source>
@@ -7019,6 +7123,14 @@
     </message>
     <message>
         <source>Change what a state holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep “%1” anew</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8145,6 +8257,10 @@ Thrown away, it is gone.</source>
         <source>New State</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” keeps how they are now; it is number %2 of the states: %3 recalls it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::app::StatusPanel</name>
@@ -8439,6 +8555,21 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Colours (New)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>crowd::widgets::ColourRow</name>
+    <message>
+        <source>Add a colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: change the colour. Right button: take it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take Out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8838,10 +8969,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give the chosen value to who is selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Select who bears the chosen value</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8946,6 +9073,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen value to who is selected, or to all where nobody is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9328,21 +9459,17 @@ Thrown away, it is gone.</source>
     </message>
 </context>
 <context>
-    <name>crowd::widgets::LightForm</name>
+    <name>crowd::widgets::LightDock</name>
     <message>
-        <source>Sun from</source>
+        <source>Light</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sun height</source>
+        <source>Ready-Made</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sun</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sky</source>
+        <source>Sun, sky and colours of a time of day; the ground stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9984,10 +10111,6 @@ Thrown away, it is gone.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Characters</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10125,6 +10248,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody whom it keeps is there any more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -30,7 +30,10 @@ model::ImportProgress importProgress(const widgets::TaskReport& report, const QS
     return [report, name](float fraction) { return report(name, fraction); };
 }
 
-model::LoadProgress loadProgress(const widgets::TaskReport& report)
+// lupdate would take model:: before the name for the context of what is said in it.
+using Loaded = model::LoadProgress;
+
+Loaded loadProgress(const widgets::TaskReport& report)
 {
     return [report](const std::string& what, float fraction) {
         return report(AssetController::tr("Reading %1…").arg(QString::fromStdString(what)),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/FieldKeys.h"
 
+#include <QtCore/QPointer>
 #include <QtGui/QKeyEvent>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDialog>
@@ -21,6 +23,15 @@ bool isTextField(const QWidget& widget)
 {
     return qobject_cast<const QLineEdit*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+/// Whose entry is edited; null: a field by itself.
+QWidget* listOf(const QWidget& field)
+{
+    QWidget* viewport = field.parentWidget();
+    auto* list =
+        viewport != nullptr ? qobject_cast<QAbstractItemView*>(viewport->parentWidget()) : nullptr;
+    return list != nullptr && list->viewport() == viewport ? list : nullptr;
 }
 
 /// As it was when the typing began. The editor of a list does that by itself.
@@ -53,10 +64,12 @@ bool FieldKeys::isOfPanel(const QWidget& field) const
     return false;
 }
 
-void FieldKeys::giveBack()
+void FieldKeys::giveBack(QWidget* list)
 {
-    if (QApplication::activeModalWidget() == nullptr &&
-        QApplication::activePopupWidget() == nullptr) {
+    if (list != nullptr) {
+        list->setFocus(Qt::OtherFocusReason); // who renames goes on in the list
+    } else if (QApplication::activeModalWidget() == nullptr &&
+               QApplication::activePopupWidget() == nullptr) {
         m_window.activateWindow(); // the panel may float
         m_picture.setFocus(Qt::OtherFocusReason);
     }
@@ -79,10 +92,12 @@ bool FieldKeys::eventFilter(QObject* watched, QEvent* event)
         takeBackTyping(*field);
     }
     // First the field takes what was typed; the editor of a list does so with the next event.
-    QMetaObject::invokeMethod(
-        this,
-        [this] { QMetaObject::invokeMethod(this, &FieldKeys::giveBack, Qt::QueuedConnection); },
-        Qt::QueuedConnection);
+    const QPointer<QWidget> list = listOf(*field);
+    const auto giveNext = [this, list] {
+        QMetaObject::invokeMethod(
+            this, [this, list] { giveBack(list); }, Qt::QueuedConnection);
+    };
+    QMetaObject::invokeMethod(this, giveNext, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
 }
 

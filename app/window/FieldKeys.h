@@ -23,7 +23,7 @@ protected:
 
 private:
     [[nodiscard]] bool isOfPanel(const QWidget& field) const;
-    void giveBack();
+    void giveBack(QWidget* list);
 
     QWidget& m_window;
     QWidget& m_picture;

@@ -103,7 +103,9 @@ KeysDialog::KeysDialog(const widgets::ActionRegistry& actions, widgets::ButtonMa
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(pages);
     layout->addWidget(close);
-    resize(880, 760);
+    const QSize room = parentWidget() != nullptr ? parentWidget()->screen()->availableSize()
+                                                 : screen()->availableSize();
+    resize(QSize(880, 760).boundedTo(room - QSize(40, 60))); // with the frame of the window
 }
 
 void KeysDialog::addMouse(CardList& list, widgets::ButtonMapping buttons)

@@ -36,6 +36,11 @@ QString NumberedActions::keepShortcut(std::size_t index) const
     return m_actions.action(m_keys[index].keep)->shortcut().toString(QKeySequence::NativeText);
 }
 
+QString NumberedActions::goToShortcut(std::size_t index) const
+{
+    return m_actions.action(m_keys[index].go)->shortcut().toString(QKeySequence::NativeText);
+}
+
 void NumberedActions::attach(QMenu* goTo, QMenu* keep)
 {
     connect(goTo, &QMenu::aboutToShow, this, [this, goTo] { fillGoTo(goTo); });

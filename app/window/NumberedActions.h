@@ -55,6 +55,7 @@ public:
     void attach(QMenu* goTo, QMenu* keep);
     /// As the artist has it.
     [[nodiscard]] QString keepShortcut(std::size_t index) const;
+    [[nodiscard]] QString goToShortcut(std::size_t index) const;
 
 private:
     void fillGoTo(QMenu* menu);

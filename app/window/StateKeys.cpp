@@ -78,8 +78,15 @@ void StateKeys::keep(std::size_t index)
     }
     const auto reach = m_state.selection().ids().empty() ? widgets::StateReach::Everybody
                                                          : widgets::StateReach::Selected;
-    (void)widgets::keepStateAs(m_state, widgets::freeStateName(m_state.scene()),
-                               model::usualStateColumns(), reach);
+    const QString name = widgets::freeStateName(m_state.scene());
+    const std::size_t place = states.size(); // keys count the states that there are
+    if (widgets::keepStateAs(m_state, name, model::usualStateColumns(), reach) && place != index) {
+        m_state.showStatus(tr("“%1” keeps how they are now; it is number %2 of the states: %3 "
+                              "recalls it")
+                               .arg(name)
+                               .arg(place + 1)
+                               .arg(m_numbered.goToShortcut(place)));
+    }
 }
 
 const NumberedKeys& stateKeyTable()

@@ -378,6 +378,20 @@ void PathFollower::steerAgent(std::uint32_t agent, Body& body, float& height)
     setVelocity(walk, body, height);
 }
 
+/// Who keep together are pushed aside together, by others that do, and would go on beside the path.
+glm::vec2 PathFollower::backToPath(const Walk& walk, const Body& body, float speed) const
+{
+    constexpr float kPull = 0.5F;     // m/s, a metre
+    constexpr float kMostPull = 0.4F; // share of the speed
+    if (walk.hasErrand || walk.route == PathRoutes::kNone) {
+        return glm::vec2(0.0F);
+    }
+    const glm::vec2 back = m_routes[walk.route].backToLeg(walk.next, {body.x, body.z});
+    const float metres = glm::length(back);
+    return metres > 0.0F ? back * (std::min(kPull * metres, kMostPull * speed) / metres)
+                         : glm::vec2(0.0F);
+}
+
 /// The velocity that it would like.
 void PathFollower::setVelocity(Walk& walk, Body& body, float height) const
 {
@@ -391,6 +405,7 @@ void PathFollower::setVelocity(Walk& walk, Body& body, float height) const
         glm::vec2 sideways(0.0F);
         if (party != nullptr) {
             WalkParties::keepTogether(*party, {body.x, body.z}, ahead, speed, sideways);
+            sideways += backToPath(walk, body, speed);
         }
         body.desiredX = ahead.x * speed + sideways.x;
         body.desiredZ = ahead.y * speed + sideways.y;

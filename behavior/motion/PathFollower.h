@@ -148,6 +148,7 @@ private:
     [[nodiscard]] bool hasReached(const Walk& walk, const Body& body, float height,
                                   const glm::vec3& target) const;
     void steerAgent(std::uint32_t agent, Body& body, float& height);
+    [[nodiscard]] glm::vec2 backToPath(const Walk& walk, const Body& body, float speed) const;
     void setVelocity(Walk& walk, Body& body, float height) const;
     void setAim(std::uint32_t agent);
     /// Alone, m/s.

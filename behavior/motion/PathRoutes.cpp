@@ -19,6 +19,21 @@ constexpr float kWidestPlace = 1e4F; ///< metres
 
 } // namespace
 
+glm::vec2 Route::backToLeg(std::uint32_t stop, const glm::vec2& at) const
+{
+    const bool isClosed = kind == model::PathKind::Cyclic;
+    const std::size_t before = stop > 0 ? stop - 1 : isClosed ? stops.size() - 1 : stop;
+    const RouteStop& from = stops[before];
+    const RouteStop& to = stops[stop];
+    const float share =
+        model::nearestShare({at.x, 0.0F, at.y}, {from.position.x, 0.0F, from.position.y},
+                            {to.position.x, 0.0F, to.position.y});
+    const glm::vec2 away = glm::mix(from.position, to.position, share) - at;
+    const float distance = glm::length(away);
+    const float beside = distance - glm::mix(from.radius, to.radius, share);
+    return beside > 0.0F ? away * (beside / distance) : glm::vec2(0.0F);
+}
+
 std::uint32_t Route::nextStop(const glm::vec3& from) const
 {
     const auto count = static_cast<std::uint32_t>(stops.size());

@@ -37,6 +37,9 @@ struct Route
 
     /// Where somebody at `from` goes first: the end of the leg that passes nearest.
     [[nodiscard]] std::uint32_t nextStop(const glm::vec3& from) const;
+    /// Metres by which somebody at `at` is beside the leg that ends at a stop, as the vector back
+    /// to its edge; zero on it. A leg is as wide as the places at its ends.
+    [[nodiscard]] glm::vec2 backToLeg(std::uint32_t stop, const glm::vec2& at) const;
     /// Whether who comes to that stop goes no further.
     [[nodiscard]] bool isEnd(std::uint32_t stop) const
     {

@@ -121,6 +121,7 @@ RelationStroke::RelationStroke(const BrushSettings& brush, std::uint64_t seed)
 
 void RelationStroke::restart()
 {
+    m_isBegun = false;
     m_from.clear();
     m_to.clear();
     m_met.clear();
@@ -146,6 +147,9 @@ void RelationStroke::add(SceneEdit& edit, const Population& people,
         return;
     }
     m_kind = kind->id;
+    if (!m_isArea && m_settings.how == RelationHow::FromTo && !m_settings.erases) {
+        meet(ids);
+    }
     if (ids.empty()) {
         return;
     }
@@ -163,10 +167,15 @@ void RelationStroke::add(SceneEdit& edit, const Population& people,
         m_to.assign(ids.begin(), ids.end());
         m_reason =
             m_settings.sources.empty() ? StrokeReason::SourcesChosen : StrokeReason::NobodyElse;
-    } else {
-        (m_from.empty() ? m_from : m_to).assign(ids.begin(), ids.end());
-        m_reason = StrokeReason::NobodyElse;
     }
+}
+
+/// Those on the way do not count, nor where there is nobody at one end.
+void RelationStroke::meet(std::span<const IndividualId> ids)
+{
+    (m_isBegun ? m_to : m_from).assign(ids.begin(), ids.end());
+    m_isBegun = true;
+    m_reason = m_from.empty() ? StrokeReason::NobodyUnderBrush : StrokeReason::NobodyElse;
 }
 
 void RelationStroke::settle(SceneEdit& edit)

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] StrokeReason reason() const { return m_reason; }
 
 private:
+    void meet(std::span<const IndividualId> ids);
     void addNew(SceneEdit& edit, const Population& people, std::span<const IndividualId> ids);
     void chain(const Population& people, std::span<const IndividualId> ids,
                std::vector<Relation>& made);
@@ -49,8 +50,9 @@ private:
     bool m_isArea;
     std::uint64_t m_seed;
     RelationKindId m_kind = 0;
+    bool m_isBegun = false;            ///< FromTo: the first dab was
     std::vector<IndividualId> m_from;  ///< FromTo: of the press
-    std::vector<IndividualId> m_to;    ///< FromTo: of the last dab that found somebody
+    std::vector<IndividualId> m_to;    ///< FromTo: of the last dab
     std::vector<IndividualId> m_met;   ///< so far, ascending
     std::vector<IndividualId> m_alone; ///< Family: met, and still in none
     IndividualId m_last = 0;           ///< Chain

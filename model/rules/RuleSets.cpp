@@ -241,8 +241,10 @@ std::vector<Rule> queue(const Scene& scene)
     return {moveUp, join, serve};
 }
 
+using CueText = std::string; // lupdate takes std:: before a function for its context
+
 /// What a button says for an event of the sets; empty: as the event is called.
-std::string cueName(const std::string& event)
+CueText cueName(const std::string& event)
 {
     const std::pair<const char*, QString> names[]{
         {"clap", Names::tr("Applause")},       {"cheer", Names::tr("Cheers")},
@@ -253,7 +255,7 @@ std::string cueName(const std::string& event)
         {"panic", Names::tr("Panic")},         {"startle", Names::tr("Startle")},
         {"queue", Names::tr("Line up", "cue")}};
     const auto found = std::ranges::find(names, event, [](const auto& each) { return each.first; });
-    return found == std::end(names) ? std::string() : named(found->second);
+    return found == std::end(names) ? CueText() : named(found->second);
 }
 
 /// Everybody, but where it is to begin with some.

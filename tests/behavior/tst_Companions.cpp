@@ -4,6 +4,7 @@
 #include <QtTest/QTest>
 #include <glm/geometric.hpp>
 
+#include "behavior/motion/PathRoutes.h"
 #include "behavior/motion/WalkParties.h"
 #include "tests/behavior/StateScenes.h"
 #include "tests/program/Test.h"
@@ -121,6 +122,8 @@ private Q_SLOTS:
     void rivalsGiveEachOtherABerth();
     void aFamilyKeepsTogether();
     void abreastOrInLine();
+    void aLegIsAsWideAsItsPlaces();
+    void familiesDoNotPushEachOtherOffThePath();
     void friendsTurnToEachOther();
     void eventsGoFromOneToTheNext();
     void aCircleOfFriendsHearsItOnce();
@@ -197,6 +200,60 @@ void TestCompanions::abreastOrInLine()
     QVERIFY(speedAt(0, {0.4F, -0.5F}) > 1.0F);
     QCOMPARE(speedAt(0, {0.0F, 0.5F}), 1.0F); // in line there is no room beside
     QCOMPARE(speedAt(2, {0.4F, 0.5F}), 1.0F); // groups are looser
+}
+
+void TestCompanions::aLegIsAsWideAsItsPlaces()
+{
+    behavior::Route route;
+    route.stops.push_back({1, {0.0F, 0.0F}, 0.0F, 1.0F});
+    route.stops.push_back({2, {10.0F, 0.0F}, 0.0F, 3.0F});
+    route.stops.push_back({3, {10.0F, 10.0F}, 0.0F, 1.0F});
+    QCOMPARE(route.backToLeg(1, {5.0F, 1.9F}), glm::vec2(0.0F)); // two metres in its middle
+    const glm::vec2 back = route.backToLeg(1, {5.0F, 4.0F});
+    QVERIFY(glm::distance(back, glm::vec2(0.0F, -2.0F)) < 1e-5F);
+    // Before its first place: only that one counts, unless the path is closed.
+    QVERIFY(glm::distance(route.backToLeg(0, {0.0F, 3.0F}), glm::vec2(0.0F, -2.0F)) < 1e-5F);
+    route.kind = PathKind::Cyclic;
+    QCOMPARE(route.backToLeg(0, {5.0F, 5.0F}), glm::vec2(0.0F));
+    // Two places on one spot.
+    route.stops[1].position = {0.0F, 0.0F};
+    QVERIFY(std::isfinite(route.backToLeg(1, {2.0F, 8.0F}).x));
+}
+
+/// Crowded, round a square whose legs are three metres wide.
+void TestCompanions::familiesDoNotPushEachOtherOffThePath()
+{
+    constexpr IndividualId kPeople = 40;
+    Scene scene = rowOf(kPeople);
+    for (PlaceId corner = 0; corner < 4; ++corner) {
+        const float x = corner == 1 || corner == 2 ? 7.0F : -7.0F;
+        const float z = corner > 1 ? 8.0F : -8.0F;
+        scene.places.push_back({corner + 1, "corner", {x, 0.0F, z}, 1.5F});
+    }
+    scene.paths.push_back({1, "round", PathKind::Cyclic, {1, 2, 3, 4}});
+    std::vector<IndividualId> all;
+    for (IndividualId id = 1; id <= kPeople; ++id) {
+        all.push_back(id);
+        const auto at = static_cast<float>(id - 1);
+        putAt(scene, id, {-6.0F + 0.3F * at, 0.0F, id % 2 == 0 ? -8.4F : -7.6F});
+        if (id % 4 != 0) {
+            relate(scene, {{id, id + 1, 1.0F, kFamily}}); // four in a row
+        }
+    }
+    walkAlong(scene, all, 1);
+    Session session(scene);
+    int outside = 0;
+    int looks = 0;
+    for (int second = 0; second < 45; ++second) {
+        run(session, kStepsPerSecond);
+        for (std::size_t row = 0; row < kPeople; ++row) {
+            const glm::vec3 at = placeOf(session, row);
+            const float beside = std::max(std::abs(at.x) - 7.0F, std::abs(at.z) - 8.0F);
+            outside += beside > 1.5F + 0.3F ? 1 : 0;
+            ++looks;
+        }
+    }
+    QVERIFY2(outside < looks / 50, qPrintable(QStringLiteral("%1 of %2").arg(outside).arg(looks)));
 }
 
 void TestCompanions::friendsTurnToEachOther()

@@ -387,7 +387,6 @@ void TestScenarios::anAudienceWithThreePreparedReactions()
     }
     QCOMPARE(cast.size(), std::size_t{5});
 
-    artist.key(Qt::Key_A, Qt::ControlModifier);
     artist.raise(QStringLiteral("Features"));
     constexpr std::array kReactions{"attentive", "excited", "sad"};
     for (std::size_t i = 0; i < kReactions.size(); ++i) {

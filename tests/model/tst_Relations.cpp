@@ -305,7 +305,7 @@ private Q_SLOTS:
         QVERIFY2(outcome.isCommitted, qPrintable(outcome.message));
         QCOMPARE(outcome.affected, 2);
         QVERIFY(scene.table().all() == (std::vector<Relation>{{ids[0], ids[25], 1.0F, kFriends}}));
-        QCOMPARE(scene.document.undoStack().undoText(), QStringLiteral("Relate 2 character(s)"));
+        QCOMPARE(scene.document.undoStack().undoText(), QStringLiteral("Change relations of 2 character(s)"));
 
         BrushSettings erasing = relationBrush(RelationHow::Near);
         erasing.as<RelationSettings>().erases = true;
@@ -322,6 +322,23 @@ private Q_SLOTS:
                             {scene.pixelOf(ids[25])})
                      .reason,
                  StrokeReason::NoSuchRelation);
+    }
+
+    void aDragFromOrToNobodyRelatesNobody()
+    {
+        RelationScene scene;
+        const auto& ids = scene.ids;
+        const glm::vec2 nowhere(3.0F, 3.0F);
+        const BrushSettings brush = relationBrush(RelationHow::FromTo);
+        const auto away = scene.paint(fromAbove(), brush,
+                                      {scene.pixelOf(ids[0]), scene.pixelOf(ids[1]), nowhere});
+        QVERIFY(!away.isCommitted);
+        QCOMPARE(away.reason, StrokeReason::NobodyElse);
+        const auto here = scene.paint(fromAbove(), brush,
+                                      {nowhere, scene.pixelOf(ids[0]), scene.pixelOf(ids[1])});
+        QVERIFY(!here.isCommitted);
+        QCOMPARE(here.reason, StrokeReason::NobodyUnderBrush);
+        QVERIFY(scene.table().isEmpty());
     }
 
     void aLassoSaysFromWhomAndTheNextToWhom()

@@ -9,6 +9,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QToolButton>
 
 #include "model/document/SceneEdit.h"
 #include "model/features/FeatureWriting.h"
@@ -16,6 +17,7 @@
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
 #include "widgets/commands/FeatureCommands.h"
+#include "widgets/docks/ColourRow.h"
 #include "widgets/docks/FeaturePreview.h"
 #include "widgets/docks/FeaturesDock.h"
 #include "widgets/docks/FieldForm.h"
@@ -106,6 +108,7 @@ private Q_SLOTS:
     void init();
     void showsKindsAndTheirValues();
     void givesAValueToWhoIsSelected();
+    void coloursOfAnOutfitAreSeenAndSet();
     void addsDuplicatesRenamesAndRemoves();
     void aKindOfOnesOwn();
     void whatIsSetComesToTheSceneAtRest();
@@ -142,7 +145,7 @@ void TestFeaturesDock::givesAValueToWhoIsSelected()
     QVERIFY(desk.isReady());
     desk.choose("sad");
     desk.press(QStringLiteral("giveFeature"));
-    QVERIFY2(desk.said.contains(QStringLiteral("Nobody is selected")), qPrintable(desk.said));
+    QVERIFY2(desk.said.contains(QStringLiteral("Nobody is there")), qPrintable(desk.said));
     const auto ids = crowd::testing::addPeople(desk.document, 4);
     desk.state.selection().set(std::span(ids).first(2));
     desk.press(QStringLiteral("giveFeature"));
@@ -150,6 +153,34 @@ void TestFeaturesDock::givesAValueToWhoIsSelected()
     desk.state.selection().set({});
     desk.press(QStringLiteral("selectBearers"));
     QCOMPARE(desk.state.selection().ids().size(), std::size_t{2});
+    desk.state.selection().set({}); // all, where nobody is selected
+    desk.choose("happy");
+    desk.press(QStringLiteral("giveFeature"));
+    QCOMPARE(model::bearersOf(desk.document.scene(), desk.value("happy").id).size(),
+             std::size_t{4});
+    desk.press(QStringLiteral("removeFeature"));
+    QVERIFY2(desk.said.contains(QStringLiteral("4 characters")), qPrintable(desk.said));
+}
+
+void TestFeaturesDock::coloursOfAnOutfitAreSeenAndSet()
+{
+    FeaturesDesk desk;
+    QVERIFY(desk.isReady());
+    desk.kinds()->setCurrentIndex(1);
+    desk.choose("team red");
+    QTRY_VERIFY(desk.form() != nullptr && desk.form()->findChild<ColourRow*>() != nullptr);
+    auto* row = desk.form()->findChild<ColourRow*>();
+    const model::FeatureValue before = desk.value("team red");
+    QCOMPARE(row->colours(), before.slots.front().colors);
+    QVERIFY(!row->colours().empty());
+    QTRY_COMPARE(row->findChildren<QToolButton*>(QStringLiteral("colour")).size(),
+                 static_cast<qsizetype>(row->colours().size()));
+    // Those that the dialog would give.
+    const ColourRow::Colours wanted{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    Q_EMIT row->edited(wanted);
+    QTRY_COMPARE(desk.value("team red").slots.front().colors, wanted);
+    desk.document.undoStack().undo();
+    QTRY_COMPARE(desk.value("team red").slots.front().colors, before.slots.front().colors);
 }
 
 void TestFeaturesDock::addsDuplicatesRenamesAndRemoves()

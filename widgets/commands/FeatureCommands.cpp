@@ -103,17 +103,33 @@ FeatureId insertFeature(EditorState& state, const QString& text, std::uint8_t ki
     return isDone ? value.id : FeatureId{0};
 }
 
+/// As states are kept: of all where nobody is selected.
+std::vector<model::IndividualId> selectedOrAll(const EditorState& state)
+{
+    const auto selected = state.selection().ids();
+    if (!selected.empty()) {
+        return {selected.begin(), selected.end()};
+    }
+    std::vector<model::IndividualId> all;
+    const model::Population& people = state.scene().population;
+    for (std::size_t row = 0; row < people.size(); ++row) {
+        if (state.scene().isTouchable(row)) {
+            all.push_back(people.ids()[row]);
+        }
+    }
+    return all;
+}
+
 /// 0: none of the kind.
 void give(EditorState& state, const FeatureKind& kind, FeatureId id, const QString& name)
 {
-    const auto selected = state.selection().ids();
-    const std::vector<model::IndividualId> people(selected.begin(), selected.end());
+    const std::vector<model::IndividualId> people = selectedOrAll(state);
     if (people.empty()) {
-        state.showStatus(FeatureText::tr("Nobody is selected."));
+        state.showStatus(FeatureText::tr("Nobody is there yet."));
         return;
     }
     std::size_t changed = 0;
-    state.document().edit(FeatureText::tr("Give a feature"), [&](model::SceneEdit& edit) {
+    state.document().edit(FeatureText::tr("Give “%1”").arg(name), [&](model::SceneEdit& edit) {
         const std::vector<FeatureId> wanted(people.size(), id);
         const std::uint64_t seed = model::hashKeys(state.scene().seed, model::hashText("give"));
         changed = setFeature(edit, kind, people, wanted, seed).size();
@@ -189,10 +205,18 @@ FeatureId duplicateFeature(EditorState& state, FeatureId id)
 
 void removeFeature(EditorState& state, FeatureId id)
 {
-    (void)editValues(state, FeatureText::tr("Remove a value"), id,
-                     [](std::vector<FeatureValue>& values, std::size_t at) {
-                         values.erase(values.begin() + static_cast<std::ptrdiff_t>(at));
-                     });
+    const FeatureValue* gone = findFeature(state.scene().features, id);
+    const QString name = gone != nullptr ? featureText(gone->name) : QString();
+    const auto bearers = static_cast<int>(model::bearersOf(state.scene(), id).size());
+    const bool isDone =
+        editValues(state, FeatureText::tr("Remove a value"), id,
+                   [](std::vector<FeatureValue>& values, std::size_t at) {
+                       values.erase(values.begin() + static_cast<std::ptrdiff_t>(at));
+                   });
+    if (isDone && bearers > 0) {
+        state.showStatus(
+            FeatureText::tr("“%1” is gone; %n characters had it", nullptr, bearers).arg(name));
+    }
 }
 
 bool renameFeature(EditorState& state, FeatureId id, const QString& name)

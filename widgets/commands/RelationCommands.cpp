@@ -80,10 +80,19 @@ RelationKindId addRelationKind(EditorState& state)
 
 void removeRelationKind(EditorState& state, RelationKindId kind)
 {
-    editRelationKinds(
+    const RelationKind* gone = findRelation(state.scene().relationKinds, kind);
+    const QString name = gone != nullptr ? relationText(gone->name) : QString();
+    const auto all = state.scene().relations.all();
+    const auto count = std::ranges::count(all, kind, &model::Relation::kind);
+    const bool isDone = editRelationKinds(
         state, RelationText::tr("Remove a relation"), [kind](model::RelationKinds& kinds) {
             std::erase_if(kinds, [kind](const RelationKind& each) { return each.id == kind; });
         });
+    if (isDone && gone != nullptr) {
+        state.showStatus(RelationText::tr("“%1” is gone, and %n relations of that kind with it",
+                                          nullptr, static_cast<int>(count))
+                             .arg(name));
+    }
 }
 
 bool renameRelationKind(EditorState& state, RelationKindId kind, const QString& name)

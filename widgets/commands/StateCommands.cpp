@@ -122,7 +122,7 @@ bool keepStateAs(EditorState& state, const QString& name, model::ColumnSet colum
     }
     const model::Scene shown = state.session().shownScene();
     const auto outcome =
-        state.document().edit(StatesText::tr("Keep a state"), [&](model::SceneEdit& edit) {
+        state.document().edit(StatesText::tr("Keep “%1”").arg(name), [&](model::SceneEdit& edit) {
             putState(edit, keepState(shown, name.toStdString(), columns, people));
         });
     if (outcome != model::EditOutcome::Refused) {
@@ -146,7 +146,7 @@ void keepStateAnew(EditorState& state, model::StateId id)
     State now = keepState(state.session().shownScene(), before->name, before->columns, people);
     now.id = id;
     const QString name = quoted(now.name);
-    editList(state, StatesText::tr("Keep a state anew"), [&](std::vector<State>& all) {
+    editList(state, StatesText::tr("Keep “%1” anew").arg(name), [&](std::vector<State>& all) {
         *std::ranges::find(all, id, &State::id) = std::move(now);
     });
     state.showStatus(StatesText::tr("“%1” keeps how %n characters are now", nullptr,

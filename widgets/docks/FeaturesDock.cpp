@@ -30,7 +30,7 @@ namespace crowd::widgets {
 namespace {
 
 constexpr int kFeatureIcon = 20;  ///< logical pixels
-constexpr int kFeatureRows = 6;   ///< seen at once
+constexpr int kFeatureRows = 12;  ///< seen at once
 constexpr int kRoomBelowRows = 6; ///< logical pixels
 constexpr int kFeaturesRebuildMs = 30;
 constexpr int kRestMs = 400; ///< of the hand, after which a change comes to the scene
@@ -91,10 +91,10 @@ FeaturesDock::FeaturesDock(EditorState& state, QWidget* parent)
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(kindRow());
-    layout->addWidget(m_preview);
     layout->addWidget(valueButtons());
     layout->addWidget(m_note);
     layout->addWidget(m_values);
+    layout->addWidget(m_preview);
     layout->addWidget(m_isWorn);
     layout->addLayout(m_formPlace);
     layout->addStretch(1);
@@ -149,8 +149,8 @@ QWidget* FeaturesDock::valueButtons()
     };
     addButton("copy", tr("Duplicate the chosen value"), "duplicateFeature",
               [this](model::FeatureId id) { (void)duplicateFeature(m_state, id); });
-    addButton("to-brush", tr("Give the chosen value to who is selected"), "giveFeature",
-              [this](model::FeatureId id) { giveFeature(m_state, id); });
+    addButton("to-brush", tr("Give the chosen value to who is selected, or to all where nobody is"),
+              "giveFeature", [this](model::FeatureId id) { giveFeature(m_state, id); });
     addButton("select-all", tr("Select who bears the chosen value"), "selectBearers",
               [this](model::FeatureId id) { selectBearers(m_state, id); });
     chosenRow->addStretch(1);

@@ -158,6 +158,7 @@ void RelationsDock::connectList()
     connect(m_kinds, &QListWidget::currentRowChanged, this, [this] {
         if (!m_isFilling) {
             showKind();
+            chooseForBrush();
         }
     });
     connect(m_kinds, &QListWidget::customContextMenuRequested, this, &RelationsDock::showMenu);
@@ -242,6 +243,17 @@ void RelationsDock::count()
                         ? tr("A relation is who belongs to whom. The button above adds a kind.")
                     : number == 0 ? tr("Nobody is related so yet: drag with the relation brush.")
                                   : tr("%n relations of this kind", nullptr, number));
+}
+
+/// Who has the brush in hand and chooses a kind means to paint it.
+void RelationsDock::chooseForBrush()
+{
+    const model::RelationKind* kind = chosen();
+    if (kind != nullptr && m_state.tool() == ToolId::BrushRelation) {
+        model::BrushSettings brush = *m_state.activeBrush();
+        brush.as<model::RelationSettings>().relation = kind->name;
+        m_state.setBrush(brush);
+    }
 }
 
 void RelationsDock::showKind()

@@ -36,6 +36,7 @@ private:
     void addRow(const model::RelationKind& kind);
     void count();
     void showKind();
+    void chooseForBrush();
     void makeForm();
     void showMenu(const QPoint& position);
     void fillMenu(QMenu& menu, model::RelationKindId id);

@@ -144,8 +144,14 @@ void StatesDock::refreshDifference()
         const char* label = model::propertyAspects()[static_cast<std::size_t>(each.aspect)].label;
         parts << tr("%1 %2").arg(fieldText(label)).arg(each.people);
     }
-    m_difference->setText(parts.isEmpty() ? tr("The scene is like that.")
-                                          : tr("Different: %1").arg(parts.join(tr(", "))));
+    const bool isSomebodyThere =
+        found != states.end() &&
+        std::ranges::any_of(found->people->ids, [this](model::IndividualId id) {
+            return m_state.scene().population.rowOf(id) != model::Population::npos;
+        });
+    m_difference->setText(!isSomebodyThere  ? tr("Nobody whom it keeps is there any more.")
+                          : parts.isEmpty() ? tr("The scene is like that.")
+                                            : tr("Different: %1").arg(parts.join(tr(", "))));
     m_difference->parentWidget()->setVisible(found != states.end());
     m_state.setWashed(isSeen && m_wash->isChecked() ? difference.ids
                                                     : std::vector<model::IndividualId>());

@@ -55,7 +55,7 @@ inline constexpr BrushInfo FeatureSettings::kInfo{
     .doc = "Which value of a kind of feature people bear.",
     .hint = QT_TRANSLATE_NOOP("BrushTool",
                               "Drag: paint what characters are like · Ctrl+click: take it"),
-    .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters are like that"),
+    .done = QT_TRANSLATE_N_NOOP("BrushTool", "Feature of %n characters changed"),
     .undo = QT_TRANSLATE_N_NOOP("Brushes", "Paint a feature of %n character(s)"),
     .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already are like that"),
     .operatorPlace = OperatorPlace::Last,

@@ -7,7 +7,7 @@ namespace crowd::model {
 
 namespace {
 
-constexpr float kUsualRadius = 24.0F; ///< logical pixels: one person where they are seen well
+constexpr float kUsualRadius = 12.0F; ///< logical pixels: one person where they are seen well
 
 } // namespace
 

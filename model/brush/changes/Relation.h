@@ -59,9 +59,9 @@ inline constexpr BrushInfo RelationSettings::kInfo{
     .doc = "Who of those under the brush is related to whom.",
     .hint = QT_TRANSLATE_NOOP("BrushTool",
                               "Drag from one to another: relate them · Ctrl+drag: take it away"),
-    .done = QT_TRANSLATE_N_NOOP("BrushTool", "%n characters related"),
-    .undo = QT_TRANSLATE_N_NOOP("Brushes", "Relate %n character(s)"),
-    .unchanged = QT_TRANSLATE_NOOP("Brushes", "All of them already are related like that")};
+    .done = QT_TRANSLATE_N_NOOP("BrushTool", "Relations of %n characters changed"),
+    .undo = QT_TRANSLATE_N_NOOP("Brushes", "Change relations of %n character(s)"),
+    .unchanged = QT_TRANSLATE_NOOP("Brushes", "Their relations are like that already")};
 
 inline constexpr std::array kRelationHows{
     FieldChoice{"from to", QT_TRANSLATE_NOOP("Fields", "From A to B"),
