@@ -186,12 +186,21 @@ void tst_Pictures::seesWhatPeopleSee_data()
     QTest::newRow("no ambient light") << 4;
     QTest::newRow("a hat too many") << 5;
     QTest::newRow("a person turned round") << 6;
+    QTest::newRow("a sun elsewhere") << 7;
+    QTest::newRow("no shadows") << 8;
+    QTest::newRow("a caster too few, who is out of the picture") << 9;
 }
 
 void tst_Pictures::seesWhatPeopleSee()
 {
     QFETCH(const int, change);
     model::Scene scene = boxPeople();
+    if (change == 9) { // between the others and the sun, behind the camera
+        setOne(scene, 4, model::columns::position, glm::vec3(5.2F, 0.0F, 9.0F));
+        setOne(scene, 4, model::columns::height, 2.4F);
+        scene.lighting.sunAzimuthRadians = 0.1F;
+        scene.lighting.sunElevationRadians = 0.5F;
+    }
     const QImage before = draw(scene);
     const std::array<model::IndividualId, 1> one{4};
     switch (change) {
@@ -212,6 +221,15 @@ void tst_Pictures::seesWhatPeopleSee()
         break;
     case 5:
         setOne(scene, 3, model::columns::parts, 1U);
+        break;
+    case 7:
+        scene.lighting.sunAzimuthRadians += 0.4F;
+        break;
+    case 8:
+        scene.lighting.shadowStrength = 0.0F;
+        break;
+    case 9:
+        (void)scene.population.remove(one);
         break;
     default:
         setOne(scene, 4, model::columns::heading, 0.5F);
