@@ -6,6 +6,7 @@
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLineEdit>
@@ -19,9 +20,12 @@ bool endsTyping(int key)
     return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape;
 }
 
+/// The keys of a list that one can type into go to the list itself.
 bool isTextField(const QWidget& widget)
 {
-    return qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+    const auto* list = qobject_cast<const QComboBox*>(&widget);
+    return (list != nullptr && list->isEditable()) ||
+           qobject_cast<const QLineEdit*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
 }
 
@@ -37,7 +41,8 @@ QWidget* listOf(const QWidget& field)
 /// As it was when the typing began. The editor of a list does that by itself.
 void takeBackTyping(QWidget& field)
 {
-    auto* line = qobject_cast<QLineEdit*>(&field);
+    auto* list = qobject_cast<QComboBox*>(&field);
+    auto* line = list != nullptr ? list->lineEdit() : qobject_cast<QLineEdit*>(&field);
     while (line != nullptr && line->isUndoAvailable()) {
         line->undo();
     }

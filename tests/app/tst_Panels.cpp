@@ -183,6 +183,8 @@ private Q_SLOTS:
     void cueKeysWorkThoughTheRulesWereNeverShown();
     void endedTypingGivesTheKeysBack_data();
     void endedTypingGivesTheKeysBack();
+    void typingIntoAListGivesTheKeysBack();
+    void whoRenamesGoesOnInTheList();
     void returnIsTheFieldsEvenWhileAPathIsPainted();
     void nothingTellsHowToBringBackWhatIsBack();
     void brushesAreRemembered();
@@ -291,6 +293,62 @@ void PanelsTest::endedTypingGivesTheKeysBack()
         m_window->state().brush(model::BrushKind::Event).as<crowd::model::EventSettings>().name,
         name.toStdString());
     QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+    QCOMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
+}
+
+/// Ctrl+Z afterwards is the document's.
+void PanelsTest::typingIntoAListGivesTheKeysBack()
+{
+    openScene(plainScene(1), QStringLiteral("a.crowd"));
+    QDockWidget* panel = m_window->dockLayout().dock(app::DockId::Features);
+    panel->show();
+    panel->raise();
+    auto* values = panel->findChild<QListWidget*>(QStringLiteral("features"));
+    values->setCurrentItem(values->findItems(QStringLiteral("sad"), Qt::MatchExactly).front());
+    QComboBox* clip = nullptr;
+    QTRY_VERIFY([&] {
+        for (QComboBox* each : panel->findChildren<QComboBox*>()) {
+            clip = each->isEditable() && each->isVisible() && clip == nullptr ? each : clip;
+        }
+        return clip != nullptr;
+    }());
+    const int steps = document().undoStack().index();
+    clip->setFocus();
+    clip->lineEdit()->selectAll();
+    QTest::keyClicks(clip, QStringLiteral("weep"));
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Return);
+    QTRY_VERIFY(m_window->viewport().hasFocus());
+    QTRY_COMPARE(document().undoStack().index(), steps + 1);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(document().undoStack().index(), steps);
+    QVERIFY2(m_window->statusBar()->currentMessage().contains(QStringLiteral("Undone")),
+             qPrintable(m_window->statusBar()->currentMessage()));
+}
+
+void PanelsTest::whoRenamesGoesOnInTheList()
+{
+    openScene(plainScene(3), QStringLiteral("a.crowd"));
+    QDockWidget* panel = m_window->dockLayout().dock(app::DockId::Relations);
+    panel->show();
+    panel->raise();
+    auto* kinds = panel->findChild<QListWidget*>(QStringLiteral("relationKinds"));
+    QTRY_VERIFY(kinds->isVisible());
+    kinds->setCurrentRow(1);
+    kinds->setFocus();
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_F2);
+    QLineEdit* field = nullptr;
+    QTRY_VERIFY((field = kinds->findChild<QLineEdit*>()) != nullptr);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("pals"));
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Return);
+    QTRY_COMPARE(document().scene().relationKinds[1].name, std::string("pals"));
+    QTRY_VERIFY(kinds->hasFocus());
+    QTRY_VERIFY(kinds->findChild<QLineEdit*>() == nullptr);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_F2); // once more
+    QTRY_VERIFY(kinds->findChild<QLineEdit*>() != nullptr);
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_Escape);
+    QTRY_VERIFY(kinds->hasFocus());
+    QTest::keyClick(m_window->windowHandle(), Qt::Key_B); // brushes have their keys all the same
     QCOMPARE(m_window->state().tool(), widgets::ToolId::BrushColour);
 }
 
