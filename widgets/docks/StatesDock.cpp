@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QSettings>
+#include <QtGui/QPainter>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
@@ -39,6 +40,29 @@ constexpr int kCompareMs = 200;
 QString settingOf(const model::PropertyAspectInfo& aspect)
 {
     return QStringLiteral("states/holds-%1").arg(QLatin1String(aspect.key));
+}
+
+/// With the number of its keys in a corner; those without keys as they are.
+QIcon numbered(const QIcon& picture, int number, const QListWidget& list)
+{
+    if (number > kKeyedStates) {
+        return picture;
+    }
+    QPixmap drawn = picture.pixmap(list.iconSize(), list.devicePixelRatioF());
+    if (drawn.isNull()) {
+        return picture;
+    }
+    QPainter painter(&drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const int side = list.fontMetrics().height();
+    const QRect badge(0, 0, side, side);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 170));
+    painter.drawRoundedRect(badge, 3.0, 3.0);
+    painter.setPen(Qt::white);
+    painter.drawText(badge, Qt::AlignCenter, QString::number(number));
+    painter.end();
+    return drawn;
 }
 
 } // namespace
@@ -246,13 +270,13 @@ void StatesDock::fill()
     m_list->clear();
     int number = 0;
     for (const model::State& each : m_state.scene().states) {
-        auto* item =
-            new QListWidgetItem(m_pictures->of(each), QString::fromStdString(each.name), m_list);
+        ++number;
+        auto* item = new QListWidgetItem(numbered(m_pictures->of(each), number, *m_list),
+                                         QString::fromStdString(each.name), m_list);
         item->setData(kIdRole, each.id);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         const QString people =
             tr("%n characters", nullptr, static_cast<int>(each.people->ids.size()));
-        ++number;
         item->setToolTip(
             number <= kKeyedStates
                 ? tr("%1. Double click or Shift+F%2: recall. F2: rename.").arg(people).arg(number)
