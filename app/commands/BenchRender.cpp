@@ -123,8 +123,8 @@ private:
     std::vector<double> m_ours;
     std::vector<double> m_reference;
     std::vector<double> m_plain; ///< ours without light, where a look is asked for
-    std::vector<double> m_plan; ///< of ours: phase, cull, level, sort
-    std::vector<double> m_cpu;  ///< the same and static records
+    std::vector<double> m_plan;  ///< of ours: phase, cull, level, sort
+    std::vector<double> m_cpu;   ///< the same and static records
 };
 
 Comparison::~Comparison()

@@ -130,6 +130,8 @@ model::Result<void> Passes::draw(PassContext context)
             return drawn;
         }
         target.bind();
+    } else {
+        shadows.forget();
     }
     clear(context);
     for (const PassInfo& pass : kPasses) {

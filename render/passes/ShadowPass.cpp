@@ -20,6 +20,8 @@ constexpr int kMostPixels = 4096;
 constexpr float kLeastPixelsPerMetre = 8.0F;
 /// How far shadows of people reach beyond them.
 constexpr float kShadowMetres = 6.0F;
+/// Metres from the ground: who is higher receives no shadows, nor who has left, far below.
+constexpr float kHighest = 300.0F;
 /// Soft edges are as wide as if what casts them were so far away.
 constexpr float kCasterMetres = 2.0F;
 constexpr float kOffsetTexels = 1.5F;
@@ -51,7 +53,9 @@ Bounds boundsOfPeople(const PassContext& context)
     Bounds bounds;
     if (context.input.frame) {
         for (const glm::vec3& place : context.input.frame->population.column(columns::position)) {
-            bounds.addPlace(place);
+            if (std::abs(place.y) < kHighest) {
+                bounds.addPlace(place);
+            }
         }
     }
     if (!bounds.isEmpty()) {
@@ -135,6 +139,12 @@ Result<void> ShadowPass::drawPeople(const PassContext& context, CrowdGpu& crowd,
         }
     }
     return {};
+}
+
+void ShadowPass::forget()
+{
+    m_last = {};
+    m_isKept = false;
 }
 
 Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)

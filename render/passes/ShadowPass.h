@@ -27,6 +27,8 @@ public:
     /// Leaves the map's framebuffer bound, and the map at kShadowUnit. Where nothing receives
     /// shadows, `context` casts none afterwards.
     [[nodiscard]] model::Result<void> draw(PassContext& context, CrowdGpu& crowd);
+    /// Lets go of the stages that it was drawn with.
+    void forget();
 
 private:
     [[nodiscard]] std::optional<SunView> sunView(const PassContext& context) const;

@@ -14,6 +14,8 @@ namespace crowd::render {
 
 namespace {
 
+/// From what is seen, towards the sun and away from it, to what casts and receives beside it.
+constexpr float kFarthestMetres = 400.0F;
 constexpr float kFarMetres = 3000.0F; ///< of an orthographic model::View, both ways
 using Polygon = std::vector<glm::vec3>;
 
@@ -117,24 +119,30 @@ float stepped(float metres)
                      kStepsPerDoubling);
 }
 
-/// From a view's depth to one that the scene fills, so that few bits are enough.
-glm::mat4 depthOf(const model::Bounds& scene, const glm::vec3& toSun, const glm::vec3& sun)
+/// From a view's depth to one that runs from what receives shadows to what casts them on it, so
+/// that few bits are enough. Heights: metres towards the sun.
+glm::mat4 depthOf(float lowest, float highest, float sunHeight)
 {
-    float low = std::numeric_limits<float>::infinity();
-    float high = -low;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const float height = glm::dot(toSun, cornerOf(scene, corner) - sun);
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
     constexpr float kRoom = 1.0F; // metres
-    const float middle = (low + high) * 0.5F;
-    const float half = (high - low) * 0.5F + kRoom;
+    const float middle = (lowest + highest) * 0.5F - sunHeight;
+    const float half = (highest - lowest) * 0.5F + kRoom;
     // An orthographic view's depth runs from -1 so far towards the sun to 1 so far behind.
     glm::mat4 depth(1.0F);
     depth[2][2] = kFarMetres / half;
     depth[3][2] = middle / half;
     return depth;
+}
+
+/// Lowest and highest of a box, towards the sun.
+glm::vec2 heightsOf(const model::Bounds& scene, const glm::vec3& toSun)
+{
+    glm::vec2 heights(std::numeric_limits<float>::infinity(),
+                      -std::numeric_limits<float>::infinity());
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const float height = glm::dot(toSun, cornerOf(scene, corner));
+        heights = {std::min(heights.x, height), std::max(heights.y, height)};
+    }
+    return heights;
 }
 
 } // namespace
@@ -163,7 +171,11 @@ std::optional<SunView> fitSunView(const model::View& camera, float farMetres,
     sun.orthographicHeight = metres.y;
     const float longest = std::max(texel.x, texel.y);
     const model::View view(sun, metres / longest);
-    const glm::mat4 clip = depthOf(seen, toSun, sun.position) * view.viewProjection();
+    // Somebody at the end of the world casts nothing here, and receives nothing.
+    const glm::vec2 heights = heightsOf(seen, toSun);
+    const float lowest = std::max(heights.x, across.low.z - kFarthestMetres);
+    const float highest = std::min(heights.y, across.high.z + kFarthestMetres);
+    const glm::mat4 clip = depthOf(lowest, highest, across.center().z) * view.viewProjection();
     const glm::mat4 half =
         glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)), glm::vec3(0.5F));
     return SunView{view, longest, metres, clip, half * clip};

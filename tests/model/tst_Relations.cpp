@@ -305,7 +305,8 @@ private Q_SLOTS:
         QVERIFY2(outcome.isCommitted, qPrintable(outcome.message));
         QCOMPARE(outcome.affected, 2);
         QVERIFY(scene.table().all() == (std::vector<Relation>{{ids[0], ids[25], 1.0F, kFriends}}));
-        QCOMPARE(scene.document.undoStack().undoText(), QStringLiteral("Change relations of 2 character(s)"));
+        QCOMPARE(scene.document.undoStack().undoText(),
+                 QStringLiteral("Change relations of 2 character(s)"));
 
         BrushSettings erasing = relationBrush(RelationHow::Near);
         erasing.as<RelationSettings>().erases = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <QtTest/QTest>
@@ -62,6 +63,8 @@ private Q_SLOTS:
     void everyLevelCastsAlike();
     void areTheSameInEveryFrameAtRest();
     void areSofterUnderALargerSun();
+    void somebodyAtTheEndOfTheWorldDoesNotSpoilThem_data();
+    void somebodyAtTheEndOfTheWorldDoesNotSpoilThem();
     void theSunSeesWhatTheCameraSees();
     void theSunsStepsAreWholeTexels();
     void theSunSeesNothingBesideTheScene();
@@ -283,6 +286,34 @@ void TestShadows::areSofterUnderALargerSun()
     input.lighting.shadowSoftnessRadians = 0.2F;
     draw(input);
     QVERIFY2(greys() > hard + 2, qPrintable(QStringLiteral("%1 %2").arg(hard).arg(greys())));
+}
+
+void TestShadows::somebodyAtTheEndOfTheWorldDoesNotSpoilThem_data()
+{
+    QTest::addColumn<float>("x");
+    QTest::addColumn<float>("y");
+    QTest::newRow("far away") << 1e6F << 0.0F;
+    QTest::newRow("high up") << 50.0F << 1e5F;
+    QTest::newRow("who has left") << 0.0F << -1e5F;
+    QTest::newRow("nowhere") << std::numeric_limits<float>::quiet_NaN() << 0.0F;
+}
+
+void TestShadows::somebodyAtTheEndOfTheWorldDoesNotSpoilThem()
+{
+    QFETCH(const float, x);
+    QFETCH(const float, y);
+    render::RenderInput input = inputFor(frameOf(makeRow(1), {entryFor(m_man)}));
+    draw(input);
+    const int dark = at(-1.2F, 0.0F);
+    model::Population people = makeRow(2);
+    const std::array<model::IndividualId, 1> second{2};
+    const std::array<glm::vec3, 1> there{glm::vec3(x, y, 0.0F)};
+    people.setValues(model::columns::position, second, std::span<const glm::vec3>(there));
+    input.frame = frameOf(people, {entryFor(m_man)});
+    draw(input);
+    QVERIFY2(std::abs(at(-1.2F, 0.0F) - dark) <= 2,
+             qPrintable(QStringLiteral("%1 %2").arg(at(-1.2F, 0.0F)).arg(dark)));
+    QVERIFY(at(3.0F, 3.0F) > dark + 20);
 }
 
 void TestShadows::theSunSeesWhatTheCameraSees()
