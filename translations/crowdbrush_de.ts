@@ -1430,6 +1430,10 @@
             <numerusform>Beziehungen von %n Figuren geändert</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Taken: %1</source>
+        <translation>Übernommen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1944,10 +1948,6 @@
         <source>Arrange values</source>
         <translation>Werte ordnen</translation>
     </message>
-    <message>
-        <source>Change a feature</source>
-        <translation>Merkmal ändern</translation>
-    </message>
     <message numerus="yes">
         <source>“%1”: %n characters changed</source>
         <translation>
@@ -1989,6 +1989,10 @@
             <numerusform>„%1“ ist entfernt; %n Figur hatte es</numerusform>
             <numerusform>„%1“ ist entfernt; %n Figuren hatten es</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
     </message>
 </context>
 <context>

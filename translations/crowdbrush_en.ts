@@ -1430,6 +1430,10 @@
             <numerusform>Relations of %n characters changed</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Taken: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Brushes</name>
@@ -1944,10 +1948,6 @@
         <source>Arrange values</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Change a feature</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>“%1”: %n characters changed</source>
         <translation>
@@ -1989,6 +1989,10 @@
             <numerusform>“%1” is gone; %n character had it</numerusform>
             <numerusform>“%1” is gone; %n characters had it</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

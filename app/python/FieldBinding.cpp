@@ -451,15 +451,16 @@ void needLegal(std::span<const FieldInfo> fields, const void* object)
 
 void setFields(const py::object& self, const py::kwargs& given, std::span<const FieldInfo> fields)
 {
-    for (const auto& [name, value] : given) {
-        const auto isIt = [&](const FieldInfo& field) {
-            return attributeOf(field.meta.key) == py::str(name).cast<std::string>();
-        };
-        if (std::ranges::none_of(fields, isIt)) {
+    for (const auto& [key, value] : given) {
+        const std::string name = py::str(key).cast<std::string>();
+        const bool isThere = std::ranges::any_of(fields, [&name](const FieldInfo& field) {
+            return attributeOf(field.meta.key) == name;
+        });
+        if (!isThere) {
             throw py::type_error(py::str(self.get_type().attr("__name__")).cast<std::string>() +
-                                 "() has no argument " + py::repr(name).cast<std::string>());
+                                 "() has no argument '" + name + "'");
         }
-        py::setattr(self, name, value);
+        py::setattr(self, name.c_str(), value);
     }
 }
 

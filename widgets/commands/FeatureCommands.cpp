@@ -246,7 +246,7 @@ void moveFeature(EditorState& state, FeatureId id, int by)
 void changeFeature(EditorState& state, const FeatureValue& value, bool isWorn)
 {
     editKinds(
-        state, FeatureText::tr("Change a feature"),
+        state, FeatureText::tr("Change “%1”").arg(featureText(value.name)),
         [&value](FeatureKinds& kinds) {
             for (FeatureKind& kind : kinds) {
                 std::ranges::replace_if(

@@ -162,6 +162,8 @@ void PickDrag::release(const ToolInput& input)
         m_context.state.showStatus(m_isPerson
                                        ? PickDragText::tr("Nothing to take there for this brush")
                                        : PickDragText::tr("Nobody under the cursor"));
+    } else if (!m_label.isEmpty()) {
+        m_context.state.showStatus(PickDragText::tr("Taken: %1").arg(m_label));
     }
 }
 
