@@ -5,7 +5,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "model/base/Color.h"
+#include "model/base/Values.h"
 
 class QToolButton;
 

@@ -179,8 +179,8 @@ void addRange(FieldForm& form, const Bound& bound)
 }
 
 /// Opens the dialog of colours; `get` and `set` are of the field.
-void addColourButton(FieldForm& form, const Bound& bound, std::function<QColor()> get,
-                     std::function<void(const QColor&)> set)
+void addColourButton(FieldForm& form, const Bound& bound, const std::function<QColor()>& get,
+                     const std::function<void(const QColor&)>& set)
 {
     auto* button = new QToolButton(&form);
     const QString label = labelOf(bound);
