@@ -131,7 +131,7 @@ model::Result<void> Passes::draw(PassContext context)
         }
         target.bind();
     } else {
-        shadows.forget();
+        shadows.rest();
     }
     clear(context);
     for (const PassInfo& pass : kPasses) {

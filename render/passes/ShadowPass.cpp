@@ -2,7 +2,6 @@
 #include "render/passes/ShadowPass.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -65,11 +64,13 @@ Bounds boundsOfPeople(const PassContext& context)
     return bounds;
 }
 
+/// A little more than the picture has, in steps: windows are resized by single pixels.
 int mapPixels(glm::ivec2 picture)
 {
-    const auto longest = static_cast<unsigned>(std::max(picture.x, picture.y));
-    return std::clamp(static_cast<int>(std::bit_ceil(longest + longest / 4)), kFewestPixels,
-                      kMostPixels);
+    constexpr int kStep = 256;
+    const int longest = std::max(picture.x, picture.y);
+    const int wanted = longest + longest / 5;
+    return std::clamp((wanted + kStep - 1) / kStep * kStep, kFewestPixels, kMostPixels);
 }
 
 } // namespace
@@ -141,14 +142,18 @@ Result<void> ShadowPass::drawPeople(const PassContext& context, CrowdGpu& crowd,
     return {};
 }
 
-void ShadowPass::forget()
+void ShadowPass::rest()
 {
-    m_last = {};
-    m_isKept = false;
+    constexpr int kFramesBeforeForgetting = 60; // as stages go
+    if (++m_framesAtRest > kFramesBeforeForgetting) {
+        m_last = {};
+        m_isKept = false;
+    }
 }
 
 Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
 {
+    m_framesAtRest = 0;
     const auto sun = sunView(context);
     if (!sun) {
         context.style.shadowStrength = 0.0F;

@@ -27,8 +27,8 @@ public:
     /// Leaves the map's framebuffer bound, and the map at kShadowUnit. Where nothing receives
     /// shadows, `context` casts none afterwards.
     [[nodiscard]] model::Result<void> draw(PassContext& context, CrowdGpu& crowd);
-    /// Lets go of the stages that it was drawn with.
-    void forget();
+    /// Instead of draw(), where nothing is cast: after a while it lets go of what it kept.
+    void rest();
 
 private:
     [[nodiscard]] std::optional<SunView> sunView(const PassContext& context) const;
@@ -57,6 +57,7 @@ private:
     };
     StillStages m_last;
     bool m_isKept = false; ///< m_kept holds m_last
+    int m_framesAtRest = 0;
     ShadowTarget m_kept;
     CrowdView m_seen; ///< by the sun
 };
