@@ -35,11 +35,8 @@ Bounds boundsOf(const PassContext& context)
     for (const StageEntry& entry : context.input.stages) {
         if (entry.asset && !entry.asset->bounds.isEmpty()) {
             const glm::mat4 matrix = entry.worldFromStage();
-            const Bounds& box = entry.asset->bounds;
             for (unsigned corner = 0; corner < 8; ++corner) {
-                const glm::vec3 point((corner & 1U) != 0 ? box.high.x : box.low.x,
-                                      (corner & 2U) != 0 ? box.high.y : box.low.y,
-                                      (corner & 4U) != 0 ? box.high.z : box.low.z);
+                const glm::vec3 point = cornerOf(entry.asset->bounds, corner);
                 bounds.addPlace(glm::vec3(matrix * glm::vec4(point, 1.0F)));
             }
         }

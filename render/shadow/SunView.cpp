@@ -12,6 +12,13 @@
 
 namespace crowd::render {
 
+glm::vec3 cornerOf(const model::Bounds& box, unsigned corner)
+{
+    return {(corner & 1U) != 0 ? box.high.x : box.low.x,
+            (corner & 2U) != 0 ? box.high.y : box.low.y,
+            (corner & 4U) != 0 ? box.high.z : box.low.z};
+}
+
 namespace {
 
 /// From what is seen, towards the sun and away from it, to what casts and receives beside it.
@@ -74,13 +81,6 @@ Polygon clipped(const Polygon& polygon, const glm::vec4& plane)
         }
     }
     return inside;
-}
-
-glm::vec3 cornerOf(const model::Bounds& box, unsigned corner)
-{
-    return {(corner & 1U) != 0 ? box.high.x : box.low.x,
-            (corner & 2U) != 0 ? box.high.y : box.low.y,
-            (corner & 4U) != 0 ? box.high.z : box.low.z};
 }
 
 bool isInside(const model::Bounds& box, const glm::vec3& point)

@@ -22,6 +22,9 @@ struct SunView
     glm::mat4 mapFromWorld{1.0F};  ///< 0..1 on the map, and the depth that it holds
 };
 
+/// One of the eight corners of a box: bits 0, 1, 2 choose the high end of X, Y, Z.
+[[nodiscard]] glm::vec3 cornerOf(const model::Bounds& box, unsigned corner);
+
 /// `seen`: what may receive shadows; `farMetres`: beyond it none are received. Steps in whole
 /// texels, so that edges of shadows do not crawl while the camera moves. Nothing where the camera
 /// sees none of it.
