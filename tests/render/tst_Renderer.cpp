@@ -2,6 +2,7 @@
 #include <QtTest/QtTest>
 
 #include "tests/program/Test.h"
+#include "tests/render/PictureBench.h"
 #include "tests/render/TestScene.h"
 
 using namespace crowd;
@@ -25,7 +26,7 @@ bool isNear(const Rgb& a, const Rgb& b, int distance = 3)
 } // namespace
 
 /// Pictures of tiny scenes, pixel by pixel, without a window or a display.
-class TestRenderer : public QObject
+class TestRenderer : public PictureBench
 {
     Q_OBJECT
 
@@ -70,29 +71,13 @@ private Q_SLOTS:
 private:
     [[nodiscard]] render::RenderInput inputFor(const model::CrowdFramePtr& frame);
     [[nodiscard]] Rgb pixel(int x, int y) const;
-    void draw(const render::RenderInput& input);
     void drawMan(const model::Population& population, double seconds = 0.0);
     void drawAsset(const std::shared_ptr<model::Template>& asset, const model::Population& people);
-
-    std::unique_ptr<render::OffscreenContext> m_context;
-    std::unique_ptr<render::Renderer> m_renderer;
-    std::unique_ptr<model::KeyframeStore> m_keyframes;
-    model::TemplatePtr m_man;
-    std::vector<std::uint8_t> m_pixels;
 };
 
 void TestRenderer::initTestCase()
 {
-    qunsetenv("DISPLAY");
-    qunsetenv("WAYLAND_DISPLAY");
-    auto context = render::OffscreenContext::create();
-    QVERIFY2(context.isOk(), context ? "" : context.error().message.c_str());
-    m_context = std::move(context).value();
-    m_renderer = std::make_unique<render::Renderer>();
-    const auto ready = m_renderer->initialize();
-    QVERIFY2(ready.isOk(), ready ? "" : ready.error().message.c_str());
-    m_keyframes = std::make_unique<model::KeyframeStore>();
-    m_man = makeBoxMan();
+    open();
 }
 
 void TestRenderer::cleanupTestCase()
@@ -109,16 +94,6 @@ render::RenderInput TestRenderer::inputFor(const model::CrowdFramePtr& frame)
     input.showShadows = false;
     input.background = {0.0F, 1.0F, 0.0F, 1.0F};
     return input;
-}
-
-void TestRenderer::draw(const render::RenderInput& input)
-{
-    for (int pass = 0; pass < 2; ++pass) { // the first asks for clips, the second has them
-        const auto drawn = m_renderer->draw(input);
-        QVERIFY2(drawn.isOk(), drawn ? "" : drawn.error().message.c_str());
-        m_keyframes->waitForAll();
-    }
-    m_pixels = m_renderer->readPixels();
 }
 
 void TestRenderer::drawMan(const model::Population& population, double seconds)

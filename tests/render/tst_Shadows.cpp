@@ -8,6 +8,7 @@
 
 #include "render/shadow/SunView.h"
 #include "tests/program/Test.h"
+#include "tests/render/PictureBench.h"
 #include "tests/render/TestScene.h"
 
 using namespace crowd;
@@ -48,7 +49,7 @@ std::shared_ptr<model::StageAsset> makeSlab(float half, float height)
 
 } // namespace
 
-class TestShadows : public QObject
+class TestShadows : public PictureBench
 {
     Q_OBJECT
 
@@ -71,29 +72,13 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] render::RenderInput inputFor(const model::CrowdFramePtr& frame);
-    void draw(const render::RenderInput& input);
     /// Brightness 0..255 of what is at a place of the ground.
     [[nodiscard]] int at(float x, float z) const;
-
-    std::unique_ptr<render::OffscreenContext> m_context;
-    std::unique_ptr<render::Renderer> m_renderer;
-    std::unique_ptr<model::KeyframeStore> m_keyframes;
-    model::TemplatePtr m_man;
-    std::vector<std::uint8_t> m_pixels;
 };
 
 void TestShadows::initTestCase()
 {
-    qunsetenv("DISPLAY");
-    qunsetenv("WAYLAND_DISPLAY");
-    auto context = render::OffscreenContext::create();
-    QVERIFY2(context.isOk(), context ? "" : context.error().message.c_str());
-    m_context = std::move(context).value();
-    m_renderer = std::make_unique<render::Renderer>();
-    const auto ready = m_renderer->initialize();
-    QVERIFY2(ready.isOk(), ready ? "" : ready.error().message.c_str());
-    m_keyframes = std::make_unique<model::KeyframeStore>();
-    m_man = makeBoxMan();
+    open();
 }
 
 void TestShadows::cleanupTestCase()
@@ -111,16 +96,6 @@ render::RenderInput TestShadows::inputFor(const model::CrowdFramePtr& frame)
     input.lighting.shadowStrength = 1.0F;
     input.lighting.shadowSoftnessRadians = 0.0F;
     return input;
-}
-
-void TestShadows::draw(const render::RenderInput& input)
-{
-    for (int pass = 0; pass < 2; ++pass) { // the first asks for clips, the second has them
-        const auto drawn = m_renderer->draw(input);
-        QVERIFY2(drawn.isOk(), drawn ? "" : drawn.error().message.c_str());
-        m_keyframes->waitForAll();
-    }
-    m_pixels = m_renderer->readPixels();
 }
 
 int TestShadows::at(float x, float z) const
