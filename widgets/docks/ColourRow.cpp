@@ -14,8 +14,6 @@ namespace crowd::widgets {
 
 namespace {
 
-constexpr QSize kRowSwatch{18, 14}; ///< logical pixels
-
 QColor colourOf(const model::PaintColor& color)
 {
     return {color[0], color[1], color[2]};
@@ -62,9 +60,7 @@ void ColourRow::fill()
         addSwatch(m_swatches.size());
     }
     for (std::size_t i = 0; i < m_colours.size(); ++i) {
-        QPixmap swatch(kRowSwatch);
-        swatch.fill(colourOf(m_colours[i]));
-        m_swatches[i]->setIcon(swatch);
+        m_swatches[i]->setIcon(swatchIcon(colourOf(m_colours[i])));
         m_swatches[i]->setAccessibleName(colourOf(m_colours[i]).name());
     }
 }
@@ -73,7 +69,6 @@ void ColourRow::addSwatch(std::size_t index)
 {
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("colour"));
-    button->setIconSize(kRowSwatch);
     button->setToolTip(tr("Click: change the colour. Right button: take it out."));
     button->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(button, &QToolButton::clicked, this, [this, index] { change(index); });
