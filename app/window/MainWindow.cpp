@@ -361,6 +361,7 @@ void MainWindow::showWelcome()
     auto* page = new widgets::WelcomePage(
         {FileController::examples(), recentFiles(), Preferences::load().showsWelcome}, this);
     page->setAttribute(Qt::WA_DeleteOnClose);
+    page->addAction(m_actions.action("keys")); // the hint below it names that key
     connect(page, &widgets::WelcomePage::newTheatreChosen, &m_files, &FileController::newTheatre);
     connect(page, &widgets::WelcomePage::newGroundChosen, &m_files, &FileController::newGround);
     connect(page, &widgets::WelcomePage::openChosen, &m_files, &FileController::open);
@@ -377,7 +378,9 @@ void MainWindow::showWelcome()
 
 void MainWindow::showShortcuts()
 {
-    auto* dialog = new KeysDialog(m_actions, m_state.viewOptions().buttons, this);
+    QWidget* above = QApplication::activeModalWidget();
+    auto* dialog = new KeysDialog(m_actions, m_state.viewOptions().buttons,
+                                  above != nullptr ? above : this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

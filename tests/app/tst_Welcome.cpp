@@ -6,6 +6,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QToolButton>
 
+#include "app/window/KeysDialog.h"
 #include "app/window/PreferencesDialog.h"
 #include "app/window/RecentFiles.h"
 #include "tests/app/SceneWindow.h"
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void theSecondClickDoesNotPaintBehindThePage();
     void everyReadyMadeSceneHasAPicture();
     void keyboardReachesEveryChoice();
+    void theKeyForTheCardWorksOnIt();
     void escapeLeavesAnEmptyTheatre();
     void newGroundAndRecentScenes();
     void libraryIsOneClickAway();
@@ -124,6 +126,20 @@ void WelcomeTest::keyboardReachesEveryChoice()
     QTest::keyClick(meadow, Qt::Key_Space);
     QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 6 * kPatienceMs);
     QCOMPARE(m_window->files().documentName(), QStringLiteral("meadow"));
+}
+
+/// The hint in the picture behind names it.
+void WelcomeTest::theKeyForTheCardWorksOnIt()
+{
+    startAndWait();
+    QTRY_VERIFY(page()->isActiveWindow());
+    QTest::keyClick(page(), Qt::Key_F1);
+    QTRY_VERIFY(page()->findChild<app::KeysDialog*>() != nullptr);
+    auto* card = page()->findChild<app::KeysDialog*>();
+    QTRY_VERIFY(card->isActiveWindow());
+    QTest::keyClick(card, Qt::Key_Escape);
+    QTRY_VERIFY(page()->findChild<app::KeysDialog*>() == nullptr);
+    QVERIFY(page()->isVisible());
 }
 
 void WelcomeTest::escapeLeavesAnEmptyTheatre()

@@ -70,6 +70,24 @@ BrushSettings featureBrush(const char* kind, std::vector<ClipWeight> values, Bru
     return settings;
 }
 
+/// The emotions of all, from the press to where the pointer was let go.
+std::vector<FeatureId> inOrderOfTheLine(const FeatureScene& scene)
+{
+    const View view = fromAbove();
+    std::vector<std::pair<float, FeatureId>> along;
+    for (const IndividualId id : scene.ids) {
+        const auto at = view.project(scene.valueOf(columns::position, id));
+        along.emplace_back(at ? at->x * 1279.0F + at->y * 767.0F : 0.0F,
+                           scene.valueOf(columns::feature(1), id));
+    }
+    std::ranges::sort(along);
+    std::vector<FeatureId> row;
+    for (const auto& [_, value] : along) {
+        row.push_back(value);
+    }
+    return row;
+}
+
 /// A value that does everything that one can.
 FeatureValue allOfIt(FeatureId id)
 {
@@ -320,6 +338,13 @@ void tst_Features::theBrushPaintsOneAnyOrARow()
     BrushSettings outfit(BrushKind::Outfit);
     QVERIFY(scene.paintAll(outfit).isCommitted);
     QCOMPARE(borne().size(), inARow); // those stay
+    // Where two meet they mix; at the ends there is one only.
+    QVERIFY(scene.paintAll(featureBrush("emotion", both, BrushOperator::Gradient)).isCommitted);
+    const std::vector<FeatureId> row = inOrderOfTheLine(scene);
+    const auto firstHappy = std::ranges::find(row, happy) - row.begin();
+    const auto lastSad = row.rend() - std::ranges::find(row.rbegin(), row.rend(), sad);
+    QVERIFY(firstHappy > 0 && firstHappy < lastSad);
+    QVERIFY(static_cast<std::size_t>(lastSad) < row.size());
     QVERIFY(bearersOf(scene.document.scene(), scene.idOf("outfit", "everyday")).size() > 0);
 }
 

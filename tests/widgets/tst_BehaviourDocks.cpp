@@ -192,6 +192,9 @@ void TestBehaviourDocks::aRuleSaysWhatIsWrong()
     Desk<RulesDock> desk;
     QVERIFY(desk.isReady());
     addBy(desk, "addRule", RulesDock::tr("A New Rule"));
+    addBy(desk, "addRule", RulesDock::tr("A New Rule"));
+    QVERIFY(desk.document.scene().rules[0].name != desk.document.scene().rules[1].name);
+    desk.document.undoStack().undo();
     auto* problem = desk.dock->findChild<QLabel*>(QStringLiteral("ruleProblem"));
     QTRY_VERIFY(problem->isVisible());
     QVERIFY2(problem->text().contains(QStringLiteral("type the event")),

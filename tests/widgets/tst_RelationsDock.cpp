@@ -4,6 +4,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
+#include <glm/geometric.hpp>
 
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
@@ -100,6 +101,8 @@ private Q_SLOTS:
     void kindsAreMadeNamedAndRemoved();
     void theFormChangesAKind();
     void duplicatesAreRelatedAmongEachOther();
+    void duplicatesStandWhereNobodyStands();
+    void theBoxSaysThatTheBrushShowsThem();
     void aDragRelatesAndControlTakesAway();
     void aLassoAfterALasso();
     void arcsAreOfTheSelectedOrOfAll();
@@ -200,6 +203,37 @@ void TestRelationsDock::duplicatesAreRelatedAmongEachOther()
     desk.state.selection().clear();
     duplicateSelection(desk.state);
     QVERIFY(desk.said.startsWith(QStringLiteral("Nobody")));
+}
+
+void TestRelationsDock::duplicatesStandWhereNobodyStands()
+{
+    RelationsDesk desk;
+    QVERIFY(desk.isReady());
+    desk.state.selection().set(Ids{desk.ids[0]});
+    for (int i = 0; i < 12; ++i) {
+        desk.state.selection().set(Ids{desk.ids[0]});
+        duplicateSelection(desk.state);
+    }
+    const auto at = desk.document.scene().population.column(model::columns::position);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        for (std::size_t j = i + 1; j < at.size(); ++j) {
+            QVERIFY2(glm::distance(at[i], at[j]) > 0.49F, qPrintable(QString::number(j)));
+        }
+    }
+}
+
+void TestRelationsDock::theBoxSaysThatTheBrushShowsThem()
+{
+    RelationsDesk desk;
+    QVERIFY(desk.isReady());
+    auto* box = desk.dock->findChild<QCheckBox*>(QStringLiteral("showRelations"));
+    QVERIFY(!box->isChecked() && box->isEnabled());
+    desk.state.setTool(ToolId::BrushRelation);
+    QVERIFY(box->isChecked() && !box->isEnabled());
+    desk.state.setTool(ToolId::Select);
+    QVERIFY(!box->isChecked() && box->isEnabled());
+    box->click();
+    QVERIFY(desk.state.viewOptions().showRelations && box->isChecked());
 }
 
 void TestRelationsDock::aDragRelatesAndControlTakesAway()

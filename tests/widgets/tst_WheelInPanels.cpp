@@ -99,6 +99,7 @@ private Q_SLOTS:
     void theWheelOverAFieldScrollsThePanel();
     void aFieldWithTheKeyboardTakesTheWheel_data();
     void aFieldWithTheKeyboardTakesTheWheel();
+    void aListWithTheKeyboardDoesNot();
     void itHoldsAfterAnotherThemeWasChosen();
     void scrollingTheRulesChangesNone();
 };
@@ -131,7 +132,27 @@ void TestWheelInPanels::theWheelOverAFieldScrollsThePanel()
 
 void TestWheelInPanels::aFieldWithTheKeyboardTakesTheWheel_data()
 {
-    theWheelOverAFieldScrollsThePanel_data();
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"number", "whole", "slider"}) {
+        QTest::newRow(name) << QString::fromLatin1(name);
+    }
+}
+
+/// One has just chosen from it, and goes on reading the panel.
+void TestWheelInPanels::aListWithTheKeyboardDoesNot()
+{
+    for (const char* name : {"choice", "typed"}) {
+        Panel panel;
+        panel.area.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&panel.area));
+        QWidget* field = panel.field(QLatin1String(name));
+        field->setFocus();
+        QTRY_VERIFY(field->hasFocus());
+        const double before = panel.sum();
+        turnWheelOver(*field);
+        QCOMPARE(panel.sum(), before);
+        QVERIFY(panel.scrolled() > 0);
+    }
 }
 
 void TestWheelInPanels::aFieldWithTheKeyboardTakesTheWheel()

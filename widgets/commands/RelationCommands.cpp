@@ -2,12 +2,15 @@
 #include "widgets/commands/RelationCommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include <QtCore/QCoreApplication>
 
+#include "model/brush/NeighbourGrid.h"
 #include "model/document/SceneEdit.h"
 #include "model/relations/RelatedPeople.h"
 #include "widgets/state/RelationTexts.h"
@@ -26,6 +29,9 @@ namespace {
 
 constexpr std::size_t kMostEachToEach = 500;
 constexpr float kBesideMetres = 1.0F; ///< of a copy
+constexpr float kCopiesApart = 0.5F;
+constexpr int kBesideRings = 6;
+constexpr int kBesideSides = 8;
 
 struct RelationText
 {
@@ -57,6 +63,48 @@ Name freeRelationName(const model::RelationKinds& kinds)
             return name;
         }
     }
+}
+
+int countFree(const model::NeighbourGrid& grid, std::span<const glm::vec3> places,
+              const glm::vec3& offset)
+{
+    return static_cast<int>(std::ranges::count_if(
+        places, [&](const glm::vec3& at) { return grid.isFree({at + offset}); }));
+}
+
+/// Beside them as they are seen, or farther or elsewhere around where others stand there.
+glm::vec3 offsetOfCopies(const EditorState& state, std::span<const IndividualId> ids)
+{
+    const model::Population& people = state.scene().population;
+    const auto positions = people.column(model::columns::position);
+    std::vector<model::GroundDisc> discs;
+    for (const glm::vec3& at : positions) {
+        discs.push_back({at});
+    }
+    const model::NeighbourGrid grid(discs, kCopiesApart);
+    std::vector<glm::vec3> places;
+    for (const IndividualId id : ids) {
+        places.push_back(positions[people.rowOf(id)]);
+    }
+    const glm::vec3 right = state.camera().orientation * glm::vec3(1.0F, 0.0F, 0.0F);
+    const float start = std::atan2(right.x, right.z);
+    glm::vec3 best{0.0F};
+    int mostFree = -1;
+    for (int i = 0; i < kBesideRings * kBesideSides; ++i) {
+        const float metres = kBesideMetres * static_cast<float>(1 + i / kBesideSides);
+        const float angle = start + 2.0F * std::numbers::pi_v<float> *
+                                        static_cast<float>(i % kBesideSides) / kBesideSides;
+        const glm::vec3 offset = metres * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+        const int free = countFree(grid, places, offset);
+        if (free > mostFree) {
+            mostFree = free;
+            best = offset;
+        }
+        if (mostFree == static_cast<int>(places.size())) {
+            break;
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -197,9 +245,7 @@ void duplicateSelection(EditorState& state)
         state.showStatus(RelationText::tr("Nobody is selected: there is nobody to duplicate."));
         return;
     }
-    // Beside them as they are seen.
-    const glm::vec3 right = state.camera().orientation * glm::vec3(1.0F, 0.0F, 0.0F);
-    const glm::vec3 offset = glm::vec3(right.x, 0.0F, right.z) * kBesideMetres;
+    const glm::vec3 offset = offsetOfCopies(state, people);
     std::vector<IndividualId> copies;
     const auto outcome = state.document().edit(
         RelationText::tr("Duplicate %n character(s)", nullptr, static_cast<int>(people.size())),

@@ -143,13 +143,18 @@ void RelationsDock::connectParts()
     connect(&m_state.document(), &model::SceneDocument::editRefused, &m_rebuild,
             qOverload<>(&QTimer::start));
     connect(this, &QDockWidget::visibilityChanged, &m_count, qOverload<>(&QTimer::start));
-    connect(m_shows, &QCheckBox::toggled, this, [this](bool isOn) {
+    connect(m_shows, &QCheckBox::clicked, this, [this](bool isOn) {
         ViewOptions options = m_state.viewOptions();
         options.showRelations = isOn;
         m_state.setViewOptions(options);
     });
-    const auto refresh = [this] { m_shows->setChecked(m_state.viewOptions().showRelations); };
+    // With the brush in hand they are always shown.
+    const auto refresh = [this] {
+        m_shows->setChecked(m_state.showsRelations());
+        m_shows->setEnabled(m_state.tool() != ToolId::BrushRelation);
+    };
     connect(&m_state, &EditorState::viewOptionsChanged, this, refresh);
+    connect(&m_state, &EditorState::toolChanged, this, refresh);
     refresh();
 }
 

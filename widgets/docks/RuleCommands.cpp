@@ -152,10 +152,25 @@ void RuleCommands::reorder(std::span<const model::RuleId> order)
     }
 }
 
+/// "New rule", "New rule 2": what they log is told apart.
+QString RuleCommands::freeRuleName() const
+{
+    const auto isTaken = [this](const QString& name) {
+        return std::ranges::any_of(m_state.scene().rules, [&name](const Rule& rule) {
+            return rule.name == name.toStdString();
+        });
+    };
+    QString name = tr("New rule");
+    for (int number = 2; isTaken(name); ++number) {
+        name = tr("New rule %1").arg(number);
+    }
+    return name;
+}
+
 void RuleCommands::addRule()
 {
     std::vector<Rule> made(1);
-    made.front().name = tr("New rule").toStdString();
+    made.front().name = freeRuleName().toStdString();
     made.front().actions.emplace_back(); // it does nothing until its event and a clip are chosen
     made.front().yields = model::RuleYield::Anybody;
     model::giveIds(made, m_state.scene());

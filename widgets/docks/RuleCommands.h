@@ -49,6 +49,7 @@ private:
     QAction* makeAction(const char* name, const QString& text, const QKeySequence& keys,
                         void (RuleCommands::*run)());
     void setRules(std::vector<model::Rule> rules, const QString& undoText);
+    [[nodiscard]] QString freeRuleName() const;
     void addRule();
     void addSet(model::RuleSet set);
     void duplicateRule();

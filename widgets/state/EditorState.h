@@ -164,6 +164,11 @@ public:
 
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_options; }
     void setViewOptions(const ViewOptions& options);
+    /// Whether relations are seen: as the view is set, and always while the brush works on them.
+    [[nodiscard]] bool showsRelations() const
+    {
+        return m_options.showRelations || m_tool == ToolId::BrushRelation;
+    }
 
     [[nodiscard]] const RecallSettings& recall() const { return m_recall; }
     void setRecall(const RecallSettings& recall);

@@ -38,7 +38,12 @@ void FieldWheel::forget(QWidget& widget)
 bool FieldWheel::eventFilter(QObject* watched, QEvent* event)
 {
     const auto* field = qobject_cast<QWidget*>(watched);
-    if (event->type() != QEvent::Wheel || field == nullptr || field->hasFocus()) {
+    if (event->type() != QEvent::Wheel || field == nullptr) {
+        return QObject::eventFilter(watched, event);
+    }
+    // A list keeps the keyboard after one has chosen from it: who scrolls on does not choose again.
+    const bool isList = qobject_cast<const QComboBox*>(field) != nullptr;
+    if (field->hasFocus() && !isList) {
         return QObject::eventFilter(watched, event);
     }
     event->ignore(); // so that it goes on to the parent

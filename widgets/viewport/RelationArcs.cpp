@@ -63,11 +63,6 @@ glm::vec4 arcColor(const model::PaintColor& color)
 
 } // namespace
 
-bool showsRelations(const EditorState& state)
-{
-    return state.viewOptions().showRelations || state.tool() == ToolId::BrushRelation;
-}
-
 void RelationArcs::gather(const EditorState& state, const model::CrowdFrame& frame)
 {
     const model::Scene& scene = state.scene();
@@ -103,7 +98,7 @@ void RelationArcs::make(const EditorState& state, const model::CrowdFrame& frame
     m_arcs.clear();
     m_lines.clear();
     m_legend.clear();
-    if (state.scene().relations.isEmpty() || !showsRelations(state)) {
+    if (state.scene().relations.isEmpty() || !state.showsRelations()) {
         return;
     }
     gather(state, frame);

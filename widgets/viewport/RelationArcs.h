@@ -9,9 +9,6 @@
 
 namespace crowd::widgets {
 
-/// Whether relations are seen: as the view is set, and always while the brush works on them.
-[[nodiscard]] bool showsRelations(const EditorState& state);
-
 /// Relations as arcs over the heads, in the colours of their kinds, of a frame: of the selected;
 /// of everybody where nobody is selected or the brush works on them. Those that are not mutual have
 /// a head. Of very many the first ones are drawn. Metres, world frame.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
+#include "model/base/Random.h"
 #include "model/base/WeightedDraw.h"
 #include "model/brush/ColumnWriting.h"
 #include "model/features/FeatureWriting.h"
@@ -33,14 +35,29 @@ std::vector<Offer> offersOf(const FeatureKind& kind, const FeatureSettings& sett
     return offers;
 }
 
+constexpr double kPureShare = 0.5; ///< of the way between two values nobody bears the other one
+
+/// The steps of a gradient mix where they meet: no line is seen between the calm and the wild.
+std::size_t stepAt(double place, IndividualId id, std::uint64_t seed)
+{
+    constexpr std::uint64_t kFeatureSteps = 92; // purpose of draws
+    const double draw = unitDouble(hashKeys(seed, id, kFeatureSteps)) - 0.5;
+    return static_cast<std::size_t>(
+        std::floor(std::max(0.0, place + 0.5 + draw * (1.0 - kPureShare))));
+}
+
 /// One of them for each: a draw goes by weight, else shares run from the first to the last.
-std::vector<FeatureId> wantedOf(const std::vector<Offer>& offers, const OperatorResult& values)
+std::vector<FeatureId> wantedOf(const std::vector<Offer>& offers, const OperatorResult& values,
+                                const ChangeRequest& request)
 {
     std::vector<FeatureId> wanted;
     wanted.reserve(values.shares.size());
-    for (const double share : values.shares) {
+    const bool isGraded = operatorInfo(request.settings.op).followsLine;
+    for (std::size_t i = 0; i < values.shares.size(); ++i) {
+        const double share = values.shares[i];
         const double place = share * static_cast<double>(offers.size() - 1);
-        const auto step = static_cast<std::size_t>(std::floor(place + 0.5));
+        const std::size_t step = isGraded ? stepAt(place, request.ids[i], request.seed)
+                                          : static_cast<std::size_t>(std::floor(place + 0.5));
         const std::size_t at = values.isDraw
                                    ? weightedIndex(offers, static_cast<float>(share),
                                                    [](const Offer& each) { return each.weight; })
@@ -74,7 +91,7 @@ ChangeResult FeatureSettings::change(const ChangeRequest& request)
     const OperatorShares shares(request);
     const std::vector<FeatureId> wanted =
         settings.takesOff ? std::vector<FeatureId>(request.ids.size(), FeatureId{0})
-                          : wantedOf(offers, shares.of(request.settings.op, "feature.value"));
+                          : wantedOf(offers, shares.of(request.settings.op, "feature.value"), request);
     result.changed = setFeature(request.edit, *kind, request.ids, wanted, request.seed);
     result.reason = StrokeReason::Unchanged;
     return result;
