@@ -95,6 +95,8 @@ struct RenderInput
     std::span<const model::WorldSeat> seats;
     std::uint64_t seatsVersion = 0;
     model::Lighting lighting;
+    /// Those that are on shine, at most model::kMostLightsDrawn, in looks that are lit.
+    std::span<const model::Light> lights;
     Look look = Look::Lit;
     LevelThresholds levels;
     int samples = 4; ///< per pixel; 0: no anti-aliasing

@@ -7,6 +7,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/gl/Blending.h"
 #include "render/gl/SoftwareTuning.h"
 #include "render/passes/Passes.h"
 
@@ -28,12 +29,7 @@ void beginState(bool isTransparent)
     glDisable(GL_STENCIL_TEST);
     glStencilMask(0xFFU);
     glDisable(GL_BLEND);
-    if (isTransparent) {
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    } else {
-        // The picture stays opaque whatever is blended over it.
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    }
+    blendOver(isTransparent);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }

@@ -3324,6 +3324,130 @@
         <source>Night</source>
         <translation>Nacht</translation>
     </message>
+    <message>
+        <source>Spotlight</source>
+        <translation>Scheinwerfer</translation>
+    </message>
+    <message>
+        <source>Point light</source>
+        <translation>Punktlicht</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>einen Ort</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemanden</translation>
+    </message>
+    <message>
+        <source>It goes with him while it plays. Select somebody and press the button.</source>
+        <translation>Er folgt ihm, während es läuft. Jemanden auswählen und die Schaltfläche drücken.</translation>
+    </message>
+    <message>
+        <source>a group</source>
+        <translation>eine Gruppe</translation>
+    </message>
+    <message>
+        <source>It goes with the middle of those in it.</source>
+        <translation>Er folgt der Mitte derer, die darin sind.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>At 100 % it is as bright as the sun ten metres away; nearer it is brighter</source>
+        <translation>Bei 100 % ist es in zehn Metern Entfernung so hell wie die Sonne, näher heller</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>How wide it opens</source>
+        <translation>Wie weit er sich öffnet</translation>
+    </message>
+    <message>
+        <source>Soft Edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Strahl</translation>
+    </message>
+    <message>
+        <source>How much of it is seen in the air, as in smoke</source>
+        <translation>Wie viel davon in der Luft zu sehen ist, wie in Rauch</translation>
+    </message>
+    <message>
+        <source>Aims at</source>
+        <translation>Gerichtet auf</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Where it hangs or stands</source>
+        <translation>Wo sie hängt oder steht</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie es ist</translation>
+    </message>
+    <message>
+        <source>Filmic</source>
+        <translation>Wie auf Film</translation>
+    </message>
+    <message>
+        <source>Haze</source>
+        <translation>Dunst</translation>
+    </message>
+    <message>
+        <source>How much of what is a hundred metres away the air hides</source>
+        <translation>Wie viel von dem, was hundert Meter entfernt ist, die Luft verdeckt</translation>
+    </message>
+    <message>
+        <source>Air and Exposure</source>
+        <translation>Luft und Belichtung</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Each stop doubles the brightness</source>
+        <translation>Jede Blende verdoppelt die Helligkeit</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>The colour of light that looks white: lower makes the picture bluer, higher warmer</source>
+        <translation>Die Farbe des Lichts, das weiß aussieht: niedriger macht das Bild blauer, höher wärmer</translation>
+    </message>
+    <message>
+        <source> K</source>
+        <translation> K</translation>
+    </message>
+    <message>
+        <source>Tone</source>
+        <translation>Tonwerte</translation>
+    </message>
+    <message>
+        <source>What is brighter than white</source>
+        <translation>Was heller als Weiß ist</translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3465,6 +3589,36 @@
         <source>English</source>
         <extracomment>the name of this language in this language</extracomment>
         <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
+    <name>LightCommands</name>
+    <message>
+        <source>Click what it is to shine on.</source>
+        <translation>Anklicken, worauf es scheinen soll.</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 lights: remove one first.</source>
+        <translation>Eine Szene hat höchstens %1 Lichter: zuerst eines entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Licht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a light</source>
+        <translation>Licht entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>LightHandles</name>
+    <message>
+        <source>Move a light</source>
+        <translation>Licht bewegen</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m hoch</translation>
     </message>
 </context>
 <context>
@@ -6802,10 +6956,6 @@
         <translation>den Nächsten aus „{relation}“ ansehen, bis etwas anderes kommt</translation>
     </message>
     <message>
-        <source>their</source>
-        <translation>die aus</translation>
-    </message>
-    <message>
         <source>send “{event}” to their {relation}</source>
         <translation>„{event}“ an die aus „{relation}“ senden</translation>
     </message>
@@ -6846,10 +6996,6 @@
         <translation>Beziehungen</translation>
     </message>
     <message>
-        <source>the nearest of their</source>
-        <translation>den Nächsten aus</translation>
-    </message>
-    <message>
         <source>arrives at</source>
         <translation>kommt an bei</translation>
     </message>
@@ -6880,6 +7026,14 @@
     <message>
         <source>The relation is not there any more: choose another one.</source>
         <translation>Die Beziehung gibt es nicht mehr: eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>those related as</source>
+        <translation>die in Beziehung als</translation>
+    </message>
+    <message>
+        <source>the nearest related as</source>
+        <translation>den Nächsten in Beziehung als</translation>
     </message>
 </context>
 <context>
@@ -9157,6 +9311,26 @@ Verworfen ist sie fort.</translation>
         <source>Take it out of the list</source>
         <translation>Aus der Liste nehmen</translation>
     </message>
+    <message>
+        <source>Take whoever is selected</source>
+        <translation>Nimmt, wer ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Nobody is selected: click somebody first.</source>
+        <translation>Niemand ist ausgewählt: zuerst jemanden anklicken.</translation>
+    </message>
+    <message>
+        <source>Take the Selected</source>
+        <translation>Ausgewählten nehmen</translation>
+    </message>
+    <message>
+        <source>Character %1</source>
+        <translation>Figur %1</translation>
+    </message>
+    <message>
+        <source>Character %1, who is gone</source>
+        <translation>Figur %1, die nicht mehr da ist</translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::GroupsDock</name>
@@ -9486,6 +9660,49 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Change light</source>
         <translation>Licht ändern</translation>
+    </message>
+    <message>
+        <source>Add: %1. Then click what it is to shine on</source>
+        <translation>Hinzufügen: %1. Dann anklicken, worauf es scheinen soll</translation>
+    </message>
+    <message>
+        <source>Remove the chosen light</source>
+        <translation>Das gewählte Licht entfernen</translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on.</source>
+        <translation>Im Bild, solange „Auswählen“ gewählt ist: die Lampe ziehen, mit Umschalt auf und ab, oder das, worauf sie scheint.</translation>
+    </message>
+    <message>
+        <source>Ticked: it is on. Double click or F2: rename</source>
+        <translation>Angehakt: es ist an. Doppelklick oder F2: umbenennen</translation>
+    </message>
+    <message>
+        <source>Sun and sky</source>
+        <translation>Sonne und Himmel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lights are on; the strongest %1 of them shine.</source>
+        <translation>
+            <numerusform>%n Licht ist an; die stärksten %1 davon leuchten.</numerusform>
+            <numerusform>%n Lichter sind an; die stärksten %1 davon leuchten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename a light</source>
+        <translation>Licht umbenennen</translation>
+    </message>
+    <message>
+        <source>Switch a light on</source>
+        <translation>Licht einschalten</translation>
+    </message>
+    <message>
+        <source>Switch a light off</source>
+        <translation>Licht ausschalten</translation>
+    </message>
+    <message>
+        <source>Change a light</source>
+        <translation>Ein Licht ändern</translation>
     </message>
 </context>
 <context>
@@ -9912,6 +10129,10 @@ Verworfen ist sie fort.</translation>
     <message>
         <source>Press Play first: rules act while it plays.</source>
         <translation>Zuerst auf Abspielen drücken: Regeln wirken, während abgespielt wird.</translation>
+    </message>
+    <message>
+        <source>New rule %1</source>
+        <translation>Neue Regel %1</translation>
     </message>
 </context>
 <context>

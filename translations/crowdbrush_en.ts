@@ -3324,6 +3324,130 @@
         <source>Night</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Spotlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes with him while it plays. Select somebody and press the button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes with the middle of those in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At 100 % it is as bright as the sun ten metres away; nearer it is brighter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How wide it opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft Edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of it is seen in the air, as in smoke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aims at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it hangs or stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filmic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Haze</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of what is a hundred metres away the air hides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Air and Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop doubles the brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour of light that looks white: lower makes the picture bluer, higher warmer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is brighter than white</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FlySession</name>
@@ -3464,6 +3588,36 @@
     <message>
         <source>English</source>
         <extracomment>the name of this language in this language</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LightCommands</name>
+    <message>
+        <source>Click what it is to shine on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 lights: remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LightHandles</name>
+    <message>
+        <source>Move a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6802,10 +6956,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>their</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>send “{event}” to their {relation}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6846,10 +6996,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the nearest of their</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>arrives at</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6879,6 +7025,14 @@
     </message>
     <message>
         <source>The relation is not there any more: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>those related as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest related as</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9150,6 +9304,26 @@ Thrown away, it is gone.</source>
         <source>Take it out of the list</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take whoever is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is selected: click somebody first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character %1, who is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>crowd::widgets::GroupsDock</name>
@@ -9478,6 +9652,49 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Change light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add: %1. Then click what it is to shine on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, while Select is chosen: drag the lamp, with Shift up and down, or what it shines on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticked: it is on. Double click or F2: rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun and sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lights are on; the strongest %1 of them shine.</source>
+        <translation>
+            <numerusform>%n light is on; the strongest %1 of them shine.</numerusform>
+            <numerusform>%n lights are on; the strongest %1 of them shine.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename a light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch a light on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch a light off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change a light</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9904,6 +10121,10 @@ Thrown away, it is gone.</source>
     </message>
     <message>
         <source>Press Play first: rules act while it plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New rule %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -241,6 +241,7 @@ std::optional<double> PaintBench::medianFrame()
         render::RenderInput input(fieldView(), m_keyframes);
         input.frame = m_document.frame(i / 30.0);
         input.lighting = m_document.scene().lighting;
+        input.lights = m_document.scene().lights;
         if (!renderer.draw(input)) {
             renderer.destroy();
             return std::nullopt;

@@ -166,6 +166,7 @@ render::RenderInput Comparison::inputAt(double seconds)
     input.seats = m_seats;
     input.seatsVersion = 1;
     input.lighting = m_scene.lighting;
+    input.lights = m_scene.lights;
     input.samples = m_options.samples;
     if (m_options.detail == "full") {
         input.levels = render::LevelThresholds::fullDetail();

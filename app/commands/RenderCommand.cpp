@@ -50,6 +50,7 @@ public:
         m_request.stages = m_scene.stages;
         m_request.seats = m_seats;
         m_request.lighting = m_scene.lighting;
+        m_request.lights = m_scene.lights;
         m_request.camera = camera;
         m_request.size = plan.size;
         m_request.look = plan.look;

@@ -14,6 +14,7 @@ render::RenderInput inputOf(const PictureRequest& request, model::KeyframeStore&
     input.seats = request.seats;
     input.seatsVersion = request.seatsVersion;
     input.lighting = request.lighting;
+    input.lights = request.lights;
     input.look = request.look;
     input.showShadows = request.showShadows;
     input.isTransparent = request.isTransparent;

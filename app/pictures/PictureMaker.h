@@ -23,6 +23,7 @@ struct PictureRequest
     std::span<const model::WorldSeat> seats;
     std::uint64_t seatsVersion = 1; ///< grows when the seats are others
     model::Lighting lighting;
+    model::Lights lights;
     model::Camera camera;
     glm::ivec2 size{1280, 720}; ///< pixels
     render::Look look = render::Look::Lit;

@@ -128,6 +128,7 @@ Result<std::vector<std::uint8_t>> ScriptPictures::draw(ScriptScene& script,
     request.seats = seats;
     request.seatsVersion = ++m_count;
     request.lighting = shown->lighting;
+    request.lights = shown->lights;
     request.camera = camera.value();
     request.size = picture.size;
     request.look = picture.look;

@@ -1520,6 +1520,13 @@ class Scene:
     def cues(self, value: List[Cue]) -> None:
         ...
     @property
+    def lights(self) -> List[Light]:
+        """A new list of Light, as the environment has them, by name too; setting it is a step of
+        undo."""
+    @lights.setter
+    def lights(self, value: List[Light]) -> None:
+        ...
+    @property
     def rules(self) -> List[Rule]:
         """A new list of Rule, as the environment has them, by name too; setting it is a step of
         undo."""
@@ -1578,7 +1585,7 @@ class Picture(numpy.ndarray[Any, Any]):
 
 class Lighting:
     """Sun, sky and ground. Angles in radians, colours sRGB 0–1."""
-    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ...) -> None:
+    def __init__(self, *, sun_azimuth: float = ..., sun_elevation: float = ..., sun_color: Sequence[float] = ..., sun_strength: float = ..., shadow_strength: float = ..., shadow_softness: float = ..., ambient_color: Sequence[float] = ..., ambient_strength: float = ..., occlusion: float = ..., sky_zenith: Sequence[float] = ..., sky_horizon: Sequence[float] = ..., ground: Sequence[float] = ..., ground_grid: bool = ..., haze: float = ..., exposure: float = ..., white: float = ..., tone: Any = ...) -> None:
         ...
     @property
     def sun_azimuth(self) -> float:
@@ -1629,6 +1636,12 @@ class Lighting:
     def ambient_strength(self, value: float) -> None:
         ...
     @property
+    def occlusion(self) -> float:
+        """how dark it is in corners and where bodies meet ground and seats; 0: not"""
+    @occlusion.setter
+    def occlusion(self, value: float) -> None:
+        ...
+    @property
     def sky_zenith(self) -> Sequence[float]:
         """the sky overhead"""
     @sky_zenith.setter
@@ -1651,6 +1664,30 @@ class Lighting:
         """lines a metre apart"""
     @ground_grid.setter
     def ground_grid(self, value: bool) -> None:
+        ...
+    @property
+    def haze(self) -> float:
+        """share of what is a hundred metres away that the air hides"""
+    @haze.setter
+    def haze(self, value: float) -> None:
+        ...
+    @property
+    def exposure(self) -> float:
+        """stops: each doubles the brightness"""
+    @exposure.setter
+    def exposure(self, value: float) -> None:
+        ...
+    @property
+    def white(self) -> float:
+        """the light that looks white, kelvin: lower makes the picture bluer"""
+    @white.setter
+    def white(self, value: float) -> None:
+        ...
+    @property
+    def tone(self) -> str:
+        """what brightness beyond white becomes: white, or it rolls off as on film"""
+    @tone.setter
+    def tone(self, value: str) -> None:
         ...
     @staticmethod
     def ready(key: str) -> Lighting:
@@ -2676,6 +2713,41 @@ class Cue(Entry):
     """who begins when; begins as 'distance'"""
     point: List[float]
     """metres, where "distance" begins"""
+
+
+class Light(Entry):
+    """A light that stands in the scene, beside sun and sky."""
+    def __init__(self, *, id: int, name: str = ..., on: bool = ..., kind: Literal["spot", "point"] = ..., strength: float = ..., color: Union[str, Sequence[int]] = ..., cone: float = ..., softness: float = ..., beam: float = ..., aim: Literal["place", "person", "group"] = ..., target: Sequence[float] = ..., person: int = ..., group: Union[int, Group] = ..., position: Sequence[float] = ...) -> None:
+        ...
+    id: int
+    """of no other light of the scene; must be given"""
+    name: str
+    """what it is called"""
+    on: bool
+    """it shines; begins as True"""
+    kind: Literal["spot", "point"]
+    """a cone, or light to all sides; begins as 'spot'"""
+    strength: float
+    """1: as bright as the sun at ten metres; it falls off with the square of the distance; 0 to
+    1000; begins as 1.0"""
+    color: str
+    """of its light; begins as '#fff4e0'"""
+    cone: float
+    """how wide it opens, from edge to edge; 0.01 to 3; begins as 0.44"""
+    softness: float
+    """share of the cone in which it fades out; 0: a sharp edge; 0 to 1; begins as 0.3"""
+    beam: float
+    """how much of it is seen in the air, as in smoke; 0 to 1; begins as 0.15"""
+    aim: Literal["place", "person", "group"]
+    """what it turns to; begins as 'place'"""
+    target: List[float]
+    """the middle of what it lights, of "place"; m"""
+    person: int
+    """whom it goes with, of "person": an id; 0: nobody; begins as 0"""
+    group: int
+    """of "group"; 0: none; begins as 0"""
+    position: List[float]
+    """where the lamp is; m"""
 
 
 class Rule(Entry):

@@ -119,6 +119,7 @@ void PictureController::draw(const QString& path, glm::ivec2 size, bool isTransp
     job.stages = m_state.scene().stages;
     job.seats = m_state.scene().worldSeats();
     job.request.lighting = m_state.scene().lighting;
+    job.request.lights = m_state.scene().lights;
     job.request.lighting.showGroundGrid &= options.showGroundGrid;
     job.request.camera = m_state.camera();
     job.request.size = size;

@@ -34,6 +34,8 @@ enum class FieldRole : std::uint8_t {
     FeatureKind,  ///< the name of a kind of feature
     Relation,     ///< RelationKindId
     RelationKind, ///< the name of a kind of relation
+    Individual,   ///< IndividualId; 0: nobody
+    Space,        ///< glm::vec3 of the scene, metres, that need not lie on anything
     Counted       ///< a whole number that people count from 1 and the program from 0
 };
 

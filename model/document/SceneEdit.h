@@ -55,6 +55,8 @@ public:
     requires(M::kind == MemberKind::Value) void set(typename M::Type value);
     void setCameras(std::vector<NamedCamera> all) { set<members::Cameras>(std::move(all)); }
     void setLighting(const Lighting& lighting) { set<members::Light>(lighting); }
+    /// By ascending ids.
+    void setLights(Lights lights) { set<members::Lights>(std::move(lights)); }
     void setRules(std::vector<Rule> rules) { set<members::Rules>(std::move(rules)); }
     void setTags(std::vector<TagName> tags) { set<members::Tags>(std::move(tags)); }
     /// By ascending ids.

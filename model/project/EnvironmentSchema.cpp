@@ -241,6 +241,7 @@ json entriesJson()
     const TagName tag;
     const NumberName number;
     const Cue cue;
+    const Light light;
     const Rule rule;
     const json first = {{"kind", rule.trigger.kind().text.key}};
     return {
@@ -261,6 +262,8 @@ json entriesJson()
                   {partField("values", "values",
                              "[id, number] of each individual that begins with another one")}),
         entryJson("Cue", "cues", "A button that sends an event.", fieldsJson(cueFields(), &cue)),
+        entryJson("Light", "lights", "A light that stands in the scene, beside sun and sky.",
+                  fieldsJson(fieldsOf<Light>(), &light)),
         entryJson("Rule", "rules", "When this happens, and the conditions hold, do this.",
                   fieldsJson(ruleFields(), &rule),
                   {partField("when", "Trigger", "what makes it fire", first),

@@ -7,6 +7,7 @@ Lighting newLighting()
 {
     Lighting light;
     light.shadowStrength = 0.8F;
+    light.occlusion = 0.6F;
     return light;
 }
 

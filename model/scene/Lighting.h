@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <tuple>
 
@@ -9,6 +11,15 @@
 #include "model/describe/Field.h"
 
 namespace crowd::model {
+
+/// What brightness beyond white becomes.
+enum class ToneMap : std::uint8_t {
+    None,  ///< white
+    Filmic ///< it rolls off as on film
+};
+
+inline constexpr std::array kToneMaps{FieldChoice{"none", QT_TRANSLATE_NOOP("Fields", "As it is")},
+                                      FieldChoice{"filmic", QT_TRANSLATE_NOOP("Fields", "Filmic")}};
 
 /// The light that is everywhere: a sun, the sky, and the ground that throws light back. Colours
 /// sRGB 0..1.
@@ -22,10 +33,15 @@ struct Lighting
     float shadowSoftnessRadians = 0.02F; ///< angle that the sun takes in the sky
     glm::vec3 ambientColor{0.62F, 0.70F, 0.82F};
     float ambientStrength = 0.6F;
+    float occlusion = 0.0F; ///< how dark it is where the sky is hidden by what is near; 0: not
     glm::vec3 skyZenith{0.35F, 0.53F, 0.78F};
     glm::vec3 skyHorizon{0.80F, 0.87F, 0.93F};
     glm::vec3 ground{0.58F, 0.57F, 0.53F};
     bool showGroundGrid = true;
+    float haze = 0.0F;           ///< share of what is a hundred metres away that the air hides
+    float exposureStops = 0.0F;  ///< each doubles the brightness
+    float whiteKelvin = 6500.0F; ///< the light that looks white
+    ToneMap toneMap = ToneMap::None;
     std::string unknownMembers; ///< see Scene::unknownMembers
 
     static constexpr auto fields();
@@ -127,6 +143,17 @@ constexpr auto Lighting::fields()
                                     .step = 5.0,
                                     .decimals = 0,
                                     .shownScale = 100.0}),
+        field(
+            &S::occlusion,
+            {.key = "occlusion",
+             .label = QT_TRANSLATE_NOOP("Fields", "Occlusion"),
+             .tip = QT_TRANSLATE_NOOP("Fields", "How dark it is in corners, under people and where "
+                                                "they sit: less of the sky is seen from there"),
+             .doc = "how dark it is in corners and where bodies meet ground and seats; 0: not",
+             .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+             .step = 5.0,
+             .decimals = 0,
+             .shownScale = 100.0}),
         field(&S::skyZenith, {.key = "skyZenith",
                               .label = QT_TRANSLATE_NOOP("Fields", "Above"),
                               .tip = QT_TRANSLATE_NOOP("Fields", "The sky overhead"),
@@ -146,7 +173,51 @@ constexpr auto Lighting::fields()
         field(&S::showGroundGrid, {.key = "groundGrid",
                                    .label = QT_TRANSLATE_NOOP("Fields", "Grid"),
                                    .tip = QT_TRANSLATE_NOOP("Fields", "Lines a metre apart"),
-                                   .doc = "lines a metre apart"}));
+                                   .doc = "lines a metre apart"}),
+        field(&S::haze, {.key = "haze",
+                         .label = QT_TRANSLATE_NOOP("Fields", "Haze"),
+                         .tip = QT_TRANSLATE_NOOP("Fields", "How much of what is a hundred metres "
+                                                            "away the air hides"),
+                         .doc = "share of what is a hundred metres away that the air hides",
+                         .unit = QT_TRANSLATE_NOOP("Fields", " %"),
+                         .high = 0.999,
+                         .sliderLow = 0.0,
+                         .sliderHigh = 99.0,
+                         .step = 5.0,
+                         .decimals = 0,
+                         .shownScale = 100.0,
+                         .section = QT_TRANSLATE_NOOP("Fields", "Air and Exposure")}),
+        field(&S::exposureStops,
+              {.key = "exposure",
+               .label = QT_TRANSLATE_NOOP("Fields", "Exposure"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "Each stop doubles the brightness"),
+               .doc = "stops: each doubles the brightness",
+               .low = -10.0,
+               .high = 10.0,
+               .sliderLow = -4.0,
+               .sliderHigh = 4.0,
+               .step = 0.1,
+               .decimals = 1}),
+        field(
+            &S::whiteKelvin,
+            {.key = "white",
+             .label = QT_TRANSLATE_NOOP("Fields", "White"),
+             .tip = QT_TRANSLATE_NOOP("Fields", "The colour of light that looks white: lower makes "
+                                                "the picture bluer, higher warmer"),
+             .doc = "the light that looks white, kelvin: lower makes the picture bluer",
+             .unit = QT_TRANSLATE_NOOP("Fields", " K"),
+             .low = 1500.0,
+             .high = 20000.0,
+             .sliderLow = 2500.0,
+             .sliderHigh = 12000.0,
+             .step = 100.0,
+             .decimals = 0}),
+        field(&S::toneMap,
+              {.key = "tone",
+               .label = QT_TRANSLATE_NOOP("Fields", "Tone"),
+               .tip = QT_TRANSLATE_NOOP("Fields", "What is brighter than white"),
+               .doc = "what brightness beyond white becomes: white, or it rolls off as on film",
+               .choices = kToneMaps}));
 }
 
 } // namespace crowd::model

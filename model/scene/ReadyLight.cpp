@@ -43,6 +43,7 @@ Lighting lightOf(const Sun& sun, const Sky& sky)
     light.sunStrength = sun.strength;
     light.shadowStrength = sun.shadowStrength;
     light.shadowSoftnessRadians = sun.softnessDegrees * kRadians;
+    light.occlusion = 0.6F;
     light.ambientColor = sky.light;
     light.ambientStrength = sky.strength;
     light.skyZenith = sky.zenith;

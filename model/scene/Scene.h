@@ -16,6 +16,7 @@
 #include "model/rules/Rule.h"
 #include "model/scene/Feature.h"
 #include "model/scene/Group.h"
+#include "model/scene/Light.h"
 #include "model/scene/Lighting.h"
 #include "model/scene/Path.h"
 #include "model/scene/Relation.h"
@@ -98,6 +99,7 @@ struct Scene
     std::vector<StageEntry> stages;       ///< ascending ids
     std::vector<NamedCamera> cameras;
     Lighting lighting = newLighting();
+    Lights lights; ///< ascending ids
     std::vector<Place> places;       ///< ascending ids
     std::vector<Path> paths;         ///< ascending ids; their places are there
     std::vector<Group> groups;       ///< ascending ids

@@ -34,6 +34,10 @@ struct CamerasChanged
 struct LightingChanged
 {
 };
+/// The lights that stand in it.
+struct LightsChanged
+{
+};
 /// Places or paths.
 struct PathsChanged
 {
@@ -68,8 +72,8 @@ struct SceneReplaced
 
 using SceneChange =
     std::variant<IndividualsAdded, IndividualsRemoved, ColumnsChanged, TemplatesChanged,
-                 StagesChanged, CamerasChanged, LightingChanged, PathsChanged, GroupsChanged,
-                 RulesChanged, StatesChanged, FeaturesChanged, RelationKindsChanged,
+                 StagesChanged, CamerasChanged, LightingChanged, LightsChanged, PathsChanged,
+                 GroupsChanged, RulesChanged, StatesChanged, FeaturesChanged, RelationKindsChanged,
                  RelationsChanged, SceneReplaced>;
 
 } // namespace crowd::model

@@ -33,7 +33,7 @@ struct SceneMember
     static constexpr bool isEnvironment =
         std::is_same_v<Change, PathsChanged> || std::is_same_v<Change, RulesChanged> ||
         std::is_same_v<Change, GroupsChanged> || std::is_same_v<Change, FeaturesChanged> ||
-        std::is_same_v<Change, RelationKindsChanged>;
+        std::is_same_v<Change, RelationKindsChanged> || std::is_same_v<Change, LightsChanged>;
     /// Whether files are without it where there is nothing of it.
     static constexpr bool isOptional = isEnvironment || std::is_same_v<Change, StatesChanged> ||
                                        std::is_same_v<Change, RelationsChanged>;
@@ -71,6 +71,10 @@ struct Cameras : SceneMember<&Scene::cameras, CamerasChanged, MemberKind::Value>
 struct Light : SceneMember<&Scene::lighting, LightingChanged, MemberKind::Value>
 {
     static constexpr const char* key = "lighting";
+};
+struct Lights : SceneMember<&Scene::lights, LightsChanged, MemberKind::Value>
+{
+    static constexpr const char* key = "lights";
 };
 struct Tags : SceneMember<&Scene::tags, RulesChanged, MemberKind::Value>
 {
@@ -119,9 +123,9 @@ struct States : SceneMember<&Scene::states, StatesChanged, MemberKind::Value>
 /// The one list. A member comes after those that it refers to: undo takes it back before them.
 using SceneMembers =
     std::tuple<members::Templates, members::Stages, members::Places, members::Paths,
-               members::Groups, members::Cameras, members::Light, members::Tags, members::Rules,
-               members::Numbers, members::Cues, members::Steps, members::Surface, members::Features,
-               members::RelationKinds, members::Relations, members::States>;
+               members::Groups, members::Cameras, members::Light, members::Lights, members::Tags,
+               members::Rules, members::Numbers, members::Cues, members::Steps, members::Surface,
+               members::Features, members::RelationKinds, members::Relations, members::States>;
 
 inline constexpr std::size_t kMemberCount = std::tuple_size_v<SceneMembers>;
 

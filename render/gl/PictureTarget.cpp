@@ -62,6 +62,15 @@ void PictureTarget::bind() const
     glViewport(0, 0, m_size.x, m_size.y);
 }
 
+void PictureTarget::copyDepth(std::uint32_t framebuffer) const
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
 model::Result<void> PictureTarget::make()
 {
     m_drawnColor = makeStorage(GL_SRGB8_ALPHA8, m_size, m_samples);

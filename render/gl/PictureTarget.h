@@ -21,6 +21,9 @@ public:
     [[nodiscard]] model::Result<void> begin(glm::ivec2 size, int samples);
     /// Draws into it again.
     void bind() const;
+    /// Copies what it has of depth to a framebuffer of the same size and format; leaves that one
+    /// bound.
+    void copyDepth(std::uint32_t framebuffer) const;
     /// Resolves; then copies to `framebuffer`'s origin unless it is null. Leaves that one (or the
     /// resolved one) bound. Where something more is drawn from resolved(), the copy is needed and
     /// goes to a framebuffer of its own instead of none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/ShaderProgram.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -18,9 +19,16 @@ std::string fullText(const std::string& file, std::string_view defines)
     std::string text = "#version 330 core\n";
     std::istringstream words{std::string(defines)};
     for (std::string word; words >> word;) {
+        std::ranges::replace(word, '=', ' ');
         text += "#define " + word + "\n";
     }
-    text += shaderSource(file.ends_with(".vert") ? "lighting.glsl" : "shadow.glsl");
+    text += shaderSource("lights.glsl");
+    if (file.ends_with(".vert")) {
+        text += shaderSource("lighting.glsl");
+    } else {
+        text += shaderSource("shadow.glsl");
+        text += shaderSource("tone.glsl");
+    }
     return text.append(shaderSource(file));
 }
 
@@ -122,6 +130,11 @@ void ShaderProgram::set(const char* name, const glm::vec2& value)
     glUniform2fv(location(name), 1, glm::value_ptr(value));
 }
 
+void ShaderProgram::set(const char* name, const glm::ivec2& value)
+{
+    glUniform2iv(location(name), 1, glm::value_ptr(value));
+}
+
 void ShaderProgram::set(const char* name, const glm::vec3& value)
 {
     glUniform3fv(location(name), 1, glm::value_ptr(value));
@@ -135,6 +148,12 @@ void ShaderProgram::set(const char* name, const glm::vec4& value)
 void ShaderProgram::set(const char* name, const glm::mat4& value)
 {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* name, std::span<const glm::vec4> values)
+{
+    glUniform4fv(location(name), static_cast<GLsizei>(values.size()),
+                 reinterpret_cast<const GLfloat*>(values.data()));
 }
 
 } // namespace crowd::render

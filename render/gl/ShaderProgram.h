@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,7 +22,7 @@ namespace crowd::render {
 class ShaderProgram
 {
 public:
-    /// `defines`: words separated by spaces.
+    /// `defines`: words separated by spaces, or WORD=VALUE.
     [[nodiscard]] static model::Result<ShaderProgram> build(std::string_view name,
                                                             std::string_view defines = {});
 
@@ -30,9 +31,11 @@ public:
     void set(const char* name, int value);
     void set(const char* name, std::uint32_t value);
     void set(const char* name, const glm::vec2& value);
+    void set(const char* name, const glm::ivec2& value);
     void set(const char* name, const glm::vec3& value);
     void set(const char* name, const glm::vec4& value);
     void set(const char* name, const glm::mat4& value);
+    void set(const char* name, std::span<const glm::vec4> values); ///< an array
 
 private:
     [[nodiscard]] int location(const char* name);

@@ -15,15 +15,9 @@ constexpr float kFadePerHeight = 25.0F;
 
 } // namespace
 
-model::Result<void> BackgroundPass::initialize()
+void BackgroundPass::initialize()
 {
-    auto sky = ShaderProgram::build("sky");
-    if (!sky) {
-        return sky.error();
-    }
-    m_sky = std::move(sky).value();
     m_nothing = GlVertexArray::create();
-    return {};
 }
 
 model::Result<void> BackgroundPass::drawGround(const PassContext& context)
@@ -40,6 +34,7 @@ model::Result<void> BackgroundPass::drawGround(const PassContext& context)
     program.set("center", glm::vec2(eye.x, eye.z));
     program.set("halfSize", kHalfSize);
     program.set("groundColor", context.style.groundColor);
+    program.set("groundBase", context.style.light.ground);
     program.set("horizon", context.style.light.horizon);
     const float fade = std::max(kFadeNear, std::abs(eye.y) * kFadePerHeight);
     program.set("fadeDistance", std::min(fade, kHalfSize));
@@ -54,18 +49,25 @@ model::Result<void> BackgroundPass::drawGround(const PassContext& context)
     return {};
 }
 
-void BackgroundPass::drawSky(const PassContext& context)
+model::Result<void> BackgroundPass::drawSky(const PassContext& context)
 {
-    m_sky.use();
-    m_sky.set("worldFromClip", glm::inverse(context.viewProjection));
-    m_sky.set("zenith", context.style.light.zenith);
-    m_sky.set("horizon", context.style.light.horizon);
+    auto built = m_sky.get(context.style.tone.defines());
+    if (!built) {
+        return built.error();
+    }
+    ShaderProgram& sky = *built.value();
+    sky.use();
+    sky.set("worldFromClip", glm::inverse(context.viewProjection));
+    sky.set("zenith", context.style.light.zenith);
+    sky.set("horizon", context.style.light.horizon);
+    sky.set("toneGain", context.style.tone.gain);
     glBindVertexArray(m_nothing.name());
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDepthMask(GL_TRUE);
     context.countDraw(1);
+    return {};
 }
 
 } // namespace crowd::render

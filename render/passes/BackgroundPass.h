@@ -3,7 +3,6 @@
 
 #include "model/base/Result.h"
 #include "render/gl/GlObjects.h"
-#include "render/gl/ShaderProgram.h"
 #include "render/gl/ShaderVariants.h"
 #include "render/passes/PassContext.h"
 
@@ -13,13 +12,13 @@ namespace crowd::render {
 class BackgroundPass
 {
 public:
-    [[nodiscard]] model::Result<void> initialize();
+    void initialize();
     /// Where nothing opaque was drawn before.
     [[nodiscard]] model::Result<void> drawGround(const PassContext& context);
-    void drawSky(const PassContext& context);
+    [[nodiscard]] model::Result<void> drawSky(const PassContext& context);
 
 private:
-    ShaderProgram m_sky;
+    ShaderVariants m_sky{"sky"};
     ShaderVariants m_ground{"ground"};
     GlVertexArray m_nothing; ///< both make their corners themselves
 };

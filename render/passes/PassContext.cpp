@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/PassContext.h"
 
+#include <vector>
+
 #include "render/gl/ShaderProgram.h"
 
 namespace crowd::render {
@@ -12,6 +14,15 @@ void PassContext::setCommon(ShaderProgram& program) const
     program.set("sunColor", style.light.sun);
     program.set("skyColor", style.light.sky);
     program.set("bounceColor", style.light.bounce);
+    program.set("toneGain", style.tone.gain);
+    if (style.tone.hazePerMetre > 0.0F) {
+        program.set("eye", input.view.camera().position);
+        program.set("hazePerMetre", style.tone.hazePerMetre);
+        program.set("hazeColor", style.light.horizon);
+    }
+    if (!style.lights.empty()) {
+        setLights(program);
+    }
     if (style.castsShadows()) {
         program.set("shadowMap", kShadowUnit);
         program.set("mapFromWorld", shadows.mapFromWorld);
@@ -20,6 +31,21 @@ void PassContext::setCommon(ShaderProgram& program) const
         program.set("shadowStrength", style.shadowStrength);
         program.set("shadowTint", style.shadowTint());
     }
+}
+
+void PassContext::setLights(ShaderProgram& program) const
+{
+    std::vector<glm::vec4> places;
+    std::vector<glm::vec4> axes;
+    std::vector<glm::vec4> colors;
+    for (const PlacedLight& light : style.lights) {
+        places.emplace_back(light.position, light.edgeSlope);
+        axes.emplace_back(light.axis, light.edgeCosine);
+        colors.emplace_back(light.color, 0.0F);
+    }
+    program.set("lightPlaces[0]", places);
+    program.set("lightAxes[0]", axes);
+    program.set("lightColors[0]", colors);
 }
 
 void PassContext::countDraw(std::int64_t triangles) const

@@ -37,6 +37,9 @@ struct PassContext
     /// Camera and light of a program in use.
     void setCommon(ShaderProgram& program) const;
     void countDraw(std::int64_t triangles) const;
+
+private:
+    void setLights(ShaderProgram& program) const;
 };
 
 } // namespace crowd::render

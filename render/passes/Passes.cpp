@@ -42,12 +42,10 @@ constexpr PassInfo kPasses[] = {
     {"stage", [](Passes& p, const PassContext& c) { return p.stage.draw(c); }, Mark::Others},
     {"ground", [](Passes& p, const PassContext& c) { return p.background.drawGround(c); },
      Mark::Others, [](const PassContext& c) { return c.style.hasGround; }},
-    {"sky",
-     [](Passes& p, const PassContext& c) {
-         p.background.drawSky(c);
-         return model::Result<void>();
-     },
-     Mark::None, [](const PassContext& c) { return c.style.hasSky; }},
+    {"occlusion", [](Passes& p, const PassContext& c) { return p.occlusion.draw(c, p.target); },
+     Mark::None, [](const PassContext& c) { return c.style.occlusion > 0.0F; }},
+    {"sky", [](Passes& p, const PassContext& c) { return p.background.drawSky(c); }, Mark::None,
+     [](const PassContext& c) { return c.style.hasSky; }},
     {"shadows",
      [](Passes& p, const PassContext& c) {
          p.blobs.draw(c, p.crowd.rows(), p.seen);
@@ -58,6 +56,8 @@ constexpr PassInfo kPasses[] = {
     {"see-through people",
      [](Passes& p, const PassContext& c) { return p.people.drawSeeThrough(c, p.crowd, p.seen); },
      Mark::None, &hasPeople},
+    {"beams", [](Passes& p, const PassContext& c) { return p.beams.draw(c); }, Mark::None,
+     &BeamPass::isNeeded},
     {"overlay",
      [](Passes& p, const PassContext& c) {
          p.overlay.draw(c);
@@ -93,8 +93,10 @@ model::Result<void> Passes::initialize()
     seen.initialize();
     ghosts.initialize();
     shadows.initialize();
+    background.initialize();
+    beams.initialize();
+    occlusion.initialize();
     auto ready = blobs.initialize();
-    ready = ready ? background.initialize() : ready;
     ready = ready ? overlay.initialize() : ready;
     return ready ? outline.initialize() : ready;
 }

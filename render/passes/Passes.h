@@ -6,8 +6,10 @@
 #include "render/crowd/CrowdView.h"
 #include "render/gl/PictureTarget.h"
 #include "render/passes/BackgroundPass.h"
+#include "render/passes/BeamPass.h"
 #include "render/passes/BlobPass.h"
 #include "render/passes/GhostPass.h"
+#include "render/passes/OcclusionPass.h"
 #include "render/passes/OutlinePass.h"
 #include "render/passes/OverlayPass.h"
 #include "render/passes/PeopleDrawing.h"
@@ -31,6 +33,8 @@ struct Passes
     StagePass stage;
     ShadowPass shadows{peopleDrawing, stage};
     BackgroundPass background;
+    OcclusionPass occlusion;
+    BeamPass beams;
     OverlayPass overlay;
     OutlinePass outline;
 

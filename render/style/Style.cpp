@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -31,8 +32,18 @@ Style Style::of(const RenderInput& input)
     style.hasSky = input.background.w <= 0.0F && !input.isTransparent;
     style.hasGround = input.showGround && !input.isTransparent;
     style.hasGrid = input.lighting.showGroundGrid;
-    style.clearColor =
-        style.hasSky ? style.light.horizon : model::linearFromSrgb(glm::vec3(input.background));
+    if (look.isLit) {
+        style.lights = placedLights(input.lights, input.frame.get());
+        style.tone = Tone::from(input.lighting);
+        style.occlusion = input.showShadows ? input.lighting.occlusion : 0.0F;
+    }
+    if (!style.lights.empty()) {
+        style.surfaceDefines += "LIGHTS=" + std::to_string(style.lights.size()) + ' ';
+    }
+    style.surfaceDefines += style.tone.hazePerMetre > 0.0F ? "HAZY " : "";
+    style.surfaceDefines += style.tone.defines();
+    style.clearColor = style.hasSky ? style.tone.of(style.light.horizon)
+                                    : model::linearFromSrgb(glm::vec3(input.background));
     style.groundColor =
         style.light.ground * (look.isLit ? style.light.onGround() : glm::vec3(1.0F));
     style.blobStrength = input.showShadows ? style.blobStrength : 0.0F;

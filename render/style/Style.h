@@ -2,13 +2,28 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "render/RenderInput.h"
 #include "render/style/LinearLight.h"
+#include "render/style/PlacedLight.h"
 
 namespace crowd::render {
+
+/// What becomes of light on its way from a surface to the picture.
+struct Tone
+{
+    glm::vec3 gain{1.0F};      ///< exposure and white balance
+    bool isFilmic = false;     ///< else what is too bright is white
+    float hazePerMetre = 0.0F; ///< as exp(-haze * metres); towards the colour of the horizon
+    /// Whether it leaves colours as they are.
+    [[nodiscard]] bool isNeutral() const { return gain == glm::vec3(1.0F) && !isFilmic; }
+    [[nodiscard]] glm::vec3 of(const glm::vec3& linear) const; ///< as the shaders do it
+    [[nodiscard]] std::string defines() const;                 ///< of shaders, but for the haze
+    [[nodiscard]] static Tone from(const model::Lighting& lighting);
+};
 
 /// What a look comes to in one picture: passes read this, not the look. Colours linear unless said
 /// otherwise.
@@ -16,12 +31,15 @@ struct Style
 {
     std::string surfaceDefines; ///< that shaders of people and stages are compiled with
     LinearLight light;
-    glm::vec3 clearColor{0.0F}; ///< where nothing is drawn
+    std::vector<PlacedLight> lights; ///< that stand in the scene; none where the look has no light
+    glm::vec3 clearColor{0.0F};      ///< where nothing is drawn
+    Tone tone;
     bool hasSky = true;
     bool hasGround = true;
     bool hasGrid = true;
     glm::vec3 groundColor{0.5F};                  ///< of the plane as it is drawn
     float blobStrength = 0.42F;                   ///< of the soft dark under people; 0: none
+    float occlusion = 0.0F;                       ///< where little of the sky is seen; 0: none
     float shadowStrength = 0.0F;                  ///< of what the sun casts; 0: nothing
     float shadowSoftness = 0.0F;                  ///< radians that the sun takes in the sky
     glm::vec3 selectionColor{1.0F, 0.62F, 0.10F}; ///< sRGB, of outlines

@@ -1,4 +1,7 @@
 in vec4 color;
+#ifdef HAZY
+in float hazed;
+#endif
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
@@ -76,6 +79,10 @@ void main()
 #elif defined(SPECIAL)
     result.rgb += emissive;
 #endif
+#ifdef HAZY
+    result.rgb = mix(result.rgb, hazeColor, hazed);
+#endif
+    result.rgb = toned(result.rgb);
 #ifdef BLENDED
     if (result.a >= cutoffAndHighlight.x || result.a < kClear) { // the solid rest was drawn before
         discard;

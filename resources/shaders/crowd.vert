@@ -22,6 +22,9 @@ const uint kHoveredBit = 0x40000000u;
 const uint kNoPart = 255u;
 const uint kModesMask = 255u; // in the lowest bits of the radius: slots whose colour is replaced
 
+#ifdef HAZY
+out float hazed; // share that the air hides
+#endif
 out vec4 color; // lit base colour; alpha, or who is highlighted where that is 1
 #ifdef SHADOWED
 out vec4 shadowed;
@@ -123,6 +126,9 @@ void main()
                                   turn.x * point.z - turn.y * point.x);
     n = normalize(vec3(turn.x * n.x + turn.y * n.z, n.y, turn.x * n.z - turn.y * n.x));
     gl_Position = viewProjection * vec4(world, 1.0);
+#ifdef HAZY
+    hazed = hazeAt(world);
+#endif
 
 #if defined(CASTER) && !defined(CUTOUT)
     return;
@@ -138,8 +144,13 @@ void main()
 #endif
     vec4 base = texelFetch(materials, material) * vertexColor;
     vec3 light = lightAt(n);
+    vec3 others = vec3(0.0);
+#ifdef LIGHTS
+    others = lightsAt(world, n);
+    light += others;
+#endif
 #ifdef SHADOWED
-    shadowed = shadowedOf(world, n, 0.0);
+    shadowed = shadowedOf(world, n, 0.0, others);
 #endif
 #if defined(TEXTURED) || defined(SPECIAL) || defined(CUTOUT)
     vec4 properties = texelFetch(materials, material + 1); // layer, mask layer, cutoff, unlit

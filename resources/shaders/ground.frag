@@ -2,6 +2,9 @@ in vec2 place;
 uniform vec2 center;
 uniform vec3 groundColor; // lit, linear
 uniform vec3 horizon;
+#ifdef LIGHTS
+uniform vec3 groundBase; // unlit
+#endif
 #ifdef SHADOWED
 in vec4 shadowed;
 #endif
@@ -26,10 +29,16 @@ void main()
 #ifdef SHADOWED
     result *= shadowedLight(shadowed);
 #endif
+#ifdef LIGHTS
+    result += groundBase * lightsAt(vec3(center.x + place.x, 0.0, center.y + place.y), vec3(0.0, 1.0, 0.0));
+#endif
 #ifdef GRID
     vec2 metres = place + center;
     result *= 1.0 - 0.16 * lines(metres, 1.0) - 0.22 * lines(metres, 10.0);
 #endif
+#ifdef HAZY
+    result = mix(result, hazeColor, hazeAt(vec3(center.x + place.x, 0.0, center.y + place.y)));
+#endif
     float far = clamp(length(place) / fadeDistance, 0.0, 1.0);
-    fragment = vec4(mix(result, horizon, far * far * (3.0 - 2.0 * far)), 1.0);
+    fragment = vec4(toned(mix(result, horizon, far * far * (3.0 - 2.0 * far))), 1.0);
 }

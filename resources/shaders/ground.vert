@@ -13,6 +13,6 @@ void main()
     vec3 world = vec3(center.x + place.x, -0.005, center.y + place.y);
     gl_Position = viewProjection * vec4(world, 1.0);
 #ifdef SHADOWED
-    shadowed = shadowedOf(world, vec3(0.0, 1.0, 0.0), 0.0);
+    shadowed = shadowedOf(world, vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0));
 #endif
 }

@@ -31,11 +31,11 @@ vec3 lightAt(vec3 normal)
 uniform mat4 mapFromWorld;   // 0..1 on the shadow map, and depth
 uniform float shadowOffset;  // metres along the normal: surfaces do not shade themselves
 
-// For sunVisible: a place on the map, and the share of a surface's light that is not the sun's. One
-// vector: a software rasteriser pays for each, whatever is in it.
-vec4 shadowedOf(vec3 world, vec3 normal, float unlit)
+// For shadowedLight: a place on the map, and the share of a surface's light that is not the sun's.
+// One vector: a software rasteriser pays for each, whatever is in it. `others`: light from elsewhere.
+vec4 shadowedOf(vec3 world, vec3 normal, float unlit, vec3 others)
 {
-    float sky = dot(skyAt(normal), vec3(0.2126, 0.7152, 0.0722));
+    float sky = dot(skyAt(normal) + others, vec3(0.2126, 0.7152, 0.0722));
     float sun = dot(sunAt(normal), vec3(0.2126, 0.7152, 0.0722));
     return vec4((mapFromWorld * vec4(world + normal * shadowOffset, 1.0)).xyz,
                 mix(sky / max(sky + sun, 1e-4), 1.0, unlit));

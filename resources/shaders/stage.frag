@@ -1,6 +1,14 @@
 in vec4 color;
+#ifdef HAZY
+in float hazed;
+#endif
 #ifdef SHADOWED
 in vec4 shadowed;
+#endif
+#ifdef LIGHTS
+in vec3 surface;
+in vec3 worldPlace;
+in vec3 worldNormal;
 #endif
 #ifdef TEXTURED
 in vec2 textureUv;
@@ -20,6 +28,9 @@ void main()
 #ifdef SHADOWED
     result.rgb *= shadowedLight(shadowed);
 #endif
+#ifdef LIGHTS
+    result.rgb += surface * lightsAt(worldPlace, normalize(worldNormal));
+#endif
 #ifdef TEXTURED
     result *= texture(image, textureUv);
 #ifdef GLOWING
@@ -28,6 +39,10 @@ void main()
     result.rgb += glow;
 #endif
 #endif
+#ifdef HAZY
+    result.rgb = mix(result.rgb, hazeColor, hazed);
+#endif
+    result.rgb = toned(result.rgb);
 #ifdef CUTOUT
     if (result.a < alphaCutoff) {
         discard;

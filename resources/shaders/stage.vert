@@ -1,4 +1,5 @@
-// Static geometry, lit per vertex: its light depends on the normal alone.
+// Static geometry. What sun and sky give depends on the normal alone and is had here; what lights of
+// the scene give is for the fragments.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
@@ -12,9 +13,17 @@ uniform float unlit;
 uniform vec3 uvRowU;
 uniform vec3 uvRowV;
 
+#ifdef HAZY
+out float hazed; // share that the air hides
+#endif
 out vec4 color;
 #ifdef SHADOWED
 out vec4 shadowed;
+#endif
+#ifdef LIGHTS
+out vec3 surface; // unlit
+out vec3 worldPlace;
+out vec3 worldNormal;
 #endif
 #ifdef TEXTURED
 out vec2 textureUv;
@@ -30,11 +39,19 @@ void main()
 {
     vec4 world = worldFromStage * vec4(position, 1.0);
     gl_Position = viewProjection * world;
+#ifdef HAZY
+    hazed = hazeAt(world.xyz);
+#endif
     vec3 n = normalize(mat3(worldFromStage) * normal);
     vec4 base = baseColor * vertexColor;
     vec3 light = mix(lightAt(n), vec3(1.0), unlit);
 #ifdef SHADOWED
-    shadowed = shadowedOf(world.xyz, n, unlit);
+    shadowed = shadowedOf(world.xyz, n, unlit, vec3(0.0));
+#endif
+#ifdef LIGHTS
+    surface = base.rgb * (1.0 - unlit);
+    worldPlace = world.xyz;
+    worldNormal = n;
 #endif
     color = vec4(base.rgb * light, base.a);
 #ifdef TEXTURED

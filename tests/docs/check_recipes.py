@@ -40,6 +40,7 @@ EXAMPLES = {
     "A condition of rules": Example(r"\bIsSeated\b", most=4,
                                     users=("model/rules/RuleSets.cpp",)),
     "A field of the light": Example(r"\bskyZenith\b", users=("model/scene/ReadyLight.cpp",), most=3),
+    "A kind of light": Example(r"\bLightKind::Point\b|\"point\", QT", most=4),
     "A look": Example(r"\bLook::Plain\b|\"plain\"", users=("app/commands/BenchRender.cpp",), most=3),
     "A format of pictures": Example(r"\"png\"", users=("model/gltf/*",), most=2),
     "A panel": Example(r"\bHistoryDock\b|\bDockId::History\b|^    History,$", most=7),

@@ -57,6 +57,14 @@ void alter(members::Light, SceneEdit& edit)
     light.sunStrength = 2.5F;
     edit.set<members::Light>(light);
 }
+void alter(members::Lights, SceneEdit& edit)
+{
+    Light light;
+    light.id = 4;
+    light.name = "Left";
+    light.softness = 0.7F;
+    edit.set<members::Lights>({light});
+}
 void alter(members::Tags, SceneEdit& edit)
 {
     edit.set<members::Tags>({{3, "brave", {9, 8, 7}}});

@@ -12,6 +12,18 @@
 
 namespace crowd::testing {
 
+inline constexpr int kPixels = 128; ///< of a picture from above
+inline constexpr float kPerMetre = 16.0F;
+
+/// From above, eight metres wide, X to the right and Z down.
+inline model::View above()
+{
+    model::Camera camera = model::Camera::lookingAt({0.0F, 10.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    camera.projection = model::Projection::Orthographic;
+    camera.orthographicHeight = static_cast<float>(kPixels) / kPerMetre;
+    return {camera, glm::vec2(kPixels)};
+}
+
 /// What tests of pictures share: a renderer without a window, the box man, and the last picture.
 class PictureBench : public QObject
 {

@@ -1,8 +1,10 @@
 crowd_add_tests(ROOM render LINK crowd_render nlohmann_json::nlohmann_json TESTS
+    tst_AirAndTone
     tst_CrowdPlan
     tst_DrawnFiles
     tst_DrawnMaterials
     tst_OddFiles
+    tst_Lights
     tst_Renderer
     tst_Shadows
 )

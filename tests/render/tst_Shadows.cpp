@@ -17,18 +17,6 @@ using namespace crowd::testing;
 namespace {
 
 constexpr float kQuarter = 1.5707963F;
-constexpr int kPixels = 128;
-constexpr float kPerMetre = 16.0F;
-
-/// From above, eight metres wide, X to the right and Z down.
-model::View above()
-{
-    model::Camera camera = model::Camera::lookingAt({0.0F, 10.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
-    camera.projection = model::Projection::Orthographic;
-    camera.orthographicHeight = static_cast<float>(kPixels) / kPerMetre;
-    return {camera, glm::vec2(kPixels)};
-}
-
 /// A square of this half size, at a height, facing up.
 std::shared_ptr<model::StageAsset> makeSlab(float half, float height)
 {

@@ -11,6 +11,7 @@ crowd_add_tests(ROOM widgets LINK crowd_widgets TESTS
     tst_GroundTools
     tst_FeaturesDock
     tst_LightDock
+    tst_LightHandles
     tst_RelationsDock
     tst_GroupsDock
     tst_IndividualDock

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QToolButton>
 
 #include "model/scene/ReadyLight.h"
 #include "tests/program/WindowTest.h"
 #include "tests/widgets/Desk.h"
+#include "widgets/commands/LightCommands.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/docks/LightDock.h"
 
@@ -27,8 +31,17 @@ struct LightDesk : crowd::testing::Desk<LightDock>
             }
             index += field.is<float>() ? 1 : 0;
         }
-        return dock->findChildren<ValueSlider*>().at(index);
+        return form("lightForm")->findChildren<ValueSlider*>().at(index);
     }
+    [[nodiscard]] FieldForm* form(const char* name)
+    {
+        return dock->findChild<FieldForm*>(QLatin1String(name));
+    }
+    [[nodiscard]] QListWidget* list()
+    {
+        return dock->findChild<QListWidget*>(QStringLiteral("lights"));
+    }
+    [[nodiscard]] const model::Lights& lights() { return document.scene().lights; }
     [[nodiscard]] int steps() { return document.undoStack().count(); }
 };
 
@@ -45,6 +58,11 @@ private Q_SLOTS:
     void softnessIsAskedForWhereShadowsAre();
     void readyMadeLightKeepsTheGround();
     void followsUndo();
+    void listsLightsAndShowsTheChosenOne();
+    void theListSwitchesAndRenames();
+    void aDragOfALightIsOneStep();
+    void takesWhoeverIsSelected();
+    void saysWhenTheyAreTooMany();
 };
 
 void TestLightDock::showsAllThatIsDescribed()
@@ -56,7 +74,7 @@ void TestLightDock::showsAllThatIsDescribed()
         numbers += field.is<float>() ? 1 : 0;
         colours += field.is<glm::vec3>() ? 1 : 0;
     }
-    QCOMPARE(desk.dock->findChildren<ValueSlider*>().size(), qsizetype{numbers});
+    QCOMPARE(desk.form("lightForm")->findChildren<ValueSlider*>().size(), qsizetype{numbers});
     QCOMPARE(colours, 5);
     auto* form = desk.dock->findChild<FieldForm*>(QStringLiteral("lightForm"));
     for (const char* name : {"Colour", "Light", "Above", "Horizon"}) {
@@ -144,6 +162,109 @@ void TestLightDock::followsUndo()
     QCOMPARE(shadows->value(), 25.0);
     desk.document.undoStack().undo();
     QCOMPARE(shadows->value(), before);
+}
+
+void TestLightDock::listsLightsAndShowsTheChosenOne()
+{
+    LightDesk desk;
+    QCOMPARE(desk.list()->count(), 1);
+    QTRY_VERIFY(desk.form("lightForm")->isVisible());
+    auto* add = desk.dock->findChild<QToolButton*>(QStringLiteral("add-spot"));
+    QTest::mouseClick(add, Qt::LeftButton);
+    QVERIFY(desk.state.picking() != Picking::None);
+    desk.state.offerPoint({1.0F, 0.0F, 2.0F});
+    QCOMPARE(desk.list()->count(), 2);
+    QCOMPARE(desk.list()->currentRow(), 1);
+    QTRY_VERIFY(desk.form("lampForm")->isVisible() && !desk.form("lightForm")->isVisible());
+    desk.list()->setCurrentRow(0);
+    QCOMPARE(desk.state.chosenLight(), model::LightId{0});
+    QTRY_VERIFY(desk.form("lightForm")->isVisible() && !desk.form("lampForm")->isVisible());
+    auto* remove = desk.dock->findChild<QToolButton*>(QStringLiteral("removeLight"));
+    QVERIFY(!remove->isEnabled());
+    desk.list()->setCurrentRow(1);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QVERIFY(desk.lights().empty());
+    QCOMPARE(desk.list()->count(), 1);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.list()->count(), 2);
+}
+
+void TestLightDock::theListSwitchesAndRenames()
+{
+    LightDesk desk;
+    addLight(desk.state, model::LightKind::Point, {});
+    const int before = desk.steps();
+    desk.list()->item(1)->setCheckState(Qt::Unchecked);
+    QVERIFY(!desk.lights().front().isOn);
+    QCOMPARE(desk.steps(), before + 1);
+    QTRY_COMPARE(desk.list()->item(1)->checkState(), Qt::Unchecked);
+    desk.list()->item(1)->setText(QStringLiteral("  Moon  "));
+    QCOMPARE(desk.lights().front().name, std::string("Moon"));
+    QTRY_COMPARE(desk.list()->item(1)->text(), QStringLiteral("Moon"));
+    desk.list()->item(1)->setText(QString());
+    QTRY_COMPARE(desk.list()->item(1)->text(), QStringLiteral("Moon"));
+}
+
+void TestLightDock::aDragOfALightIsOneStep()
+{
+    LightDesk desk;
+    addLight(desk.state, model::LightKind::Spot, {});
+    QTRY_VERIFY(desk.form("lampForm")->isVisible());
+    const int before = desk.steps();
+    ValueSlider* strength = desk.form("lampForm")->findChildren<ValueSlider*>().front();
+    QTRY_VERIFY(strength->isVisible());
+    Q_EMIT strength->held(true);
+    for (const double percent : {110.0, 150.0, 200.0}) {
+        Q_EMIT strength->valueEdited(percent);
+    }
+    QCOMPARE(desk.lights().front().strength, 2.0F);
+    QCOMPARE(desk.steps(), before);
+    Q_EMIT strength->held(false);
+    QCOMPARE(desk.steps(), before + 1);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.lights().front().strength, 1.0F);
+}
+
+void TestLightDock::takesWhoeverIsSelected()
+{
+    LightDesk desk;
+    addLight(desk.state, model::LightKind::Spot, {});
+    QTRY_VERIFY(desk.form("lampForm")->isVisible());
+    auto* take = desk.dock->findChild<QPushButton*>(QStringLiteral("takeSelected"));
+    QVERIFY(!take->isVisible()); // it aims at a place
+    changeLight(desk.state, desk.state.chosenLight(), QStringLiteral("Aim"),
+                [](model::Light& light) { light.aim = model::LightAim::Person; });
+    QTRY_VERIFY(take->isVisible());
+    const QString nobody = take->text();
+    QTest::mouseClick(take, Qt::LeftButton);
+    QCOMPARE(desk.lights().front().person, model::IndividualId{0}); // nobody is selected
+    model::IndividualId made = 0;
+    desk.document.edit(QStringLiteral("Add"), [&](model::SceneEdit& edit) {
+        auto rows = model::IndividualRows::withDefaults({0});
+        rows.column(model::columns::templateId)[0] = desk.document.scene().templates.front().id;
+        made = edit.addIndividuals(std::move(rows)).front();
+    });
+    desk.state.selection().set(std::vector{made});
+    QTest::mouseClick(take, Qt::LeftButton);
+    QCOMPARE(desk.lights().front().person, made);
+    QTRY_VERIFY(take->text() != nobody);
+}
+
+void TestLightDock::saysWhenTheyAreTooMany()
+{
+    LightDesk desk;
+    auto* note = desk.dock->findChild<QLabel*>(QStringLiteral("lightNote"));
+    model::Lights many(20);
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        many[i].id = static_cast<model::LightId>(i + 1);
+    }
+    desk.document.edit(QStringLiteral("Many"),
+                       [&](model::SceneEdit& edit) { edit.setLights(many); });
+    QTRY_VERIFY(note->isVisible());
+    QVERIFY2(note->text().contains(QStringLiteral("20")), qPrintable(note->text()));
+    many.resize(3);
+    desk.document.edit(QStringLiteral("Few"), [&](model::SceneEdit& edit) { edit.setLights(many); });
+    QTRY_VERIFY(!note->isVisible());
 }
 
 CROWD_WINDOW_TEST(TestLightDock)

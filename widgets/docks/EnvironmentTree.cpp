@@ -70,6 +70,7 @@ void EnvironmentTree::followScene()
                                        return columns.columns.contains(model::ColumnId::Path);
                                    },
                                    [](const model::LightingChanged&) { return false; },
+                                   [](const model::LightsChanged&) { return false; },
                                    [](const model::CamerasChanged&) { return false; },
                                    [](const auto&) { return true; },
                                },

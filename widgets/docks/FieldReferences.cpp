@@ -321,14 +321,14 @@ void addKnownEvents(FieldForm& form, const Bound& bound)
         bound.isShown);
 }
 
-/// Its height comes with the point that is chosen in the picture.
-void addPoint(FieldForm& form, const Bound& bound)
+/// Sliders for some of the axes, side by side.
+void addAxes(FieldForm& form, const Bound& bound, std::initializer_list<int> axes)
 {
     const model::FieldMeta& meta = bound.field->meta;
     form.beginRow();
-    for (const int axis : {0, 2}) {
+    for (const int axis : axes) {
         form.addSlider(
-            axis == 0 ? QStringLiteral("X") : QStringLiteral("Z"),
+            QStringLiteral("XYZ").sliced(axis, 1),
             {meta.sliderLow, meta.sliderHigh, meta.step, meta.decimals, fieldText(meta.unit),
              false},
             [&form, bound, axis] {
@@ -342,6 +342,12 @@ void addPoint(FieldForm& form, const Bound& bound)
             bound.isShown);
     }
     form.endRow();
+}
+
+/// Its height comes with the point that is chosen in the picture.
+void addPoint(FieldForm& form, const Bound& bound)
+{
+    addAxes(form, bound, {0, 2});
     EditorState* state = form.state();
     if (state == nullptr) {
         return;
@@ -357,6 +363,45 @@ void addPoint(FieldForm& form, const Bound& bound)
     });
     form.bind(
         button, [] {}, bound.isShown);
+}
+
+/// A point in the air: nothing is there to click on.
+void addSpace(FieldForm& form, const Bound& bound)
+{
+    auto* title = new QLabel(labelText(bound), &form);
+    title->setToolTip(fieldText(bound.field->meta.tip));
+    form.bind(
+        title, [] {}, bound.isShown);
+    addAxes(form, bound, {0, 1, 2});
+}
+
+/// Whoever is selected when the button is pressed.
+void addIndividual(FieldForm& form, const Bound& bound)
+{
+    auto* button = new QPushButton(&form);
+    button->setObjectName(QStringLiteral("takeSelected"));
+    button->setToolTip(FieldForm::tr("Take whoever is selected"));
+    if (EditorState* state = form.state()) {
+        QObject::connect(button, &QPushButton::clicked, &form, [state, &form, bound] {
+            const auto ids = state->selection().ids();
+            if (ids.empty()) {
+                state->showStatus(FieldForm::tr("Nobody is selected: click somebody first."));
+            } else {
+                form.setValue(bound, static_cast<std::int64_t>(ids.front()));
+            }
+        });
+    }
+    form.addLabelled(
+        labelText(bound), button,
+        [&form, button, bound] {
+            const auto id = static_cast<model::IndividualId>(form.valueOf<std::int64_t>(bound));
+            const bool isThere =
+                sceneOf(form).population.rowOf(id) != model::Population::npos;
+            button->setText(id == 0   ? FieldForm::tr("Take the Selected")
+                            : isThere ? FieldForm::tr("Character %1").arg(id)
+                                      : FieldForm::tr("Character %1, who is gone").arg(id));
+        },
+        bound.isShown);
 }
 
 } // namespace
@@ -399,6 +444,12 @@ bool addReferenceControl(FieldForm& form, const Bound& bound)
         return true;
     case model::FieldRole::Point:
         addPoint(form, bound);
+        return true;
+    case model::FieldRole::Space:
+        addSpace(form, bound);
+        return true;
+    case model::FieldRole::Individual:
+        addIndividual(form, bound);
         return true;
     case model::FieldRole::Event:
         addKnownEvents(form, bound);

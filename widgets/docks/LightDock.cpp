@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/docks/LightDock.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QVBoxLayout>
 
 #include "model/scene/ReadyLight.h"
+#include "widgets/commands/LightCommands.h"
 #include "widgets/docks/FieldForm.h"
 #include "widgets/state/BrushTexts.h"
 #include "widgets/state/SceneChanges.h"
@@ -15,27 +22,77 @@
 
 namespace crowd::widgets {
 
-LightDock::LightDock(EditorState& state, QWidget* parent)
-    : DockBase(tr("Light"), "light", parent), m_state(state)
+using model::Light;
+using model::LightId;
+
+namespace {
+
+constexpr int kLightIdRole = Qt::UserRole;
+constexpr int kLightRows = 6;
+
+std::string iconOf(std::size_t kind)
 {
+    return std::string("light-") + model::kLightKinds[kind].key;
+}
+
+} // namespace
+
+LightDock::LightDock(EditorState& state, QWidget* parent)
+    : DockBase(tr("Light"), "light", parent), m_state(state), m_list(new QListWidget(this)),
+      m_note(new QLabel(this))
+{
+    m_list->setObjectName(QStringLiteral("lights"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_note->setObjectName(QStringLiteral("lightNote"));
+    m_note->setWordWrap(true);
+    m_note->setEnabled(false);
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(6, 6, 6, 6);
-    layout->addWidget(makeReady());
-    makeForm();
-    layout->addWidget(m_form);
+    layout->addWidget(makeButtons());
+    layout->addWidget(m_list);
+    layout->addWidget(m_note);
+    makeForms();
+    layout->addWidget(m_sunForm);
+    layout->addWidget(m_lightForm);
     setScrolledContent(content);
-    connect(&m_state.document(), &model::SceneDocument::changed, this,
-            [this](const model::SceneChange& change) {
-                if (isOneOf<model::LightingChanged, model::SceneReplaced>(change)) {
-                    m_form->refresh();
-                }
-            });
-    connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
-            [this] { m_edit.reset(); });
+    connectParts();
+    fill();
 }
 
 LightDock::~LightDock() = default;
+
+QWidget* LightDock::makeButtons()
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    const auto add = [&](const char* icon, const QString& tip, const char* name, auto act) {
+        auto* button = new QToolButton(row);
+        button->setObjectName(QLatin1String(name));
+        button->setIcon(iconNamed(icon));
+        button->setToolTip(tip);
+        button->setAutoRaise(true);
+        connect(button, &QToolButton::clicked, this, act);
+        layout->addWidget(button);
+        return button;
+    };
+    for (std::size_t kind = 0; kind < model::kLightKinds.size(); ++kind) {
+        const model::FieldChoice& choice = model::kLightKinds[kind];
+        add(iconOf(kind).c_str(),
+            tr("Add: %1. Then click what it is to shine on").arg(fieldText(choice.label)),
+            (std::string("add-") + choice.key).c_str(),
+            [this, kind] { placeLight(m_state, static_cast<model::LightKind>(kind)); });
+    }
+    m_ready = makeReady();
+    layout->addWidget(m_ready);
+    layout->addStretch(1);
+    m_remove = add("delete", tr("Remove the chosen light"), "removeLight",
+                   [this] { removeLight(m_state, m_state.chosenLight()); });
+    return row;
+}
 
 QWidget* LightDock::makeReady()
 {
@@ -55,25 +112,146 @@ QWidget* LightDock::makeReady()
     return button;
 }
 
-void LightDock::makeForm()
+void LightDock::makeForms()
 {
-    const FormTarget target{[this]() -> const void* { return &m_state.scene().lighting; },
-                            [this](const std::function<void(void*)>& apply) { change(apply); },
-                            [this] {
-                                return model::FieldContext{&m_state.scene(), nullptr};
-                            }};
-    m_form = new FieldForm(target, QStringLiteral("light"), &m_state, this);
-    m_form->setObjectName(QStringLiteral("lightForm"));
-    m_form->addFields(model::fieldsOf<model::Lighting>());
-    m_form->finish();
-    connect(m_form, &FieldForm::held, this, &LightDock::hold);
+    static const Light kNone;
+    const auto context = [this] {
+        return model::FieldContext{&m_state.scene(), nullptr};
+    };
+    m_sunForm = new FieldForm({[this]() -> const void* { return &m_state.scene().lighting; },
+                               [this](const auto& apply) { changeLighting(apply); }, context},
+                              QStringLiteral("light"), &m_state, this);
+    m_sunForm->setObjectName(QStringLiteral("lightForm"));
+    m_sunForm->addFields(model::fieldsOf<model::Lighting>());
+    m_lightForm = new FieldForm({[this]() -> const void* {
+                                     const Light* chosen = model::findLight(
+                                         m_state.scene().lights, m_state.chosenLight());
+                                     return chosen != nullptr ? chosen : &kNone;
+                                 },
+                                 [this](const auto& apply) { changeLight(apply); }, context},
+                                QStringLiteral("lamp"), &m_state, this);
+    m_lightForm->setObjectName(QStringLiteral("lampForm"));
+    m_lightForm->addFields(model::fieldsOf<Light>());
+    m_lightForm->addNote(tr("In the picture, while Select is chosen: drag the lamp, with Shift up "
+                            "and down, or what it shines on."));
+    for (FieldForm* form : {m_sunForm, m_lightForm}) {
+        form->finish();
+        connect(form, &FieldForm::held, this, &LightDock::hold);
+    }
 }
 
-void LightDock::change(const std::function<void(void*)>& apply)
+void LightDock::connectParts()
+{
+    connect(&m_state.document(), &model::SceneDocument::changed, this,
+            [this](const model::SceneChange& change) {
+                if (isOneOf<model::LightsChanged, model::SceneReplaced>(change)) {
+                    fill();
+                } else if (isOneOf<model::LightingChanged, model::GroupsChanged,
+                                   model::IndividualsRemoved>(change)) {
+                    showChosen();
+                }
+            });
+    connect(&m_state.document(), &model::SceneDocument::editInterrupted, this,
+            [this] { m_edit.reset(); });
+    connect(&m_state, &EditorState::lightChosen, this, &LightDock::fill);
+    connect(m_list, &QListWidget::currentRowChanged, this, &LightDock::choose);
+    connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+        if (!m_isFilling) {
+            takeItem(*item);
+        }
+    });
+}
+
+void LightDock::addRow(const QString& name, LightId id, const Light* light)
+{
+    const std::string icon =
+        light == nullptr ? "light" : iconOf(static_cast<std::size_t>(light->kind));
+    auto* item = new QListWidgetItem(iconNamed(icon.c_str()), name, m_list);
+    item->setData(kLightIdRole, id);
+    if (light != nullptr) {
+        item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+        item->setCheckState(light->isOn ? Qt::Checked : Qt::Unchecked);
+        item->setToolTip(tr("Ticked: it is on. Double click or F2: rename"));
+    }
+}
+
+void LightDock::fill()
+{
+    if (m_list->viewport()->findChild<QLineEdit*>() != nullptr) {
+        return; // not under the hands of who renames
+    }
+    m_isFilling = true;
+    m_list->clear();
+    addRow(tr("Sun and sky"), 0, nullptr);
+    const model::Lights& lights = m_state.scene().lights;
+    for (const Light& light : lights) {
+        addRow(QString::fromStdString(light.name), light.id, &light);
+    }
+    const auto chosen = std::ranges::find(lights, m_state.chosenLight(), &Light::id);
+    m_list->setCurrentRow(
+        chosen == lights.end() ? 0 : static_cast<int>(chosen - lights.begin()) + 1);
+    m_isFilling = false;
+    const int rows = std::min(m_list->count(), kLightRows);
+    m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
+    const auto on = static_cast<std::size_t>(std::ranges::count_if(lights, &Light::isOn));
+    m_note->setVisible(on > model::kMostLightsDrawn);
+    m_note->setText(tr("%n lights are on; the strongest %1 of them shine.", nullptr,
+                       static_cast<int>(on))
+                        .arg(model::kMostLightsDrawn));
+    showChosen();
+}
+
+void LightDock::choose()
+{
+    const QListWidgetItem* item = m_list->currentItem();
+    if (!m_isFilling && item != nullptr) {
+        m_state.chooseLight(static_cast<LightId>(item->data(kLightIdRole).toUInt()));
+    }
+}
+
+void LightDock::showChosen()
+{
+    const bool isSun = m_state.chosenLight() == 0;
+    m_ready->setVisible(isSun);
+    m_remove->setEnabled(!isSun);
+    m_sunForm->setVisible(isSun);
+    m_lightForm->setVisible(!isSun);
+    (isSun ? m_sunForm : m_lightForm)->refresh();
+}
+
+/// Renamed, or switched on or off.
+void LightDock::takeItem(const QListWidgetItem& item)
+{
+    const auto id = static_cast<LightId>(item.data(kLightIdRole).toUInt());
+    const Light* light = model::findLight(m_state.scene().lights, id);
+    if (light == nullptr) {
+        return;
+    }
+    const bool isOn = item.checkState() == Qt::Checked;
+    const std::string name = item.text().simplified().toStdString();
+    const QString text = isOn == light->isOn ? tr("Rename a light")
+                         : isOn              ? tr("Switch a light on")
+                                             : tr("Switch a light off");
+    widgets::changeLight(m_state, id, text, [&](Light& each) {
+        each.isOn = isOn;
+        each.name = name.empty() ? each.name : name;
+    });
+    // After the list has closed its line: what was refused gets its old name back.
+    QMetaObject::invokeMethod(this, &LightDock::fill, Qt::QueuedConnection);
+}
+
+void LightDock::changeLighting(const std::function<void(void*)>& apply)
 {
     model::Lighting light = m_state.scene().lighting;
     apply(&light);
     put(light);
+}
+
+void LightDock::changeLight(const std::function<void(void*)>& apply)
+{
+    put(withLight(m_state.scene().lights, m_state.chosenLight(),
+                  [&apply](Light& light) { apply(&light); }),
+        tr("Change a light"));
 }
 
 void LightDock::put(const model::Lighting& light)
@@ -85,7 +263,20 @@ void LightDock::put(const model::Lighting& light)
     const auto outcome = m_state.document().edit(
         tr("Change light"), [&](model::SceneEdit& edit) { edit.setLighting(light); });
     if (outcome == model::EditOutcome::Refused) {
-        m_form->refresh();
+        m_sunForm->refresh();
+    }
+}
+
+void LightDock::put(const model::Lights& lights, const QString& undoText)
+{
+    if (m_edit) {
+        m_edit->setLights(lights);
+        return;
+    }
+    const auto outcome = m_state.document().edit(
+        undoText, [&](model::SceneEdit& edit) { edit.setLights(lights); });
+    if (outcome == model::EditOutcome::Refused) {
+        m_lightForm->refresh();
     }
 }
 
@@ -97,7 +288,7 @@ void LightDock::hold(bool isHeld)
         }
     } else if (!isHeld && m_edit) {
         const std::unique_ptr<model::SceneEdit> edit = std::move(m_edit);
-        edit->commit(tr("Change light"));
+        edit->commit(m_state.chosenLight() == 0 ? tr("Change light") : tr("Change a light"));
     }
 }
 

@@ -7,14 +7,16 @@
 #include "widgets/docks/DockBase.h"
 #include "widgets/state/EditorState.h"
 
-class QMenu;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
 
 namespace crowd::widgets {
 
 class FieldForm;
 
-/// The scene's light, all that is described of it, and ready-made ones. A drag of a slider is one
-/// undo step, and seen while it lasts. Main thread.
+/// The scene's lights: sun and sky, and those that stand in it; of the chosen one all that is
+/// described. A drag of a slider is one undo step, and seen while it lasts. Main thread.
 class LightDock : public DockBase
 {
     Q_OBJECT
@@ -24,15 +26,30 @@ public:
     ~LightDock() override;
 
 private:
+    [[nodiscard]] QWidget* makeButtons();
     [[nodiscard]] QWidget* makeReady();
-    void makeForm();
-    void change(const std::function<void(void*)>& apply);
+    void makeForms();
+    void connectParts();
+    void fill();
+    void addRow(const QString& name, model::LightId id, const model::Light* light);
+    void choose(); ///< as the list says
+    void showChosen();
+    void takeItem(const QListWidgetItem& item);
+    void changeLighting(const std::function<void(void*)>& apply);
+    void changeLight(const std::function<void(void*)>& apply);
     void put(const model::Lighting& light);
+    void put(const model::Lights& lights, const QString& undoText);
     void hold(bool isHeld);
 
     EditorState& m_state;
     std::unique_ptr<model::SceneEdit> m_edit; ///< while a slider is held
-    FieldForm* m_form = nullptr;              ///< child
+    QListWidget* m_list = nullptr;            ///< children, as all below
+    QLabel* m_note = nullptr;
+    QWidget* m_remove = nullptr;
+    QWidget* m_ready = nullptr;
+    FieldForm* m_sunForm = nullptr;
+    FieldForm* m_lightForm = nullptr;
+    bool m_isFilling = false;
 };
 
 } // namespace crowd::widgets

@@ -80,6 +80,7 @@ QIcon StatePictures::draw(const model::State& kept, bool& isComplete) const
     const std::vector<model::WorldSeat> seats = scene.worldSeats();
     input.seats = seats;
     input.lighting = scene.lighting;
+    input.lights = scene.lights;
     input.lighting.showGroundGrid = false;
     input.look = m_state.viewOptions().look;
     QPixmap picture = QPixmap::fromImage(scenePicture(input, isComplete));

@@ -178,6 +178,14 @@ void EditorState::setWashed(std::vector<model::IndividualId> ids)
     }
 }
 
+void EditorState::chooseLight(model::LightId id)
+{
+    if (m_chosenLight != id) {
+        m_chosenLight = id;
+        Q_EMIT lightChosen(id);
+    }
+}
+
 void EditorState::setRecall(const RecallSettings& recall)
 {
     if (m_recall != recall) {
@@ -339,12 +347,18 @@ void EditorState::followScene(const model::SceneChange& change)
         [this](const model::GroupsChanged&) { forgetGone(*this); },
         [this](const model::StatesChanged&) { forgetGone(*this); },
         [this](const model::FeaturesChanged&) { forgetGone(*this); },
+        [this](const model::LightsChanged&) {
+            if (findLight(scene().lights, m_chosenLight) == nullptr) {
+                chooseLight(0);
+            }
+        },
         [this](const model::SceneReplaced&) { beginScene(); });
 }
 
 /// Another one is open now.
 void EditorState::beginScene()
 {
+    chooseLight(0);
     forgetMasks(*this);
     forgetGone(*this);
     refreshWalk(true);

@@ -173,6 +173,10 @@ public:
     [[nodiscard]] const RecallSettings& recall() const { return m_recall; }
     void setRecall(const RecallSettings& recall);
 
+    /// The light that is looked at and has its handles in the picture; 0: none.
+    [[nodiscard]] model::LightId chosenLight() const { return m_chosenLight; }
+    void chooseLight(model::LightId id);
+
     /// Ascending: they are washed over in the picture instead of those who are selected; empty:
     /// nobody is.
     [[nodiscard]] const std::vector<model::IndividualId>& washed() const { return m_washed; }
@@ -203,6 +207,7 @@ Q_SIGNALS:
     void viewOptionsChanged(const crowd::widgets::ViewOptions& options);
     void recallChanged(const crowd::widgets::RecallSettings& recall);
     void washedChanged();
+    void lightChosen(crowd::model::LightId id);
     void longWorkChanged(const crowd::widgets::LongWork& work);
     void hintChanged(const QString& hint);
     void statusMessage(const QString& text);
@@ -236,6 +241,7 @@ private:
     PointTaken m_pointTaken; ///< of Picking::Place
     RecallSettings m_recall;
     std::vector<model::IndividualId> m_washed;
+    model::LightId m_chosenLight = 0;
     bool m_hasSeats = false;
     std::optional<model::PathId> m_wantedPath; ///< of the walk brush, also while it is undone
     ViewCamera m_view;

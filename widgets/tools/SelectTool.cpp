@@ -10,6 +10,7 @@
 
 #include "model/brush/MoveDrag.h"
 #include "widgets/tools/BrushDrags.h"
+#include "widgets/tools/LightHandles.h"
 #include "widgets/tools/PlaceHandles.h"
 
 namespace crowd::widgets {
@@ -213,6 +214,9 @@ DragSessionPtr SelectTool::press(const ToolInput& input)
     if (input.button != Qt::LeftButton) {
         return nullptr;
     }
+    if (const auto light = lightAt(m_context, input.position())) {
+        return lightDrag(m_context, input, *light);
+    }
     if (const auto place = placeAt(m_context, input.position())) {
         return placeDrag(m_context, input, *place);
     }
@@ -236,6 +240,11 @@ void SelectTool::hover(const ToolInput& /*input*/, ToolPicture& picture) const
 
 void SelectTool::preview(const ToolInput& input, ToolPicture& picture) const
 {
+    if (lightAt(m_context, input.position())) {
+        picture.hovered = 0;
+        picture.cursor = Qt::SizeAllCursor;
+        return;
+    }
     if (const auto place = placeAt(m_context, input.position())) {
         picture.hovered = 0;
         picture.cursor = place->isBorder ? Qt::SizeHorCursor : Qt::SizeAllCursor;

@@ -97,6 +97,7 @@ void ViewportWidget::connectScene()
     });
     connect(&m_state.selection(), &Selection::changed, this, &ViewportWidget::redraw);
     connect(&m_state, &EditorState::washedChanged, this, &ViewportWidget::redraw);
+    connect(&m_state, &EditorState::lightChosen, this, &ViewportWidget::redraw);
     connect(&m_state.transport(), &Transport::stateChanged, this, &ViewportWidget::redraw);
     connect(&m_state.document(), &model::SceneDocument::changed, this,
             [this](const model::SceneChange& change) {
@@ -207,6 +208,7 @@ render::RenderInput ViewportWidget::renderInput()
     input.seats = queries.seats();
     input.seatsVersion = queries.seatsVersion();
     input.lighting = m_state.scene().lighting;
+    input.lights = m_state.scene().lights;
     input.lighting.showGroundGrid &= options.showGroundGrid;
     input.look = options.look;
     input.samples = m_isCoarse ? 0 : input.samples;
@@ -227,7 +229,10 @@ render::RenderInput ViewportWidget::renderInput()
     }
     input.markers = m_marks.markers();
     m_arcs.make(m_state, *input.frame);
-    input.lines = m_arcs.lines();
+    m_lightMarks.make(m_state, *input.frame);
+    m_lines.assign(m_arcs.lines().begin(), m_arcs.lines().end());
+    m_lines.insert(m_lines.end(), m_lightMarks.lines().begin(), m_lightMarks.lines().end());
+    input.lines = m_lines;
     if (options.showPaths) {
         input.areas = m_paths.areas(m_state, queries.stage());
         input.areasVersion = m_paths.version();

@@ -13,6 +13,7 @@
 #include "widgets/viewport/BrushCursor.h"
 #include "widgets/viewport/FrameClock.h"
 #include "widgets/viewport/FrameStatistics.h"
+#include "widgets/viewport/LightMarks.h"
 #include "widgets/viewport/PathDrawing.h"
 #include "widgets/viewport/PeopleMarks.h"
 #include "widgets/viewport/RelationArcs.h"
@@ -119,6 +120,8 @@ private:
     WalkableDrawing m_walkable;
     PeopleMarks m_marks;
     RelationArcs m_arcs;
+    LightMarks m_lightMarks;
+    std::vector<render::OverlayLine> m_lines; ///< of both
     BrushCursor m_brushCursor;
     QTimer m_handRests;            ///< runs from a movement of the brush until it counts as still
     QPointF m_brushAt{-1.0, -1.0}; ///< at that movement

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "render/style/PlacedLight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "model/base/Color.h"
+#include "model/scene/LightAim.h"
+
+namespace crowd::render {
+
+namespace {
+
+using namespace model;
+
+constexpr float kSharpest = 0.004F; ///< share of the cone in which even a sharp edge fades
+
+PlacedLight placed(const Light& light, const glm::vec3& target)
+{
+    PlacedLight made;
+    made.position = light.position;
+    const glm::vec3 srgb =
+        glm::vec3(light.color[0], light.color[1], light.color[2]) * (1.0F / 255.0F);
+    made.color = linearFromSrgb(srgb) * (light.strength * kLightMetres * kLightMetres);
+    if (!isAimed(light)) {
+        return made;
+    }
+    const glm::vec3 back = light.position - target;
+    const float length = glm::length(back);
+    made.coneRadians = light.coneRadians;
+    made.beam = light.beam;
+    made.reach = length;
+    made.axis = length > 1e-4F ? back / length : glm::vec3(0.0F, 1.0F, 0.0F);
+    const float half = light.coneRadians * 0.5F;
+    made.edgeCosine = std::cos(half);
+    const float full = std::cos(half * (1.0F - std::max(light.softness, kSharpest)));
+    made.edgeSlope = 1.0F / std::max(full - made.edgeCosine, 1e-6F);
+    return made;
+}
+
+} // namespace
+
+std::vector<PlacedLight> placedLights(std::span<const Light> lights, const CrowdFrame* frame)
+{
+    std::vector<const Light*> on;
+    for (const Light& light : lights) {
+        if (light.isOn && light.strength > 0.0F) {
+            on.push_back(&light);
+        }
+    }
+    if (on.size() > kMostLightsDrawn) {
+        std::ranges::stable_sort(on, std::ranges::greater(),
+                                 [](const Light* each) { return each->strength; });
+        on.resize(kMostLightsDrawn);
+    }
+    std::vector<PlacedLight> made;
+    for (const Light* light : on) {
+        if (const auto target = aimedAt(*light, frame)) {
+            made.push_back(placed(*light, *target));
+        }
+    }
+    return made;
+}
+
+} // namespace crowd::render

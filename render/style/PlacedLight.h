@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/scene/CrowdFrame.h"
+#include "model/scene/Scene.h"
+
+namespace crowd::render {
+
+/// A light of the scene in linear light, as the shaders want it. World frame, metres.
+struct PlacedLight
+{
+    glm::vec3 position{0.0F};
+    glm::vec3 axis{0.0F}; ///< unit, from what it lights to the lamp; zero: it shines to all sides
+    float edgeCosine = -1.0F; ///< where its cone ends
+    float edgeSlope = 1.0F;   ///< brightness per cosine from there towards the middle
+    glm::vec3 color{1.0F};    ///< on a surface that faces it a metre away
+    float coneRadians = 0.0F; ///< from edge to edge; 0: none
+    float beam = 0.0F;        ///< share of it that is seen in the air
+    float reach = 0.0F;       ///< metres to what it is turned to
+};
+
+/// Where those that are on shine to, with people where a frame has them; the strongest first where
+/// they are more than model::kMostLightsDrawn. Those that aim at nobody who is there are left out.
+[[nodiscard]] std::vector<PlacedLight> placedLights(std::span<const model::Light> lights,
+                                                    const model::CrowdFrame* frame);
+
+} // namespace crowd::render

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <QtTest/QTest>
+
+#include "tests/program/Test.h"
+#include "tests/render/PictureBench.h"
+#include "tests/render/TestScene.h"
+
+using namespace crowd;
+using namespace crowd::testing;
+
+namespace {
+
+/// From ten metres above a place of the ground, four degrees to each side: 1.4 m wide there.
+model::Light spotOn(const glm::vec3& target)
+{
+    model::Light light;
+    light.id = 1;
+    light.color = {255, 255, 255};
+    light.strength = 0.6F;
+    light.position = target + glm::vec3(0.0F, 10.0F, 0.0F);
+    light.target = target;
+    light.coneRadians = 0.14F;
+    light.softness = 0.0F;
+    return light;
+}
+
+} // namespace
+
+/// Lights that stand in the scene, by what they do to pictures.
+class TestLights : public PictureBench
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { open(); }
+    void cleanupTestCase() { m_renderer->destroy(); }
+    void aSpotLightsWhatItIsTurnedTo();
+    void aPointLightShinesToAllSides();
+    void theColourIsTheLights();
+    void whatIsOffCostsNoPixel();
+    void stagesAndPeopleAreLit();
+    void aFollowSpotGoesWithHim();
+    void theStrongestShine();
+    void oddOnesDoNoHarm();
+
+private:
+    [[nodiscard]] render::RenderInput night();
+    void shine(render::RenderInput input, std::vector<model::Light> lights);
+    [[nodiscard]] glm::ivec3 at(float x, float z) const;
+};
+
+render::RenderInput TestLights::night()
+{
+    render::RenderInput input(above(), *m_keyframes);
+    input.frame = frameOf(model::Population(), {entryFor(m_man)});
+    input.lighting.showGroundGrid = false;
+    input.lighting.sunStrength = 0.0F;
+    input.lighting.ambientStrength = 0.02F;
+    input.lighting.ground = glm::vec3(0.6F);
+    return input;
+}
+
+void TestLights::shine(render::RenderInput input, std::vector<model::Light> lights)
+{
+    input.lights = lights;
+    draw(input);
+}
+
+glm::ivec3 TestLights::at(float x, float z) const
+{
+    const auto column = static_cast<std::size_t>(kPixels / 2 + static_cast<int>(x * kPerMetre));
+    const auto row = static_cast<std::size_t>(kPixels / 2 + static_cast<int>(z * kPerMetre));
+    const std::uint8_t* pixel = &m_pixels[(row * kPixels + column) * 4];
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+void TestLights::aSpotLightsWhatItIsTurnedTo()
+{
+    shine(night(), {spotOn({1.0F, 0.0F, -2.0F})});
+    const int dark = at(-2.0F, 2.0F).y;
+    QVERIFY(dark < 60);
+    QVERIFY2(at(1.0F, -2.0F).y > dark + 60, qPrintable(QString::number(at(1.0F, -2.0F).y)));
+    QVERIFY(at(1.5F, -2.0F).y > dark + 50); // within
+    QCOMPARE(at(1.9F, -2.0F).y, dark);      // and beside its edge
+    // A softer one is darker towards its edge.
+    model::Light soft = spotOn({1.0F, 0.0F, -2.0F});
+    const int sharp = at(1.55F, -2.0F).y;
+    soft.softness = 1.0F;
+    shine(night(), {soft});
+    QVERIFY(at(1.55F, -2.0F).y < sharp - 20);
+    QVERIFY(at(1.0F, -2.0F).y > dark + 60);
+    // Somebody moved it.
+    shine(night(), {spotOn({-1.0F, 0.0F, 2.0F})});
+    QCOMPARE(at(1.0F, -2.0F).y, dark);
+    QVERIFY(at(-1.0F, 2.0F).y > dark + 60);
+}
+
+void TestLights::aPointLightShinesToAllSides()
+{
+    model::Light light = spotOn({0.0F, 0.0F, 0.0F});
+    light.kind = model::LightKind::Point;
+    light.position = {0.0F, 2.0F, 0.0F};
+    light.strength = 0.02F;
+    shine(night(), {light});
+    const int middle = at(0.0F, 0.0F).y;
+    for (const auto& [x, z] : {std::pair(2.0F, 0.0F), {-2.0F, 0.0F}, {0.0F, 2.0F}, {0.0F, -2.0F}}) {
+        QVERIFY(at(x, z).y > at(3.9F, 3.9F).y && at(x, z).y < middle);
+        QVERIFY(std::abs(at(x, z).y - at(2.0F, 0.0F).y) <= 4);
+    }
+}
+
+void TestLights::theColourIsTheLights()
+{
+    model::Light light = spotOn({0.0F, 0.0F, 0.0F});
+    light.color = {255, 0, 0};
+    const glm::ivec3 dark = (shine(night(), {}), at(0.0F, 0.0F));
+    shine(night(), {light});
+    QVERIFY(at(0.0F, 0.0F).x > dark.x + 60);
+    QCOMPARE(at(0.0F, 0.0F).y, dark.y);
+    QCOMPARE(at(0.0F, 0.0F).z, dark.z);
+}
+
+void TestLights::whatIsOffCostsNoPixel()
+{
+    shine(night(), {});
+    const std::vector<std::uint8_t> without = m_pixels;
+    model::Light off = spotOn({0.0F, 0.0F, 0.0F});
+    off.isOn = false;
+    model::Light nobody = spotOn({0.0F, 0.0F, 0.0F});
+    nobody.aim = model::LightAim::Person;
+    nobody.person = 77;
+    shine(night(), {off, nobody});
+    QCOMPARE(m_pixels, without);
+    render::RenderInput plain = night();
+    plain.look = render::Look::Plain;
+    draw(plain);
+    const std::vector<std::uint8_t> unlit = m_pixels;
+    shine(plain, {spotOn({0.0F, 0.0F, 0.0F})});
+    QCOMPARE(m_pixels, unlit);
+}
+
+void TestLights::stagesAndPeopleAreLit()
+{
+    render::RenderInput input = night();
+    input.frame = frameOf(makeRow(1), {entryFor(m_man)});
+    auto stage = std::make_shared<model::StageAsset>();
+    stage->materials.emplace_back();
+    model::StageMesh slab;
+    slab.positions = {{1, 0.1F, 3}, {3, 0.1F, 3}, {3, 0.1F, 1}, {1, 0.1F, 1}};
+    slab.normals.assign(4, glm::vec3(0, 1, 0));
+    slab.uv.assign(4, glm::vec2(0));
+    slab.indices = {0, 1, 2, 0, 2, 3};
+    for (const glm::vec3& corner : slab.positions) {
+        stage->bounds.add(corner);
+    }
+    stage->meshes.push_back(slab);
+    model::StageEntry entry;
+    entry.asset = stage;
+    input.stages = {&entry, 1};
+    shine(input, {});
+    const int darkMan = at(0.0F, 0.0F).y;
+    const int darkStage = at(2.0F, 2.0F).y;
+    // In the middle of a large triangle, far from its corners.
+    shine(input, {spotOn({0.0F, 0.0F, 0.0F}), spotOn({2.0F, 0.0F, 2.0F})});
+    QVERIFY(at(0.0F, 0.0F).y > darkMan + 40);
+    QVERIFY(at(2.0F, 2.0F).y > darkStage + 60);
+    QCOMPARE(at(1.1F, 2.9F).y, darkStage);
+}
+
+void TestLights::aFollowSpotGoesWithHim()
+{
+    render::RenderInput input = night();
+    model::Population people = makeRow(2);
+    const auto places = people.column(model::columns::position);
+    model::Light light = spotOn(places[1]);
+    light.aim = model::LightAim::Person;
+    light.person = people.ids()[1];
+    light.target = {0.0F, 0.0F, 30.0F};
+    input.frame = frameOf(people, {entryFor(m_man)});
+    shine(input, {});
+    const int dark = at(places[1].x, places[1].z).y;
+    shine(input, {light});
+    QVERIFY(at(places[1].x, places[1].z).y > dark + 40);
+    light.aim = model::LightAim::Group; // all are in none
+    shine(input, {light});
+    const glm::vec3 middle = (places[0] + places[1]) * 0.5F;
+    QVERIFY(at(middle.x, middle.z).y > at(middle.x, middle.z + 2.5F).y);
+}
+
+void TestLights::theStrongestShine()
+{
+    std::vector<model::Light> many;
+    for (int i = 0; i < 100; ++i) {
+        many.push_back(spotOn({-3.0F, 0.0F, -3.0F}));
+        many.back().id = static_cast<model::LightId>(i + 1);
+        many.back().strength = 0.001F;
+    }
+    many[60] = spotOn({2.0F, 0.0F, 2.0F});
+    shine(night(), many);
+    QVERIFY(at(2.0F, 2.0F).y > at(0.0F, 0.0F).y + 60);
+}
+
+void TestLights::oddOnesDoNoHarm()
+{
+    model::Light inside = spotOn({0.0F, 0.0F, 0.0F}); // the lamp where it is turned to
+    inside.position = inside.target;
+    model::Light wide = spotOn({0.0F, 0.0F, 0.0F});
+    wide.coneRadians = 3.0F;
+    model::Light black = spotOn({0.0F, 0.0F, 0.0F});
+    black.color = {0, 0, 0};
+    model::Light strong = spotOn({3.0F, 0.0F, 3.0F});
+    strong.strength = 1000.0F;
+    model::Light far = spotOn({1e6F, 0.0F, -1e6F});
+    shine(night(), {inside, wide, black, strong, far});
+    QVERIFY(at(3.0F, 3.0F).y == 255);
+    QVERIFY(at(-2.0F, 2.0F).y > 0 && at(-2.0F, 2.0F).y < 255);
+}
+
+CROWD_TEST(TestLights)
+#include "tst_Lights.moc"

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <QtTest/QTest>
+
+#include <glm/geometric.hpp>
+
+#include "tests/program/Test.h"
+#include "tests/widgets/Hand.h"
+#include "widgets/commands/LightCommands.h"
+#include "widgets/viewport/LightMarks.h"
+
+using namespace crowd;
+using namespace crowd::widgets;
+using crowd::testing::Hand;
+
+namespace {
+
+/// Somebody who has a spotlight in the picture.
+struct LightHand : Hand
+{
+    LightHand()
+    {
+        state.setTool(ToolId::Select);
+        id = addLight(state, model::LightKind::Spot, {0.5F, 0.0F, 5.0F});
+        changeLight(state, id, QStringLiteral("Hang it lower"), [](model::Light& light) {
+            light.position = {-1.5F, 2.0F, 4.0F};
+        });
+        steps = document.undoStack().count();
+    }
+    [[nodiscard]] const model::Light& light() const { return document.scene().lights.front(); }
+
+    model::LightId id = 0;
+    int steps = 0;
+};
+
+} // namespace
+
+/// Lights taken hold of in the picture.
+class TestLightHandles : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aClickPlacesASpotlight();
+    void theLampMovesAtItsHeight();
+    void shiftMovesItUpAndDown();
+    void theTargetGoesOverTheGround();
+    void aClickOnALampChoosesIt();
+    void escapeTakesADragBack();
+    void handlesAreThereWhileOneIsChosen();
+    void namesAreTheirOwn();
+};
+
+void TestLightHandles::aClickPlacesASpotlight()
+{
+    Hand hand;
+    placeLight(hand.state, model::LightKind::Spot);
+    hand.press(crowd::testing::kCenter);
+    hand.release(crowd::testing::kCenter);
+    const model::Lights& lights = hand.document.scene().lights;
+    QCOMPARE(lights.size(), std::size_t{1});
+    QCOMPARE(hand.state.chosenLight(), lights[0].id);
+    // Turned to what was clicked, from the side of whoever looks.
+    const QPointF target = hand.pixelOf(lights[0].target);
+    QVERIFY((target - crowd::testing::kCenter).manhattanLength() < 60.0);
+    QVERIFY(lights[0].position.y > lights[0].target.y + 3.0F);
+    const glm::vec3 eye = hand.state.camera().position;
+    QVERIFY(glm::distance(eye, lights[0].position) < glm::distance(eye, lights[0].target));
+    hand.document.undoStack().undo();
+    QVERIFY(hand.document.scene().lights.empty());
+    QCOMPARE(hand.state.chosenLight(), model::LightId{0});
+}
+
+void TestLightHandles::theLampMovesAtItsHeight()
+{
+    LightHand hand;
+    const QPointF from = hand.pixelOf(hand.light().position);
+    const QPointF to = from + QPointF(60.0, 20.0);
+    hand.drag(from, to);
+    QCOMPARE(hand.document.undoStack().count(), hand.steps + 1);
+    QVERIFY(std::abs(hand.light().position.y - 2.0F) < 1e-4F);
+    QVERIFY(hand.light().position.x > -1.5F);
+    QVERIFY((hand.pixelOf(hand.light().position) - to).manhattanLength() < 3.0);
+}
+
+void TestLightHandles::shiftMovesItUpAndDown()
+{
+    LightHand hand;
+    const QPointF from = hand.pixelOf(hand.light().position);
+    hand.modifiers = Qt::ShiftModifier;
+    hand.drag(from, from - QPointF(0.0, 50.0));
+    QVERIFY(hand.light().position.y > 2.2F);
+    QCOMPARE(hand.light().position.x, -1.5F);
+    QCOMPARE(hand.light().position.z, 4.0F);
+}
+
+void TestLightHandles::theTargetGoesOverTheGround()
+{
+    LightHand hand;
+    const QPointF from = hand.pixelOf(hand.light().target);
+    hand.drag(from, from + QPointF(40.0, 30.0));
+    QCOMPARE(hand.document.undoStack().count(), hand.steps + 1);
+    QVERIFY((hand.pixelOf(hand.light().target) - from - QPointF(40.0, 30.0)).manhattanLength() <
+            3.0);
+    QVERIFY((hand.light().position == glm::vec3(-1.5F, 2.0F, 4.0F)));
+    QVERIFY(std::abs(hand.light().target.y) < 0.2F);
+}
+
+void TestLightHandles::aClickOnALampChoosesIt()
+{
+    LightHand hand;
+    const model::LightId other = addLight(hand.state, model::LightKind::Point, {1.5F, 0.0F, 5.0F});
+    QCOMPARE(hand.state.chosenLight(), other);
+    const QPointF lamp = hand.pixelOf(hand.light().position);
+    hand.press(lamp);
+    hand.release(lamp);
+    QCOMPARE(hand.state.chosenLight(), hand.id);
+}
+
+void TestLightHandles::escapeTakesADragBack()
+{
+    LightHand hand;
+    const glm::vec3 before = hand.light().position;
+    const QPointF from = hand.pixelOf(before);
+    hand.press(from);
+    hand.move(from + QPointF(80.0, 0.0));
+    QVERIFY(hand.light().position != before); // seen meanwhile
+    hand.key(Qt::Key_Escape);
+    QVERIFY(hand.light().position == before);
+    QCOMPARE(hand.document.undoStack().count(), hand.steps);
+}
+
+void TestLightHandles::handlesAreThereWhileOneIsChosen()
+{
+    LightHand hand;
+    LightMarks marks;
+    marks.make(hand.state, *hand.state.frame());
+    QVERIFY(!marks.lines().empty());
+    hand.state.chooseLight(0);
+    marks.make(hand.state, *hand.state.frame());
+    QVERIFY(marks.lines().empty());
+    const QPointF from = hand.pixelOf(hand.light().position);
+    hand.drag(from, from + QPointF(60.0, 20.0)); // selects an area instead
+    QVERIFY((hand.light().position == glm::vec3(-1.5F, 2.0F, 4.0F)));
+}
+
+void TestLightHandles::namesAreTheirOwn()
+{
+    LightHand hand;
+    addLight(hand.state, model::LightKind::Spot, {});
+    const model::Lights& lights = hand.document.scene().lights;
+    QVERIFY(lights[0].name != lights[1].name && !lights[1].name.empty());
+    removeLight(hand.state, lights[0].id);
+    QCOMPARE(lights.size(), std::size_t{1});
+    addLight(hand.state, model::LightKind::Spot, {});
+    QVERIFY(lights[0].name != lights[1].name);
+}
+
+CROWD_TEST(TestLightHandles)
+#include "tst_LightHandles.moc"

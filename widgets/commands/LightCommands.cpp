@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/commands/LightCommands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QtCore/QCoreApplication>
+
+#include "model/document/SceneEdit.h"
+#include "widgets/state/BrushTexts.h"
+
+namespace crowd::widgets {
+
+using model::Light;
+using model::LightId;
+using model::LightKind;
+using model::Lights;
+
+namespace {
+
+struct LightText
+{
+    Q_DECLARE_TR_FUNCTIONS(LightCommands)
+};
+
+QString freeLightName(const Lights& lights, LightKind kind)
+{
+    const QString plain = fieldText(model::kLightKinds[static_cast<std::size_t>(kind)].label);
+    for (std::size_t number = 1;; ++number) {
+        const QString name = plain + QLatin1Char(' ') + QString::number(number);
+        if (std::ranges::find(lights, name.toStdString(), &Light::name) == lights.end()) {
+            return name;
+        }
+    }
+}
+
+} // namespace
+
+void placeLight(EditorState& state, LightKind kind)
+{
+    state.choosePoint([&state, kind](const glm::vec3& metres) { addLight(state, kind, metres); });
+    state.showStatus(LightText::tr("Click what it is to shine on."));
+}
+
+LightId addLight(EditorState& state, LightKind kind, const glm::vec3& lit)
+{
+    Lights lights = state.scene().lights;
+    Light light = newLight(kind, lit, state.camera().position);
+    light.id = freeLightId(lights);
+    if (light.id == 0) {
+        state.showStatus(LightText::tr("A scene has at most %1 lights: remove one first.")
+                             .arg(model::kMostLights));
+        return 0;
+    }
+    light.name = freeLightName(lights, kind).toStdString();
+    lights.push_back(light);
+    const auto outcome = state.document().edit(
+        LightText::tr("Add a light"),
+        [&lights](model::SceneEdit& edit) { edit.setLights(std::move(lights)); });
+    if (outcome == model::EditOutcome::Refused) {
+        return 0;
+    }
+    state.chooseLight(light.id);
+    return light.id;
+}
+
+void removeLight(EditorState& state, LightId id)
+{
+    Lights lights = state.scene().lights;
+    std::erase_if(lights, [id](const Light& each) { return each.id == id; });
+    state.document().edit(LightText::tr("Remove a light"), [&lights](model::SceneEdit& edit) {
+        edit.setLights(std::move(lights));
+    });
+}
+
+Lights withLight(const Lights& lights, LightId id, const std::function<void(Light&)>& apply)
+{
+    Lights changed = lights;
+    for (Light& each : changed) {
+        if (each.id == id) {
+            apply(each);
+        }
+    }
+    return changed;
+}
+
+void changeLight(EditorState& state, LightId id, const QString& undoText,
+                 const std::function<void(Light&)>& apply)
+{
+    Lights changed = withLight(state.scene().lights, id, apply);
+    state.document().edit(undoText, [&changed](model::SceneEdit& edit) {
+        edit.setLights(std::move(changed));
+    });
+}
+
+} // namespace crowd::widgets

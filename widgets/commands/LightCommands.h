@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <QtCore/QString>
+
+#include "model/scene/Light.h"
+#include "widgets/state/EditorState.h"
+
+/// What panel and picture do with the lights of a scene: one undo step each. World frame, metres.
+namespace crowd::widgets {
+
+/// The next click in the picture says what it is to light; it is chosen then.
+void placeLight(EditorState& state, model::LightKind kind);
+/// One that lights that point, from where it is seen; its id, 0: there are as many as there can be.
+model::LightId addLight(EditorState& state, model::LightKind kind, const glm::vec3& lit);
+void removeLight(EditorState& state, model::LightId id);
+void changeLight(EditorState& state, model::LightId id, const QString& undoText,
+                 const std::function<void(model::Light&)>& apply);
+/// The lights with one of them changed.
+[[nodiscard]] model::Lights withLight(const model::Lights& lights, model::LightId id,
+                                      const std::function<void(model::Light&)>& apply);
+
+} // namespace crowd::widgets
