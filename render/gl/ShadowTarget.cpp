@@ -7,14 +7,13 @@
 
 namespace crowd::render {
 
-model::Result<void> ShadowTarget::begin(int pixels, const ShadowTarget* other)
+bool ShadowTarget::begin(int pixels, const ShadowTarget* other)
 {
     if (pixels != m_pixels) {
-        if (auto made = make(pixels); !made) {
-            m_pixels = 0;
-            return made;
-        }
-        m_pixels = pixels;
+        m_pixels = make(pixels) ? pixels : 0;
+    }
+    if (m_pixels == 0) {
+        return false;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
     glViewport(0, 0, pixels, pixels);
@@ -26,7 +25,7 @@ model::Result<void> ShadowTarget::begin(int pixels, const ShadowTarget* other)
     } else {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
-    return {};
+    return true;
 }
 
 void ShadowTarget::bindTexture(int unit) const
@@ -35,7 +34,7 @@ void ShadowTarget::bindTexture(int unit) const
     glBindTexture(GL_TEXTURE_2D, m_depth.name());
 }
 
-model::Result<void> ShadowTarget::make(int pixels)
+bool ShadowTarget::make(int pixels)
 {
     m_depth = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, m_depth.name());
@@ -55,11 +54,7 @@ model::Result<void> ShadowTarget::make(int pixels)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_depth.name(), 0);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        return model::Error{QT_TRANSLATE_NOOP(
-            "Messages", "The graphics driver offers no shadows. Set those of the light to 0 %.")};
-    }
-    return {};
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 } // namespace crowd::render

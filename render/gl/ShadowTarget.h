@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/base/Result.h"
 #include "render/gl/GlObjects.h"
 
 namespace crowd::render {
@@ -12,12 +11,12 @@ class ShadowTarget
 {
 public:
     /// Makes it anew where the size is another; binds it and clears it, or begins it with what is
-    /// in another one of that size. A square of pixels.
-    [[nodiscard]] model::Result<void> begin(int pixels, const ShadowTarget* other = nullptr);
+    /// in another one of that size. A square of pixels. False: the driver offers no such map.
+    [[nodiscard]] bool begin(int pixels, const ShadowTarget* other = nullptr);
     void bindTexture(int unit) const;
 
 private:
-    [[nodiscard]] model::Result<void> make(int pixels);
+    [[nodiscard]] bool make(int pixels);
 
     int m_pixels = 0;
     GlTexture m_depth;

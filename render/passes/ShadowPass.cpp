@@ -107,19 +107,14 @@ Result<void> ShadowPass::drawStages(const PassContext& context, const SunView& s
     const bool isStill = now == m_last;
     m_isKept = m_isKept && isStill;
     m_last = std::move(now);
-    if (isStill && !m_isKept) {
-        if (auto begun = m_kept.begin(pixels); !begun) {
-            return begun;
-        }
+    if (isStill && !m_isKept && m_kept.begin(pixels)) {
         if (auto drawn = m_stage.drawCasters(context); !drawn) {
             return drawn;
         }
         m_isKept = true;
     }
-    if (auto begun = m_target.begin(pixels, m_isKept ? &m_kept : nullptr); !begun) {
-        return begun;
-    }
-    return m_isKept ? Result<void>() : m_stage.drawCasters(context);
+    m_isOffered = m_target.begin(pixels, m_isKept ? &m_kept : nullptr);
+    return m_isKept || !m_isOffered ? Result<void>() : m_stage.drawCasters(context);
 }
 
 Result<void> ShadowPass::drawPeople(const PassContext& context, CrowdGpu& crowd, const SunView& sun)
@@ -162,8 +157,12 @@ Result<void> ShadowPass::draw(PassContext& context, CrowdGpu& crowd)
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
     auto drawn = drawStages(casting, *sun, mapPixels(context.pixelSize));
-    drawn = drawn ? drawPeople(casting, crowd, *sun) : drawn;
+    drawn = drawn && m_isOffered ? drawPeople(casting, crowd, *sun) : drawn;
     glDisable(GL_POLYGON_OFFSET_FILL);
+    if (!m_isOffered) {
+        context.style.shadowStrength = 0.0F;
+        return drawn;
+    }
     m_target.bindTexture(kShadowUnit);
     glActiveTexture(GL_TEXTURE0);
     const float metres = std::tan(context.style.shadowSoftness * 0.5F) * kCasterMetres;

@@ -25,7 +25,7 @@ public:
 
     void initialize();
     /// Leaves the map's framebuffer bound, and the map at kShadowUnit. Where nothing receives
-    /// shadows, `context` casts none afterwards.
+    /// shadows, or the driver offers no such map, `context` casts none afterwards.
     [[nodiscard]] model::Result<void> draw(PassContext& context, CrowdGpu& crowd);
     /// Instead of draw(), where nothing is cast: after a while it lets go of what it kept.
     void rest();
@@ -56,7 +56,8 @@ private:
         bool operator==(const StillStages&) const = default;
     };
     StillStages m_last;
-    bool m_isKept = false; ///< m_kept holds m_last
+    bool m_isKept = false;   ///< m_kept holds m_last
+    bool m_isOffered = true; ///< by the driver
     int m_framesAtRest = 0;
     ShadowTarget m_kept;
     CrowdView m_seen; ///< by the sun
